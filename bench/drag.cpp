@@ -47,6 +47,7 @@ struct Times {
 struct Solved {
   solve::LayerSight sight;
   std::optional<solve::RefinedLayer> refined;
+  PatchLayer patches;
 };
 
 bool solve_layer(Context& context, const Document& document, std::uint32_t layer,
@@ -55,9 +56,10 @@ bool solve_layer(Context& context, const Document& document, std::uint32_t layer
   Result<solve::PreparedLayer> prepared = solve::prepare_layer(
       context, document, layer, solved.sight, options, nullptr, solve::LayerUse::drags);
   if (!prepared) return false;
-  return solve::LayerSolver(context, std::move(*prepared), options, nullptr)
-      .solve(&solved.refined)
-      .ok();
+  Result<PatchLayer> patches =
+      solve::LayerSolver(context, std::move(*prepared), options, nullptr).solve(&solved.refined);
+  if (patches) solved.patches = std::move(*patches);
+  return patches.ok();
 }
 
 bool drag_one(Context& context, const Document& document, std::uint32_t layer, std::uint32_t curve,
@@ -67,20 +69,28 @@ bool drag_one(Context& context, const Document& document, std::uint32_t layer, s
                                                           solved.sight, options, solved.refined);
   if (!drag) return false;
   times.begin += cpu_milliseconds() - start;
-  solve::FramePatches shown, spare;  // the last frame, and the one before
+  PatchLayer shown = solved.patches;                                   // then the last frame
+  std::optional<solve::FrameRows> rows = drag->take_rows_of_solved();  // of it
   for (int i = 0; i <= kFrames; ++i) {
     Curve moved = document.layers[layer].curves[curve];
     for (Vec2& p : moved.control_points) p = p + Vec2{1.0 + i % 6, 2.0 - i % 7};
     DiffuseStats stats;
     const double frame_start = cpu_milliseconds();
-    const solve::FrameOptions how{asked.most_missed, solve::FrameTime(asked.seconds), &stats, {}};
-    Result<solve::FramePatches> frame = drag->frame(context, moved, std::move(spare), how);
+    const solve::FrameOptions how{asked.most_missed, solve::FrameTime(asked.seconds),
+                                  rows.has_value(), &stats};
+    Result<solve::FramePatches> frame = drag->frame(context, moved, how);
     if (!frame) return false;
-    spare = std::exchange(shown, std::move(*frame));
+    if (frame->is_whole) {
+      shown = std::move(frame->layer);
+    } else {
+      if (!drag->make_room(context, shown)) return false;
+      drag->write(*frame, *rows, shown);
+    }
+    rows = std::move(frame->rows);
     (i == 0 ? times.first : times.frame) += cpu_milliseconds() - frame_start;
     if (i == 0) continue;
     times.gathered += static_cast<double>(stats.nodes);
-    times.left += static_cast<double>(shown.left);
+    times.left += static_cast<double>(frame->left);
     ++times.frames;
   }
   return true;

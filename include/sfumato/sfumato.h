@@ -358,9 +358,10 @@ enum sfumato_table {
 SFUMATO_API int32_t sfumato_picture_table(const sfumato_picture* picture, uint32_t layer,
                                           uint32_t table, sfumato_view* view);
 /** The rows of a table that the last sfumato_solve_again() made anew: ranges, from and up to,
- * ascending and apart, as u32, 2 columns; all rows after sfumato_solve(). Of an opaque layer these
- * are few from the second quick picture of one curve on, and others are what they were, but for
- * rows between near ones. A table may also have become shorter. */
+ * ascending and apart, as u32, 2 columns; all rows after sfumato_solve(). While one curve moves
+ * these are few, from the second quick picture on or, where the layer is opaque, from the first,
+ * and others are what they were, but for rows between near ones. A table may also have become
+ * shorter. */
 SFUMATO_API int32_t sfumato_picture_changes(const sfumato_picture* picture, uint32_t layer,
                                             uint32_t table, sfumato_view* view);
 

@@ -43,9 +43,12 @@ RowRanges new_rows(const LayerRows& rows, std::uint32_t table, std::uint32_t cou
     case SFUMATO_TRIANGLES:
     case SFUMATO_CURVE_EDGES:
     case SFUMATO_COLOR_NODES:
+    case SFUMATO_OPACITY_NODES:
       return ranges_of(rows.triangles, count);
     case SFUMATO_COLOR_VALUES:
       return ranges_of(rows.nodes, count);
+    case SFUMATO_OPACITY_VALUES:
+      return ranges_of(rows.opacity_nodes, count);
     default:
       return {};
   }

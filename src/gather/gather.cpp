@@ -13,6 +13,7 @@
 #include "gather/packing.hpp"
 #include "gather/rays.hpp"
 #include "gather/weak_visibility.hpp"
+#include "gather/weight_class.hpp"
 
 namespace sfumato::gather {
 
@@ -175,10 +176,18 @@ Result<std::vector<std::uint32_t>> Gatherer::triangles_of(Context& context, cons
 }
 
 Status Gatherer::find_changes(Context& context, const Gatherer& before, const PointList& points,
-                              std::span<std::uint8_t> may_differ) const {
+                              std::span<std::uint8_t> may_differ,
+                              const InsertedShare* inserted) const {
   Status status = mark_viewers(context, *state_, points, may_differ);
   if (status) status = mark_viewers(context, *before.state_, points, may_differ);
   if (!status) return status;
+  const float unit = before.weight_unit();
+  for (std::size_t i = 0; inserted && i < points.size(); ++i) {
+    const std::size_t slot = points.slot(i);
+    if (!may_differ[slot]) continue;
+    const float weight = least_weight(inserted->weight[slot]);
+    may_differ[slot] = !inserted->bound.holds_at(points[i], weight, unit);
+  }
   const Result<ChangedEnds> ends = changed_ends(context, before.state_->ends, state_->ends);
   if (!ends) return ends.status();
   status = mark_reached(context, *state_, ends->gone, points, may_differ);

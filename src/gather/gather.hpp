@@ -39,6 +39,13 @@ struct PointPlaces {
   TableMemory memory{"the places of points"};
 };
 
+/// How much what is inserted may change at points that have been gathered without it.
+struct InsertedShare {
+  const ShareBound& bound;
+  std::span<const std::uint8_t>
+      weight;  ///< per slot: the weight_class() of what was gathered there
+};
+
 /// Where points lie in the visibility mesh of one gatherer, and how that became another's.
 struct KnownPlaces {
   const PointPlaces& points;  ///< by its locate()
@@ -105,8 +112,11 @@ class Gatherer {
   /// `before`, where the two meshes, on one lattice, differ by the watched segments of either.
   /// Never too few, but for what the weld moves. Other slots stay as they are. Points as for
   /// gather(). Errors: limit (memory), cancelled.
+  /// inserted   unless null: leaves out points that see it where its bound holds; none is marked
+  /// yet
   Status find_changes(Context& context, const Gatherer& before, const PointList& points,
-                      std::span<std::uint8_t> may_differ) const;
+                      std::span<std::uint8_t> may_differ,
+                      const InsertedShare* inserted = nullptr) const;
 
   /// Lists such slots, each once, among points whose places are known, where the meshes differ by
   /// this one's watched segments alone, whichever was first; with a bound, without those at which

@@ -19,12 +19,10 @@ struct DraggedCurve {
   /// not depend on where the curve was before.
   std::optional<LayerDrag> roomy{};
   bool may_have_room = true;  ///< until that lacks memory
-  /// The picture's layer, while a frame made it, and the frame before that, whose tables the next
-  /// one uses again: which engine made it, and its rows.
+  /// Of the picture's layer, while a frame made it or the drag began from it: which engine did, and
+  /// its rows.
   LayerDrag* shown_by = nullptr;
   std::optional<FrameRows> shown{};
-  const LayerDrag* spare_by = nullptr;
-  FramePatches spare{};
   std::size_t left = 0;  ///< nodes of the picture's layer that may be gathered yet
 
   /// Gives up the tables of the engines' last frames. Returns whether there were any.
@@ -37,7 +35,6 @@ struct DraggedCurve {
   /// The picture's layer comes from elsewhere now.
   void forget_shown() {
     shown.reset();
-    spare = {};
     left = 0;
   }
 };

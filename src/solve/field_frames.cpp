@@ -20,11 +20,12 @@ constexpr double kClockTick = 1e-4;
 
 }  // namespace
 
-Status FieldSolver::start_from(const Context& context, const Seams& known,
+Status FieldSolver::start_from(const Context& context, const RefinedField& known,
                                const mesh::TriangleMesh& mesh) {
-  Result<Seams> seams = known.copy(context, mesh);
-  if (seams) seams_.emplace(std::move(*seams));
-  return seams.status();
+  Result<Seams> seams = known.seams->copy(context, mesh);
+  if (!seams) return seams.status();
+  seams_.emplace(std::move(*seams));
+  return memory_.assign(context, known.vertex_radius, vertex_radius_);
 }
 
 Status FieldSolver::start_from(const Context& context, const FieldSolver& before,
@@ -149,7 +150,10 @@ Status FieldSolver::list_changed(Context& context, const PreparedField& with,
   Status status = scratch.resize(context, may_differ, positions.size());
   if (status) status = without.list_free_nodes(context, scratch, free);
   if (!status) return status;
-  status = with.gatherer.find_changes(context, rest, {positions, free}, may_differ);
+  std::optional<gather::InsertedShare> inserted;
+  if (bound) inserted.emplace(gather::InsertedShare{*bound, without.node_hit_});
+  status = with.gatherer.find_changes(context, rest, {positions, free}, may_differ,
+                                      inserted ? &*inserted : nullptr);
   if (status) status = memory.reserve(context, changed, free.size());
   for (std::size_t i = 0; status && i < free.size(); ++i)
     if (may_differ[free[i]]) changed.push_back(free[i]);
@@ -289,7 +293,6 @@ Status FieldSolver::lay_out_without(Context& context, const RefinedField& known,
   if (status) status = locate_nodes(context, known, is_same);
   if (status) status = list_to_gather(context, with, *this, is_same, nullptr, to_gather_);
   field_.gatherer.forget_before();
-  history_.free(layout_memory_);
   return status;
 }
 

@@ -107,7 +107,8 @@ Result<std::vector<std::uint8_t>> FieldSolver::asked_nodes(const Context& contex
 }
 
 Status FieldSolver::carry_over(Context& context, const FieldSolver& before,
-                               std::span<const std::int32_t> kept) {
+                               std::span<const std::int32_t> kept,
+                               const gather::ShareBound* bound) {
   if (!has_channels_of(before)) return ok_status();
   TableMemory scratch("patches");
   Result<std::vector<std::uint8_t>> asks = asked_nodes(context, scratch);
@@ -115,8 +116,13 @@ Status FieldSolver::carry_over(Context& context, const FieldSolver& before,
   std::vector<std::uint32_t> carried;
   Status status = copy_values(context, before, kept, *asks, scratch, carried);
   const gather::PointList points(layout_.position, carried);
+  std::optional<gather::InsertedShare> inserted;
+  if (bound && has_code_values(field_.attributes)) {
+    inserted.emplace(gather::InsertedShare{*bound, node_hit_});
+  }
   if (status) {
-    status = field_.gatherer.find_changes(context, before.field_.gatherer, points, *asks);
+    status = field_.gatherer.find_changes(context, before.field_.gatherer, points, *asks,
+                                          inserted ? &*inserted : nullptr);
   }
   if (!status) return status;
   keep_asked(*asks);
@@ -130,7 +136,7 @@ bool FieldSolver::has_channels_of(const FieldSolver& other) const {
 
 std::size_t FieldSolver::bytes_of_nodes() const {
   return capacity_bytes(layout_.triangle_node, layout_.edge_is_curve, layout_.position,
-                        layout_.is_fixed, layout_.value, node_hit_, node_place_);
+                        layout_.is_fixed, layout_.value, node_hit_, node_place_, vertex_radius_);
 }
 
 Result<RefinedField> FieldSolver::copy_nodes(const Context& context) const {
@@ -147,16 +153,16 @@ Result<RefinedField> FieldSolver::copy_nodes(const Context& context) const {
   copy(layout_.value, refined.layout.value);
   copy(node_hit_, refined.node_hit);
   copy(node_place_, refined.node_place);
+  copy(vertex_radius_, refined.vertex_radius);
   if (!status) return status;
   return refined;
 }
 
 RefinedField FieldSolver::release() {
-  memory_.free(vertex_radius_);
   memory_.free(to_gather_);
   layout_memory_.take(std::move(memory_));
   return {std::move(layout_), std::move(node_hit_), std::move(node_place_),
-          std::move(layout_memory_)};
+          std::move(vertex_radius_), std::move(layout_memory_)};
 }
 
 Status FieldSolver::put_in_order(Context& context, const mesh::TriangleMesh& mesh) {
@@ -195,7 +201,7 @@ Result<std::size_t> FieldSolver::gather(Context& context, const gather::GatherOp
                                            layout_.value, node_hit_, true, node_place_);
     if (!status) return status;
   }
-  if (!frame_) memory_.free(to_gather_);  // the next frame asks which they were
+  if (!history_.is_logged) memory_.free(to_gather_);  // list_rows() asks which they were
   return count;
 }
 

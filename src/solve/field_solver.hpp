@@ -35,6 +35,7 @@ struct RefinedField {
   NodeLayout layout;
   std::vector<std::uint8_t> node_hit;     ///< as FieldSolver's
   std::vector<std::uint32_t> node_place;  ///< as FieldSolver's
+  std::vector<float> vertex_radius;       ///< as FieldSolver's
   TableMemory memory{"a solved layer"};
   std::optional<Seams> seams{};  ///< of the layer's patch mesh
 };
@@ -96,9 +97,10 @@ class FieldSolver {
   /// that stand where they stood and that watched segments or free ends of neither reach. The rest
   /// stays listed to be gathered.
   /// kept     per triangle of the mesh of `before`: which of this mesh it is, or mesh::kNone
+  /// bound    of what was inserted, or null: nodes at which it holds keep their values
   /// Errors   limit (memory), cancelled
-  Status carry_over(Context& context, const FieldSolver& before,
-                    std::span<const std::int32_t> kept);
+  Status carry_over(Context& context, const FieldSolver& before, std::span<const std::int32_t> kept,
+                    const gather::ShareBound* bound);
 
   /// In place of start(): on a copy of the mesh of `before`, which has been laid out. Errors: limit
   /// (memory), cancelled.
@@ -139,9 +141,10 @@ class FieldSolver {
 
   std::size_t left_count() const { return left_.size(); }
 
-  /// In place of start(), before follow(): on a copy of a mesh whose seams are known. Errors: limit
-  /// (memory), cancelled.
-  Status start_from(const Context& context, const Seams& known, const mesh::TriangleMesh& mesh);
+  /// In place of start(), before follow(): on a copy of a mesh whose seams and radii are known.
+  /// Errors: limit (memory), cancelled.
+  Status start_from(const Context& context, const RefinedField& known,
+                    const mesh::TriangleMesh& mesh);
 
   /// In place of lay_out(), where segments were taken out of the mesh since, for others to
   /// lay_out_from() this: takes over the nodes that are known from before that, and follows the
@@ -160,11 +163,17 @@ class FieldSolver {
   /// from.
   FieldFrame release_frame();
 
-  /// Adds what release_frame() will list: triangles that have other nodes than in the field that
-  /// the frame began from, and nodes that are others or have other values, some of them twice.
-  /// Errors: limit (memory), cancelled.
+  /// Adds what release_frame() will list, or what lay_out_without() and gather() changed: triangles
+  /// that have other nodes than in the field from which this was laid out, and nodes that are
+  /// others or have other values, some of them twice. Errors: limit (memory), cancelled.
   Status list_rows(const Context& context, TableMemory& memory,
                    std::vector<std::uint32_t>& triangles, std::vector<std::uint32_t>& nodes) const;
+
+  /// Gives up what list_rows() asks for.
+  void forget_rows() {
+    history_.free(layout_memory_);
+    memory_.free(to_gather_);
+  }
 
   /// What copy_nodes() takes.
   std::size_t bytes_of_nodes() const;

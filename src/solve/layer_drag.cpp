@@ -107,9 +107,10 @@ struct LayerDrag::State {
 
   Status begin(Context& context, std::optional<RefinedLayer>& refined);
   bool has_fields_with(const Curve& curve) const;
-  Result<FramePatches> frame(Context& context, const Curve& curve, bool keeps, FramePatches spare,
+  Result<FramePatches> frame(Context& context, const Curve& curve, bool keeps,
                              const FrameOptions& how);
-  Result<FramePatches> go_on(Context& context, FramePatches spare, const FrameOptions& how);
+  Result<FramePatches> go_on(Context& context, const FrameOptions& how);
+  FrameSource shown() const;
 
   DiffuseOptions options;
   LayerSight sight;
@@ -120,12 +121,13 @@ struct LayerDrag::State {
   bool is_joint;              ///< as FlatLayer
   bool has_room = false;      ///< of the meshes
   LayerUnits units;
-  ScopedCharge charge;                     ///< of the polylines and curves
-  curves::FlatCurves flat;                 ///< of `curves`
-  std::optional<mesh::Mesher> visibility;  ///< without the curve that moves, not refined
-  mesh::TriangleMesh visibility_mesh;      ///< handed out by it
-  std::optional<LayerSolver> base;         ///< the layer without it
-  const Budget* budget = nullptr;          ///< that all this is charged to
+  ScopedCharge charge;                      ///< of the polylines and curves
+  curves::FlatCurves flat;                  ///< of `curves`
+  std::optional<mesh::Mesher> visibility;   ///< without the curve that moves, not refined
+  mesh::TriangleMesh visibility_mesh;       ///< handed out by it
+  std::optional<LayerSolver> base;          ///< the layer without it
+  std::optional<FrameRows> rows_of_solved;  ///< LayerDrag::take_rows_of_solved()
+  const Budget* budget = nullptr;           ///< that all this is charged to
   LastFrame last;
 
  private:
@@ -153,7 +155,7 @@ struct LayerDrag::State {
                                               const mesh::MeshEdit& edit, TableMemory& memory);
   Status watch(Context& context, const FlatMesh& whole, std::span<const std::uint8_t> moves,
                WatchedFields& with) const;
-  Result<FramePatches> take(LayerSolver& layer, LastFrame now, FramePatches spare);
+  Result<FramePatches> take(LayerSolver& layer, LastFrame now, bool wants_rows);
 };
 
 /// has_opacity   as FlatLayer's
@@ -238,7 +240,9 @@ Status LayerDrag::State::take_off(Context& context, RefinedLayer& refined) {
   status = patches->edit(context, flat, edit, true);
   if (!status) return status;
   base.emplace(context, prepared_layer(std::move(*rest), std::move(*patches)), options, nullptr);
-  return base->continue_without({refined, with.get(), *is_same});
+  Result<std::optional<FrameRows>> rows = base->continue_without({refined, with.get(), *is_same});
+  if (rows && refined.is_all_shown) rows_of_solved = std::move(*rows);
+  return rows.status();
 }
 
 /// Makes the visibility mesh without the curve, and says which triangles it has in common with that
@@ -385,7 +389,7 @@ Result<SampledFields> LayerDrag::State::sample_frame(const Context& context,
 
 /// keeps   leaves its tables for the next frame, and uses those of the last
 Result<FramePatches> LayerDrag::State::frame(Context& context, const Curve& curve, bool keeps,
-                                             FramePatches spare, const FrameOptions& how) {
+                                             const FrameOptions& how) {
   LastFrame now;
   if (keeps) now = std::exchange(last, {});
   TableMemory memory("a drag");
@@ -424,24 +428,23 @@ Result<FramePatches> LayerDrag::State::frame(Context& context, const Curve& curv
   }
   status = layer.continue_inserted(*base, insertion);
   if (!status) return status;
-  if (keeps) return take(layer, std::move(now), std::move(spare));
+  if (keeps) return take(layer, std::move(now), how.wants_rows);
   Result<PatchLayer> whole = layer.take();
   if (!whole) return whole.status();
   return FramePatches{std::move(*whole), {}};
 }
 
 /// The patches of a frame; its tables become the last ones.
-Result<FramePatches> LayerDrag::State::take(LayerSolver& layer, LastFrame now, FramePatches spare) {
+Result<FramePatches> LayerDrag::State::take(LayerSolver& layer, LastFrame now, bool wants_rows) {
   std::optional<FrameTables> kept;
-  Result<FramePatches> result = layer.take_frame(std::move(spare), kept);
+  Result<FramePatches> result = layer.take_frame(wants_rows, kept);
   if (!result) return result;
   now.tables = kept ? std::move(*kept) : FrameTables();
   last = std::move(now);
   return result;
 }
 
-Result<FramePatches> LayerDrag::State::go_on(Context& context, FramePatches spare,
-                                             const FrameOptions& how) {
+Result<FramePatches> LayerDrag::State::go_on(Context& context, const FrameOptions& how) {
   LastFrame now = std::exchange(last, {});
   FrameTables& tables = now.tables;
   PreparedFields fields{std::move(*tables.color.field), {}};
@@ -450,7 +453,13 @@ Result<FramePatches> LayerDrag::State::go_on(Context& context, FramePatches spar
                     how.stats, how.watch);
   Status status = layer.resume(*base, std::move(tables), how.time);
   if (!status) return status;
-  return take(layer, std::move(now), std::move(spare));
+  return take(layer, std::move(now), how.wants_rows);
+}
+
+/// The last frame.
+FrameSource LayerDrag::State::shown() const {
+  const FrameTables& tables = last.tables;
+  return {*tables.mesh, tables.color.layout, tables.opacity ? &tables.opacity->layout : nullptr};
 }
 
 LayerDrag::LayerDrag(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -510,15 +519,19 @@ Result<LayerDrag> LayerDrag::with_room(Context& context) const {
   return LayerDrag(std::move(state));
 }
 
-Result<FramePatches> LayerDrag::frame(Context& context, const Curve& curve, FramePatches spare,
+std::optional<FrameRows> LayerDrag::take_rows_of_solved() {
+  return std::exchange(state_->rows_of_solved, std::nullopt);
+}
+
+Result<FramePatches> LayerDrag::frame(Context& context, const Curve& curve,
                                       const FrameOptions& options) {
   // What is kept is charged to the Budget of the drag.
   if (&context.budget == state_->budget) {
     Result<FramePatches> patches =
-        no_throw([&] { return state_->frame(context, curve, true, std::move(spare), options); });
+        no_throw([&] { return state_->frame(context, curve, true, options); });
     if (patches || !is_lack_of_memory(patches.status())) return patches;
   }
-  return state_->frame(context, curve, false, {}, options);
+  return state_->frame(context, curve, false, options);
 }
 
 bool LayerDrag::can_go_on(const Context& context) const {
@@ -526,9 +539,17 @@ bool LayerDrag::can_go_on(const Context& context) const {
   return &context.budget == state_->budget && tables.mesher && tables.color.field;
 }
 
-Result<FramePatches> LayerDrag::go_on(Context& context, FramePatches spare,
-                                      const FrameOptions& options) {
-  return no_throw([&] { return state_->go_on(context, std::move(spare), options); });
+Result<FramePatches> LayerDrag::go_on(Context& context, const FrameOptions& options) {
+  return no_throw([&] { return state_->go_on(context, options); });
+}
+
+Status LayerDrag::make_room(const Context& context, PatchLayer& layer) const {
+  return solve::make_room(context, state_->shown(), layer);
+}
+
+void LayerDrag::write(FramePatches& frame, const FrameRows& then, PatchLayer& layer) const {
+  write_rows(state_->shown(), then, *frame.rows, layer);
+  layer.soft_edge = std::move(frame.layer.soft_edge);
 }
 
 bool LayerDrag::forget_frame() {

@@ -25,6 +25,7 @@ struct FrameOptions {
   /// keep the values that the last frame gave them, or that they have without the curve. It does
   /// not count where what is seen ends within the layer, nor where the curve crosses what is shown.
   FrameTime time{};
+  bool wants_rows = false;        ///< LayerDrag::frame()
   DiffuseStats* stats = nullptr;  ///< unless null: added to, what was gathered
   std::optional<RoundWatch> watch{};
 };
@@ -72,18 +73,33 @@ class LayerDrag {
   /// solution.
   Result<LayerDrag> with_room(Context& context) const;
 
+  /// The rows in which the patches of `refined` that begin() was given, as its layer was solved,
+  /// are not those of the layer without the curve, like a frame's; none: any may be another. Moved
+  /// out.
+  std::optional<FrameRows> take_rows_of_solved();
+
   /// The layer's patches with the curve as it is now.
-  /// spare   what this returned for an earlier frame, and nobody changed since; its tables are used
-  ///         again, and lost on failure. Or nothing.
+  /// options.wants_rows   the caller has the patches of an earlier frame, or those of
+  ///                      take_rows_of_solved(): where the result is not whole these become the
+  ///                      frame's by write(), before the next one
   /// Errors  bad_input (it reaches farther beyond what is shown than the layer's mesh has room, or
   ///         its sides ask for other fields than they did: solve the layer anew), limit, cancelled
-  Result<FramePatches> frame(Context& context, const Curve& curve, FramePatches spare = {},
+  Result<FramePatches> frame(Context& context, const Curve& curve,
                              const FrameOptions& options = {});
 
   /// Gathers nodes that the last frame left, until options.time is over: those that it may change
-  /// most come first. spare and errors as for frame(); where it fails, and where it is not
-  /// can_go_on(), the frame is to be made anew.
-  Result<FramePatches> go_on(Context& context, FramePatches spare, const FrameOptions& options);
+  /// most come first. Errors as for frame(); where it fails, and where it is not can_go_on(), the
+  /// frame is to be made anew.
+  Result<FramePatches> go_on(Context& context, const FrameOptions& options);
+
+  /// Gives the tables of patches room for the last frame, which can_go_on(). They stay as they are.
+  /// Errors: limit (memory), cancelled.
+  Status make_room(const Context& context, PatchLayer& layer) const;
+
+  /// Makes patches the last frame, which can_go_on(). There is room in them.
+  /// frame   what frame() or go_on() returned, not whole; its soft edges are moved out
+  /// then    the rows of the patches as they are
+  void write(FramePatches& frame, const FrameRows& then, PatchLayer& layer) const;
 
   /// Whether the tables of the last frame are there, and are of this Context's Budget.
   bool can_go_on(const Context& context) const;

@@ -11,8 +11,8 @@
 namespace sfumato::solve {
 
 /// Lays out all anew, after any edit of a copy of the mesher of `before`. Nodes keep the values
-/// that they have there unless the edit may change them.
-Status LayerSolver::continue_from(const LayerSolver& before) {
+/// that they have there unless the edit may change them: by more than the bound, if there is one.
+Status LayerSolver::continue_from(const LayerSolver& before, const gather::ShareBound* bound) {
   Status status = take_mesh();
   if (status && is_blurred_) status = list_all_triangles();
   if (status && is_blurred_) status = follow_blur();
@@ -22,23 +22,23 @@ Status LayerSolver::continue_from(const LayerSolver& before) {
   const Result<std::vector<std::int32_t>> kept =
       mesher_.kept_triangles(context_, before.mesher_, scratch);
   if (!kept) return kept.status();
-  status = color_.carry_over(context_, before.color_, *kept);
+  status = color_.carry_over(context_, before.color_, *kept, bound);
   if (status && opacity_ && before.opacity_) {
-    status = opacity_->carry_over(context_, *before.opacity_, *kept);
+    status = opacity_->carry_over(context_, *before.opacity_, *kept, bound);
   }
   if (status) status = gather(gather::GatherOptions{}, false);
   return status;
 }
 
-Status LayerSolver::continue_without(const CurveRemoval& removal) {
+Result<std::optional<FrameRows>> LayerSolver::continue_without(const CurveRemoval& removal) {
   const RefinedNodes& nodes = removal.known.nodes;
   Result<mesh::TriangleMesh> mesh = mesher_.copy_mesh(context_, *removal.known.mesh);
   if (!mesh) return mesh.status();
   *mesh_ = std::move(*mesh);
-  Status status = color_.start_from(context_, *nodes.color.seams, *mesh_);
-  if (status && opacity_) status = opacity_->start_from(context_, *nodes.opacity->seams, *mesh_);
+  Status status = color_.start_from(context_, nodes.color, *mesh_);
+  if (status && opacity_) status = opacity_->start_from(context_, *nodes.opacity, *mesh_);
   if (status) status = update_mesh();
-  if (status && is_blurred_) status = follow_blur_too(true);
+  if (status && is_blurred_) status = follow_blur_too();
   const auto lay_out = [&](FieldSolver& field, const RefinedField& known,
                            const PreparedField& with) {
     return field.lay_out_without(context_, known, with, *mesh_, changed_, removal.is_same);
@@ -46,13 +46,24 @@ Status LayerSolver::continue_without(const CurveRemoval& removal) {
   if (status) status = lay_out(color_, nodes.color, removal.fields.color);
   if (status && opacity_) status = lay_out(*opacity_, *nodes.opacity, *removal.fields.opacity);
   if (status) status = gather(gather::GatherOptions{}, false);
-  return status ? prepare_to_be_edited() : status;
+  if (!status) return status;
+  std::optional<FrameRows> rows;
+  if (sees_curves_everywhere()) {
+    Result<FrameRows> listed = list_rows(removal.known.mesh->vertex_position.size());
+    if (!listed) return listed.status();
+    rows.emplace(std::move(*listed));
+  }
+  color_.forget_rows();
+  if (opacity_) opacity_->forget_rows();
+  status = prepare_to_be_edited();
+  if (!status) return status;
+  return rows;
 }
 
 /// What continue_inserted() of others needs of this.
 Status LayerSolver::prepare_to_be_edited() {
   Status status = mesher_.bake(context_);
-  if (status && shows_everything()) {
+  if (status && sees_curves_everywhere()) {
     std::vector<std::uint8_t> keep;
     TableMemory scratch("patches");
     status = scratch.resize(context_, keep, mesh_->triangle_count(), 1);
@@ -70,14 +81,14 @@ Status LayerSolver::continue_inserted(const LayerSolver& before, const CurveInse
                           (!opacity_ || opacity_->has_channels_of(*before.opacity_));
   if (!has_fields || !mesher_.follows_changes()) {
     if (insertion.last) *insertion.last = {};
-    return continue_from(before);
+    return continue_from(before, insertion.bound);
   }
   FrameTables none;
   const FrameLimit* const limit = insertion.limit;
   Status status = start_inserted(before, insertion.last ? *insertion.last : none, limit != nullptr);
   if (status) status = update_mesh();
   if (status) status = add_fans(insertion.is_inserted);
-  if (status && is_blurred_) status = follow_blur_too(false);
+  if (status && is_blurred_) status = follow_blur_too();
   const auto lay_out = [&](FieldSolver& field, const FieldSolver& from) {
     return field.lay_out_from(context_, from, *mesh_, changed_, insertion.is_same, insertion.bound,
                               limit ? &limit->share : nullptr);
@@ -140,8 +151,7 @@ Status LayerSolver::start_inserted(const LayerSolver& before, FrameTables& last,
 
 /// Whether patches can be made of what continue_inserted() made, without more nodes or parts.
 bool LayerSolver::can_keep_tables() const {
-  return inserted_into_ && cuts_.part_count() == 0 && color_.sees_curves_everywhere() &&
-         (!opacity_ || opacity_->sees_curves_everywhere());
+  return inserted_into_ && sees_curves_everywhere();
 }
 
 FrameTables LayerSolver::release_frame() {
@@ -156,10 +166,9 @@ FrameTables LayerSolver::release_frame() {
 }
 
 /// Follows blurs where the mesh changed, and adds what that changes to what is listed in changed_.
-Status LayerSolver::follow_blur_too(bool everywhere) {
+Status LayerSolver::follow_blur_too() {
   std::vector<std::uint32_t> all_changed;
   Status status = memory_.append(context_, changed_, all_changed);
-  if (status && everywhere) status = list_all_triangles();
   if (status) status = follow_blur(&all_changed);
   if (status) status = TableMemory::sort(context_, all_changed, std::less<>());
   all_changed.erase(std::unique(all_changed.begin(), all_changed.end()), all_changed.end());
@@ -195,25 +204,25 @@ Status LayerSolver::add_fans(std::span<const std::uint8_t> is_inserted) {
   return status ? TableMemory::sort(context_, changed_, std::less<>()) : status;
 }
 
-Result<FramePatches> LayerSolver::take_frame(FramePatches spare, std::optional<FrameTables>& kept) {
+Result<FramePatches> LayerSolver::take_frame(bool wants_rows, std::optional<FrameTables>& kept) {
   kept.reset();
   Status status = cut_at_border();
   if (!status) return status;
   const bool keeps_tables = can_keep_tables();
   FramePatches patches;
-  if (keeps_tables && shows_everything()) {
-    Result<FrameRows> rows = list_rows();
+  if (keeps_tables) {
+    Result<FrameRows> rows = list_rows(inserted_into_->mesh_->vertex_position.size());
     if (!rows) return rows.status();
     patches.rows.emplace(std::move(*rows));
   }
-  if (patches.rows && spare.rows) {
-    patches.layer = std::move(spare.layer);
-    status = renew(*spare.rows, *patches.rows, patches.layer);
-    if (!status) return status;
-  } else {
+  patches.is_whole = !patches.rows || !wants_rows;
+  if (patches.is_whole) {
     Result<PatchLayer> layer = take_patches(keeps_tables);
     if (!layer) return layer.status();
     patches.layer = std::move(*layer);
+  } else {
+    status = take_rows(patches);
+    if (!status) return status;
   }
   patches.left = color_.left_count() + (opacity_ ? opacity_->left_count() : 0);
   if (keeps_tables) kept.emplace(release_frame());
@@ -221,63 +230,34 @@ Result<FramePatches> LayerSolver::take_frame(FramePatches spare, std::optional<F
   return patches;
 }
 
-/// Of patches that show everything.
-Result<FrameRows> LayerSolver::list_rows() const {
+/// Of patches that keep everything.
+/// first_vertex   where vertices begin that only one of the two has
+Result<FrameRows> LayerSolver::list_rows(std::size_t first_vertex) const {
   FrameRows rows;
-  rows.first_vertex = static_cast<std::uint32_t>(inserted_into_->mesh_->vertex_position.size());
+  rows.first_vertex = static_cast<std::uint32_t>(first_vertex);
   Status status = rows.memory.append(context_, changed_, rows.triangles);
   if (status) status = color_.list_rows(context_, rows.memory, rows.triangles, rows.nodes);
-  for (std::vector<std::uint32_t>* list : {&rows.triangles, &rows.nodes}) {
+  if (status && opacity_) {
+    status = opacity_->list_rows(context_, rows.memory, rows.triangles, rows.opacity_nodes);
+  }
+  for (std::vector<std::uint32_t>* list : {&rows.triangles, &rows.nodes, &rows.opacity_nodes}) {
     if (status) status = TableMemory::sort(context_, *list, std::less<>());
     list->erase(std::unique(list->begin(), list->end()), list->end());
   }
+  if (status && is_joint()) status = rows.memory.append(context_, rows.nodes, rows.opacity_nodes);
   if (!status) return status;
   return rows;
 }
 
-/// Makes patches that differ from the base in the rows `then` those of this frame, which differs
-/// from it in the rows `now`.
-Status LayerSolver::renew(const FrameRows& then, const FrameRows& now, PatchLayer& layer) const {
+/// What write_rows() does not find in the tables.
+Status LayerSolver::take_rows(FramePatches& patches) const {
   TableMemory memory("patches");
-  const NodeLayout& layout = color_.layout();
-  const std::vector<Vec2>& position = mesh_->vertex_position;
-  const std::size_t channels = static_cast<std::size_t>(layout.channel_count);
-  layer.frame = frame_;
-  Status status;
-  const auto resize = [&](auto& table, std::size_t count) {
-    if (status) status = memory.grow(context_, table, count, count / 8 * 9);
-  };
-  resize(layer.vertex_position, position.size());
-  resize(layer.triangle_vertex, mesh_->triangle_vertex.size());
-  resize(layer.edge_is_curve, layout.edge_is_curve.size());
-  resize(layer.color.triangle_node, layout.triangle_node.size());
-  resize(layer.color.node_value, layout.value.size());
-  if (!status) return status;
-  std::copy(position.begin() + now.first_vertex, position.end(),
-            layer.vertex_position.begin() + now.first_vertex);
-  const auto copy_row = [](const auto& from, std::size_t row, std::size_t width, auto& to) {
-    std::copy_n(from.data() + width * row, width, to.data() + width * row);
-  };
-  RarePoll<16384> poll(context_);
-  for (const FrameRows* rows : {&then, &now}) {
-    for (const std::uint32_t t : rows->triangles) {
-      if (poll.cancelled()) return context_.cancel_status();
-      if (t >= mesh_->triangle_count()) continue;
-      copy_row(mesh_->triangle_vertex, t, 3, layer.triangle_vertex);
-      copy_row(layout.edge_is_curve, t, 3, layer.edge_is_curve);
-      copy_row(layout.triangle_node, t, kNodesPerTriangle, layer.color.triangle_node);
-    }
-    for (const std::uint32_t node : rows->nodes) {
-      if (poll.cancelled()) return context_.cancel_status();
-      if (node < layout.node_count())
-        copy_row(layout.value, node, channels, layer.color.node_value);
-    }
-  }
   Result<std::vector<SoftEdge>> soft_edge = soft_edges({}, memory);
-  if (soft_edge) layer.soft_edge = std::move(*soft_edge);
-  if (stats_) stats_->triangles += layer.triangle_count();
-  if (stats_) stats_->vertices += position.size();
-  return soft_edge ? context_.check() : soft_edge.status();
+  if (!soft_edge) return soft_edge.status();
+  patches.layer.soft_edge = std::move(*soft_edge);
+  if (stats_) stats_->triangles += mesh_->triangle_count();
+  if (stats_) stats_->vertices += mesh_->vertex_position.size();
+  return context_.check();
 }
 
 }  // namespace sfumato::solve

@@ -114,21 +114,11 @@ Result<std::vector<SoftEdge>> LayerSolver::soft_edges(std::span<std::uint8_t> ke
   };
   TableMemory scratch("soft edges");
   std::vector<std::uint8_t> is_near;
-  const bool updates = inserted_into_ && inserted_into_->soft_edge_ && shows_everything();
+  const bool updates = inserted_into_ && inserted_into_->soft_edge_ && keeps_everything();
   const Result<std::vector<std::uint32_t>> fine =
       updates ? fine_near_changes(*inserted_into_->soft_edge_, is_near, scratch)
               : fine_half_edges(scratch);
   if (!fine) return fine.status();
-  if (updates) {
-    return update_soft_edges(context_, *mesh_,
-                             {color_.layout().edge_is_curve, *fine, fine_radius, is_meshed},
-                             *inserted_into_->soft_edge_, is_near, memory);
-  }
-  for (const std::uint32_t h : *fine) {
-    if (keep.empty() || keep[h / 3] || is_cut(h / 3)) continue;
-    const bool is_soft = fine_radius(h, 0) > 0 || fine_radius(h, 1) > 0;
-    keep[h / 3] = is_soft && color_.sees_curves(h / 3);
-  }
   std::vector<std::uint8_t> curves_of_both;
   std::span<const std::uint8_t> is_curve_edge = color_.layout().edge_is_curve;
   if (opacity) {
@@ -137,20 +127,36 @@ Result<std::vector<SoftEdge>> LayerSolver::soft_edges(std::span<std::uint8_t> ke
     for (std::uint32_t h = 0; h < curves_of_both.size(); ++h) curves_of_both[h] = is_curve(h);
     is_curve_edge = curves_of_both;
   }
+  if (updates) {
+    return update_soft_edges(context_, *mesh_, {is_curve_edge, *fine, fine_radius, is_meshed},
+                             *inserted_into_->soft_edge_, is_near, memory);
+  }
+  for (const std::uint32_t h : *fine) {
+    if (keep.empty() || keep[h / 3] || is_cut(h / 3)) continue;
+    const bool is_soft = fine_radius(h, 0) > 0 || fine_radius(h, 1) > 0;
+    keep[h / 3] = is_soft && color_.sees_curves(h / 3);
+  }
   return find_soft_edges(context_, *mesh_, {is_curve_edge, *fine, fine_radius, is_meshed}, keep,
                          memory);
 }
 
-/// Whether no triangle is left out or cut, because all is opaque and sees curves everywhere.
-bool LayerSolver::shows_everything() const {
-  return !opacity_ && !is_joint() && cuts_.part_count() == 0 && color_.sees_curves_everywhere();
+/// Whether no triangle is cut.
+bool LayerSolver::sees_curves_everywhere() const {
+  return cuts_.part_count() == 0 && color_.sees_curves_everywhere() &&
+         (!opacity_ || opacity_->sees_curves_everywhere());
+}
+
+/// Whether no triangle is left out either: because all is opaque, or since the frames of a drag
+/// keep what is transparent, for each to have the rows of the others.
+bool LayerSolver::keeps_everything() const {
+  return sees_curves_everywhere() && (inserted_into_ || (!opacity_ && !is_joint()));
 }
 
 /// A region from which no curve is seen has no colour, and one without opacity shows nothing: both
 /// need no triangles.
 Result<std::vector<std::uint8_t>> LayerSolver::visible_triangles(TableMemory& memory) const {
   std::vector<std::uint8_t> keep;
-  const bool keeps_all = shows_everything();
+  const bool keeps_all = keeps_everything();
   Status status = memory.resize(context_, keep, mesh_->triangle_count(), keeps_all);
   if (!status) return status;
   if (keeps_all) return keep;

@@ -11,7 +11,7 @@
 namespace sfumato {
 
 std::size_t bytes_of(const LayerRows& rows) {
-  return capacity_bytes(rows.triangles, rows.nodes);
+  return capacity_bytes(rows.triangles, rows.nodes, rows.opacity_nodes);
 }
 
 namespace solve {
@@ -32,16 +32,17 @@ void unite(const Rows& more, LayerRows& rows) {
   rows.first_vertex = std::min(rows.first_vertex, more.first_vertex);
   rows.triangles = in_either(rows.triangles, more.triangles);
   rows.nodes = in_either(rows.nodes, more.nodes);
+  rows.opacity_nodes = in_either(rows.opacity_nodes, more.opacity_nodes);
 }
 
 }  // namespace
 
 std::size_t bytes_of(const FrameRows& rows) {
-  return capacity_bytes(rows.triangles, rows.nodes);
+  return capacity_bytes(rows.triangles, rows.nodes, rows.opacity_nodes);
 }
 
 LayerRows rows_between(std::uint32_t layer, const FrameRows& a, const FrameRows& b) {
-  LayerRows rows{layer, a.first_vertex, a.triangles, a.nodes};
+  LayerRows rows{layer, a.first_vertex, a.triangles, a.nodes, a.opacity_nodes};
   unite(b, rows);
   return rows;
 }

@@ -108,9 +108,14 @@ Result<PatchLayer> LayerSolver::solve(std::optional<RefinedLayer>* refined) {
   keeps_mesh_ = nodes.ok();
   Result<PatchLayer> layer = take();
   if (!layer || !nodes) return layer;
+  const bool is_cut = cuts_.part_count() > 0;
   Result<RefinedLayer> kept = keep(std::move(*nodes));
   if (!kept && !is_lack_of_memory(kept.status())) return kept.status();
-  if (kept) refined->emplace(std::move(*kept));
+  if (!kept) return layer;
+  kept->is_all_shown = !is_cut && layer->triangle_count() == kept->mesh->triangle_count();
+  refined->emplace(std::move(*kept));
+  status = no_throw([&] { return make_room(context_, *layer); });
+  if (!status && !is_lack_of_memory(status)) return status;
   return layer;
 }
 

@@ -12,6 +12,7 @@
 #include "sfumato/solve/diffuse.hpp"
 #include "solve/border.hpp"
 #include "solve/field_solver.hpp"
+#include "solve/frame_rows.hpp"
 #include "solve/prepare_layer.hpp"
 
 namespace sfumato::solve {
@@ -40,6 +41,8 @@ struct RefinedLayer {
   RefinedNodes nodes;
   FlatMesh flat_mesh;
   PreparedFields fields;  ///< made with may_be_changed
+  /// Whether the layer's patches have its triangles and nodes, all of them and in their order.
+  bool is_all_shown = false;
 };
 
 /// A layer's tables as a frame of a drag left them: those of the layer that it began from, but for
@@ -74,19 +77,11 @@ struct CurveInsertion {
   const FrameLimit* limit = nullptr;
 };
 
-/// Rows of a frame's patches that are not those of the layer which the frame began from, without
-/// the curve: all others have the same bits at the same place. Their soft edges are not counted.
-struct FrameRows {
-  std::uint32_t first_vertex = 0;          ///< and all behind it
-  std::vector<std::uint32_t> triangles{};  ///< ascending
-  std::vector<std::uint32_t> nodes{};      ///< of colour, ascending
-  TableMemory memory{"a drag"};
-};
-
 /// The patches of a frame.
 struct FramePatches {
-  PatchLayer layer{};
+  PatchLayer layer{};               ///< unless is_whole, its soft edges alone
   std::optional<FrameRows> rows{};  ///< none: any row may be another
+  bool is_whole = true;             ///< if not, its rows are to be written: write_rows()
   std::size_t left = 0;  ///< nodes that have not been gathered, as CurveInsertion::limit allows
 };
 
@@ -112,8 +107,9 @@ class LayerSolver {
   /// In place of solve(): the mesher was copied from that of a RefinedLayer, and segments were
   /// taken out of it since. Nodes keep the values that are known unless the edit may change them;
   /// nothing is made finer than the edit left it, except at blurs. Afterwards others may
-  /// continue_inserted() from this. Errors: limit, cancelled.
-  Status continue_without(const CurveRemoval& removal);
+  /// continue_inserted() from this. Returns the rows in which the layer's own patches are not those
+  /// of this, as of a frame; none: any may be another. Errors: limit, cancelled.
+  Result<std::optional<FrameRows>> continue_without(const CurveRemoval& removal);
 
   /// The same for a mesher that was copied from that of `before`, which has continued itself, and
   /// into which segments were inserted since, at a cost of copies of the tables and of what the
@@ -139,9 +135,9 @@ class LayerSolver {
   Result<PatchLayer> take();
 
   /// The same after continue_inserted(), for a frame after which others come.
-  /// spare   patches of an earlier frame of the same base, whose tables are used again, or nothing
-  /// kept    what the next frame may begin from, or nothing where these patches change more
-  Result<FramePatches> take_frame(FramePatches spare, std::optional<FrameTables>& kept);
+  /// wants_rows   where these can be told, they are enough
+  /// kept         what the next frame may begin from, or nothing where these patches change more
+  Result<FramePatches> take_frame(bool wants_rows, std::optional<FrameTables>& kept);
 
   const mesh::Mesher& mesher() const { return mesher_; }
   const PreparedField& color() const { return color_.field(); }
@@ -149,7 +145,7 @@ class LayerSolver {
 
  private:
   Status refine();
-  Status continue_from(const LayerSolver& before);
+  Status continue_from(const LayerSolver& before, const gather::ShareBound* bound);
   Status prepare_to_be_edited();
   bool has_spare_memory() const;
   Result<RefinedNodes> copy_nodes() const;
@@ -161,7 +157,7 @@ class LayerSolver {
   Status list_all_triangles();
   /// `all_changed`, unless null, is added to: the triangles that change.
   Status follow_blur(std::vector<std::uint32_t>* all_changed = nullptr);
-  Status follow_blur_too(bool everywhere);
+  Status follow_blur_too();
   Status add_fans(std::span<const std::uint8_t> is_inserted);
   Status gather(const gather::GatherOptions& options, bool all);
   Status find_misses(std::vector<std::uint32_t>& missed);
@@ -172,7 +168,8 @@ class LayerSolver {
   bool is_cut(std::uint32_t triangle) const {
     return triangle < cuts_.is_cut.size() && cuts_.is_cut[triangle] != 0;
   }
-  bool shows_everything() const;
+  bool sees_curves_everywhere() const;
+  bool keeps_everything() const;
   bool may_be_fine(std::uint32_t half_edge) const;
   Result<std::vector<std::uint32_t>> fine_half_edges(TableMemory& memory) const;
   Result<std::vector<std::uint32_t>> fine_near_changes(std::span<const SoftEdge> before,
@@ -190,8 +187,8 @@ class LayerSolver {
   bool can_keep_tables() const;
   FrameTables release_frame();
   Result<PatchLayer> take_patches(bool keeps_tables);
-  Result<FrameRows> list_rows() const;
-  Status renew(const FrameRows& then, const FrameRows& now, PatchLayer& layer) const;
+  Result<FrameRows> list_rows(std::size_t first_vertex) const;
+  Status take_rows(FramePatches& patches) const;
   Status take_triangles(std::span<const std::uint8_t> keep, std::vector<std::uint8_t> marks,
                         TableMemory& memory, PatchLayer& layer);
   Status take_fields(std::span<const std::uint8_t> keep, bool keeps_tables, TableMemory& memory,

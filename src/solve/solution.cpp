@@ -39,7 +39,6 @@ std::size_t Solution::State::bytes() const {
   std::size_t bytes = document_bytes + bytes_of(picture);
   for (const LayerState& layer : layers) bytes += layer.fresh ? bytes_of(*layer.fresh) : 0;
   for (const LayerRows& rows : delta.rows) bytes += bytes_of(rows);
-  if (drag) bytes += bytes_of(drag->spare.layer);
   return bytes;
 }
 

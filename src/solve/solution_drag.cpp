@@ -31,6 +31,8 @@ Status Solution::State::begin_drag(Context& context, std::uint32_t layer, std::u
     if (!status) return status;
   }
   drag.emplace(std::move(begun));
+  if (drag->engine) drag->shown = drag->engine->take_rows_of_solved();
+  if (drag->engine) drag->shown_by = &*drag->engine;
   return ok_status();
 }
 
@@ -99,18 +101,16 @@ Status Solution::State::show_more(Context& context, const solve::FrameOptions& h
   solve::LayerDrag* const maker = drag->shown_by;
   const Curve& curve = document.layers[drag->layer].curves[drag->curve];
   if (!maker->can_go_on(context)) return show(context, curve, how);
-  const std::size_t spare_bytes = bytes_of(drag->spare.layer);
-  Result<solve::FramePatches> frame = maker->go_on(context, take_spare(maker), how);
+  solve::FrameOptions more = how;
+  more.wants_rows = wants_rows(maker);
+  Result<solve::FramePatches> frame = maker->go_on(context, more);
   if (!frame && is_lack_of_memory(frame.status())) return show(context, curve, how);
-  Status status = frame.status();
-  if (status) status = hold_more(context, frame->layer, spare_bytes);
-  return status ? show_frame(context, maker, std::move(*frame)) : status;
+  return frame ? show_frame(context, maker, std::move(*frame), how) : frame.status();
 }
 
-/// What an engine's frame may use again.
-solve::FramePatches Solution::State::take_spare(const solve::LayerDrag* maker) {
-  if (drag->spare_by != maker) return {};
-  return std::exchange(drag->spare, {});
+/// Whether the picture's layer can be made an engine's next frame, row by row.
+bool Solution::State::wants_rows(const solve::LayerDrag* maker) const {
+  return drag->shown && drag->shown_by == maker;
 }
 
 /// maker   out: the engine that made it
@@ -119,8 +119,10 @@ Status Solution::State::make_frame(Context& context, const Curve& curve,
                                    solve::LayerDrag*& maker) {
   const auto draw = [&](solve::LayerDrag& engine) {
     maker = &engine;
+    solve::FrameOptions one = how;
+    one.wants_rows = wants_rows(&engine);
     return run_with_all_memory([&](bool) {
-      Result<solve::FramePatches> frame = engine.frame(context, curve, take_spare(&engine), how);
+      Result<solve::FramePatches> frame = engine.frame(context, curve, one);
       if (frame) patches = std::move(*frame);
       return frame.status();
     });
@@ -145,25 +147,36 @@ Status Solution::State::begin_roomy(Context& context) {
 
 /// The picture with the curve that is dragged, which the document has already.
 Status Solution::State::show(Context& context, const Curve& curve, const solve::FrameOptions& how) {
-  const std::size_t spare_bytes = bytes_of(drag->spare.layer);
   solve::FramePatches frame;
   solve::LayerDrag* maker = nullptr;
   Status status = make_frame(context, curve, how, frame, maker);
   if (status.code == StatusCode::bad_input) {
     return solve(context, *options, SolveGoal::rough, how.stats);
   }
-  if (status) status = hold_more(context, frame.layer, spare_bytes);
-  return status ? show_frame(context, maker, std::move(frame)) : status;
+  return status ? show_frame(context, maker, std::move(frame), how) : status;
 }
 
-/// All that may fail comes first.
-Status Solution::State::show_frame(const Context& context, solve::LayerDrag* maker,
-                                   solve::FramePatches frame) {
+/// For the last frame of `maker`, in the picture's layer, unless that was given up.
+Status Solution::State::make_room(Context& context, const solve::LayerDrag& maker) {
+  PatchLayer& layer = picture.layers[drag->layer];
+  const std::size_t known = bytes_of(layer);
+  Status status = run_with_all_memory([&](bool) {
+    return maker.can_go_on(context) ? maker.make_room(context, layer) : ok_status();
+  });
+  return status ? hold_more(context, layer, known) : status;
+}
+
+/// All that may fail comes first. A frame whose tables were given up meanwhile is made anew.
+Status Solution::State::show_frame(Context& context, solve::LayerDrag* maker,
+                                   solve::FramePatches frame, const solve::FrameOptions& how) {
+  Status status = hold(context, frame.layer);
+  if (status && !frame.is_whole) status = make_room(context, *maker);
+  if (!status) return status;
   std::optional<LayerRows> news;
   if (drag->shown && frame.rows && drag->shown_by == maker) {
     // In the news, and twice while the delta takes these up.
     for (int copies = 0; copies < 3; ++copies) {
-      Status status = hold(context, *drag->shown);
+      status = hold(context, *drag->shown);
       if (status) status = hold(context, *frame.rows);
       if (!status) return status;
     }
@@ -171,11 +184,17 @@ Status Solution::State::show_frame(const Context& context, solve::LayerDrag* mak
   }
   delta.layers.reserve(delta.layers.size() + 1);
   delta.rows.reserve(delta.rows.size() + 1);
+  if (!frame.is_whole && !maker->can_go_on(context)) {
+    drag->forget_shown();
+    const Curve& curve = document.layers[drag->layer].curves[drag->curve];
+    return show(context, curve, how);
+  }
   solve::note_new(drag->layer, std::move(news), delta);
-  std::swap(picture.layers[drag->layer], frame.layer);
-  drag->spare = {};
-  if (drag->shown) drag->spare = {std::move(frame.layer), std::move(drag->shown)};
-  drag->spare_by = drag->shown_by;
+  if (frame.is_whole) {
+    picture.layers[drag->layer] = std::move(frame.layer);
+  } else {
+    maker->write(frame, *drag->shown, picture.layers[drag->layer]);
+  }
   drag->left = frame.left;
   drag->shown = std::move(frame.rows);
   drag->shown_by = maker;

@@ -101,10 +101,12 @@ struct Solution::State {
   DiffuseOptions options_of(const LayerState& layer) const;
   Status begin_engine(Context& context, Drag& begun);
   Status begin_roomy(Context& context);
-  solve::FramePatches take_spare(const solve::LayerDrag* maker);
   Status make_frame(Context& context, const Curve& curve, const solve::FrameOptions& how,
                     solve::FramePatches& patches, solve::LayerDrag*& maker);
-  Status show_frame(const Context& context, solve::LayerDrag* maker, solve::FramePatches frame);
+  bool wants_rows(const solve::LayerDrag* maker) const;
+  Status make_room(Context& context, const solve::LayerDrag& maker);
+  Status show_frame(Context& context, solve::LayerDrag* maker, solve::FramePatches frame,
+                    const solve::FrameOptions& how);
   Result<std::vector<solve::LayerTask>> tasks(const Context& context, const Box& viewport,
                                               SolveGoal goal) const;
   Status keep(const Context& context, std::span<solve::LayerTask> tasks, SolveGoal goal,

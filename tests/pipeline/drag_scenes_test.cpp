@@ -34,7 +34,7 @@ TEST_P(DragScenes, miss_by_less_than_a_code_value) {
       Curve moved = curves[curve];
       for (Vec2& p : moved.control_points) p = p + Vec2{by, 0.5 * by};
       const Result<FramePatches> about = drag->frame(context, moved);
-      const Result<FramePatches> exact = drag->frame(other, moved, {}, {.most_missed = 0});
+      const Result<FramePatches> exact = drag->frame(other, moved, {.most_missed = 0});
       ASSERT_TRUE(about.ok() && exact.ok());
       ASSERT_EQ(about->layer.color.triangle_node, exact->layer.color.triangle_node);
       EXPECT_LT(255 * test::largest_difference(about->layer.color, exact->layer.color), 1);

@@ -103,32 +103,6 @@ TEST(Drag, leaves_nothing_to_say_of_layers_that_are_gone) {
   EXPECT_TRUE(delta.rows.empty());
 }
 
-TEST(Drag, says_the_rows_between_pictures_that_were_looked_at) {
-  Context context;
-  Solution solution = expecting_drags(context, circles());
-  ASSERT_TRUE(solution.begin_drag(context, 0, 0).ok());
-  ASSERT_TRUE(solution.drag(context, circle_at({41, 37})).ok());
-  ASSERT_TRUE(solution.drag(context, circle_at({44, 37})).ok());
-  const PatchLayer before = solution.picture().layers[0];
-  EXPECT_TRUE(solution.take_delta().rows.empty()) << "it is new as a whole";
-  for (const Vec2 center : {Vec2{47, 37}, Vec2{30, 44}, Vec2{45, 36}})
-    ASSERT_TRUE(solution.drag(context, circle_at(center)).ok());
-  const PictureDelta delta = solution.take_delta();
-  ASSERT_EQ(delta.layers, std::vector<std::uint32_t>{0});
-  ASSERT_EQ(delta.rows.size(), 1u);
-  const PatchLayer& after = solution.picture().layers[0];
-  const LayerRows& rows = delta.rows[0];
-  const auto common = std::min(before.triangle_count(), after.triangle_count());
-  for (std::uint32_t t = 0; t < common; ++t) {
-    if (std::ranges::binary_search(rows.triangles, t)) continue;
-    for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h)
-      ASSERT_EQ(before.triangle_vertex[h], after.triangle_vertex[h]) << t;
-  }
-  for (std::uint32_t t = common; t < after.triangle_count(); ++t)
-    ASSERT_TRUE(std::ranges::binary_search(rows.triangles, t)) << t;
-  EXPECT_LT(rows.triangles.size(), after.triangle_count());
-}
-
 /// By how many code values layers of the same tables differ at most.
 float most_code_values(const PatchLayer& a, const PatchLayer& b) {
   EXPECT_EQ(a.triangle_vertex, b.triangle_vertex);

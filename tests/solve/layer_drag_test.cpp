@@ -113,7 +113,8 @@ void expect_exact_frames(const Document& document, LayerCurve at, const DiffuseO
   Context context;
   const LayerSight sight = sight_of_layer(document, at.layer, document.artboard);
   std::optional<RefinedLayer> refined;
-  if (was_solved) refined = refined_layer(context, document, at.layer, sight, options);
+  PatchLayer shown;  // the last frame, or the layer as it was solved
+  if (was_solved) refined = refined_layer(context, document, at.layer, sight, options, &shown);
   const bool is_known = refined.has_value();
   Result<LayerDrag> drag =
       LayerDrag::begin(context, document, at.layer, at.curve, sight, options, refined);
@@ -121,7 +122,7 @@ void expect_exact_frames(const Document& document, LayerCurve at, const DiffuseO
   ASSERT_TRUE(drag.ok()) << drag.status().message;
   EXPECT_EQ(refined.has_value(), is_known);
   EXPECT_EQ(drag->has_room(), !is_known);
-  FramePatches shown, spare;  // the last frame, and the one before
+  std::optional<FrameRows> rows = drag->take_rows_of_solved();  // of what is shown
   for (int frame = 0; frame < 5; ++frame) {
     SCOPED_TRACE("frame " + std::to_string(frame));
     const Vec2 by{double(random() % 21) - 10, double(random() % 21) - 10};
@@ -139,17 +140,22 @@ void expect_exact_frames(const Document& document, LayerCurve at, const DiffuseO
         EXPECT_EQ(difference_from_new_layout(context, mesh, field->field().attributes, layout), "");
       }
     };
-    Result<FramePatches> made =
-        drag->frame(context, curve, std::move(spare), {.most_missed = 0, .watch = watch});
+    Result<FramePatches> made = drag->frame(
+        context, curve, {.most_missed = 0, .wants_rows = rows.has_value(), .watch = watch});
     Context other;  // which gets nothing of the frames before
-    const Result<FramePatches> anew = drag->frame(other, curve, {}, {.most_missed = 0});
+    const Result<FramePatches> anew = drag->frame(other, curve, {.most_missed = 0});
     EXPECT_EQ(other.budget.used(), 0u);
     ASSERT_EQ(made.status().code, anew.status().code);
-    spare = std::exchange(shown, {});
     if (!made && made.status().code == StatusCode::bad_input) continue;
     ASSERT_TRUE(made.ok()) << made.status().message;
-    EXPECT_EQ(test::difference_of(picture_of(made->layer), picture_of(anew->layer)), "");
-    shown = std::move(*made);
+    if (made->is_whole) {
+      shown = std::move(made->layer);
+    } else {
+      ASSERT_TRUE(drag->make_room(context, shown).ok());
+      drag->write(*made, *rows, shown);
+    }
+    rows = std::move(made->rows);
+    EXPECT_EQ(test::difference_of(picture_of(shown), picture_of(anew->layer)), "");
     EXPECT_LE(seen.worst, kMost) << "at " << seen.place.x << ", " << seen.place.y;
   }
 }
@@ -185,8 +191,8 @@ void expect_small_misses(const Document& document, LayerCurve at, double most, s
     const Vec2 by{double(random() % 41) - 20, double(random() % 41) - 20};
     Curve curve = moved(document.layers[at.layer].curves[at.curve], by, random);
     if (random() % 3 == 0) curve.weight *= 20;
-    const Result<FramePatches> about = drag->frame(context, curve, {}, {.most_missed = most});
-    const Result<FramePatches> exact = drag->frame(other, curve, {}, {.most_missed = 0});
+    const Result<FramePatches> about = drag->frame(context, curve, {.most_missed = most});
+    const Result<FramePatches> exact = drag->frame(other, curve, {.most_missed = 0});
     if (!about && about.status().code == StatusCode::bad_input) continue;
     ASSERT_TRUE(about.ok() && exact.ok());
     // A border is where it is seen to be, and what is cut there has other nodes.

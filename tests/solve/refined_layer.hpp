@@ -11,16 +11,19 @@
 namespace sfumato::solve {
 
 /// What a solution of the layer leaves for drags.
+/// patches   unless null: gets the solution
 inline std::optional<RefinedLayer> refined_layer(Context& context, const Document& document,
                                                  std::uint32_t layer, const LayerSight& sight,
-                                                 const DiffuseOptions& options) {
+                                                 const DiffuseOptions& options,
+                                                 PatchLayer* patches = nullptr) {
   std::optional<RefinedLayer> refined;
   Result<PreparedLayer> prepared =
       prepare_layer(context, document, layer, sight, options, nullptr, LayerUse::drags);
   if (!prepared) return refined;
-  const bool is_solved =
-      LayerSolver(context, std::move(*prepared), options, nullptr).solve(&refined).ok();
-  EXPECT_EQ(is_solved, refined.has_value());
+  Result<PatchLayer> solved =
+      LayerSolver(context, std::move(*prepared), options, nullptr).solve(&refined);
+  EXPECT_EQ(solved.ok(), refined.has_value());
+  if (solved && patches) *patches = std::move(*solved);
   return refined;
 }
 

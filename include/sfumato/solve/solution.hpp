@@ -17,12 +17,13 @@
 namespace sfumato {
 
 /// Rows of a layer that are new; its other rows are what they were, unless the tables are shorter
-/// now. Soft edges are new as a whole, and there is no opacity.
+/// now. Soft edges are new as a whole.
 struct LayerRows {
-  std::uint32_t layer = 0;               ///< index into Picture::layers
-  std::uint32_t first_vertex = 0;        ///< vertices are new from here on
-  std::vector<std::uint32_t> triangles;  ///< ascending: their corners, edges and nodes
-  std::vector<std::uint32_t> nodes;      ///< ascending: their values of colour
+  std::uint32_t layer = 0;                   ///< index into Picture::layers
+  std::uint32_t first_vertex = 0;            ///< vertices are new from here on
+  std::vector<std::uint32_t> triangles;      ///< ascending: their corners, edges and nodes
+  std::vector<std::uint32_t> nodes;          ///< ascending: their values of colour
+  std::vector<std::uint32_t> opacity_nodes;  ///< ascending: their values of opacity
 };
 
 /// What of a Solution's picture is new.
@@ -31,8 +32,9 @@ struct PictureDelta {
   /// interpolation, or how many layers there are.
   bool frame = false;
   std::vector<std::uint32_t> layers;  ///< indices into Picture::layers, ascending
-  /// Those of them that are not new as a whole, ascending: opaque layers between two frames of a
-  /// drag.
+  /// Those of them that are not new as a whole, ascending: between two frames of a drag, or between
+  /// the picture of solve() and the first frame, if the layer is opaque and solve() has kept what
+  /// drags begin from.
   std::vector<LayerRows> rows;
 
   /// Whether nothing is new.
