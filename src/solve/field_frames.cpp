@@ -7,6 +7,7 @@
 #include "base/stopwatch.hpp"
 #include "gather/weight_class.hpp"
 #include "solve/field_solver.hpp"
+#include "solve/frame_rows.hpp"
 
 /// FieldSolver in the frames of a drag.
 namespace sfumato::solve {
@@ -59,8 +60,7 @@ Status FieldSolver::remember_values(const Context& context, const FieldFrame& fr
   if (!status) return status;
   std::erase_if(known,
                 [&](std::uint32_t node) { return node >= nodes || frame.history.was_met(node); });
-  status = TableMemory::sort(context, known, std::less<>());
-  known.erase(std::unique(known.begin(), known.end()), known.end());
+  status = sort_rows(context, nodes, known);
   if (status) status = last_.memory.reserve(context, last_.value, channels * known.size());
   if (status) status = last_.memory.reserve(context, last_.hit, known.size());
   if (!status) return status;
@@ -214,10 +214,11 @@ Status FieldSolver::order_left(const Context& context, const FieldSolver& before
   if (status) status = scratch.reserve(context, unknown, left_.size());
   RarePoll<256> poll(context);
   const float unit = before.field_.gatherer.weight_unit();
-  for (std::size_t i = 0; status && i < left_.size(); ++i) {
+  if (status) status = sort_rows(context, layout_.node_count(), left_);
+  for (std::size_t i = 0, last = 0; status && i < left_.size(); ++i) {
     if (poll.cancelled()) return context.cancel_status();
     const std::uint32_t node = left_[i];
-    const bool is_known = show_last_value(node);
+    const bool is_known = show_last_value(node, last);
     const float weight = gather::least_weight(before.node_hit_[node]);
     const auto change = static_cast<float>(share.share_at(layout_.position[node], weight, unit));
     const std::uint64_t place = std::uint64_t{std::bit_cast<std::uint32_t>(change)} << 32 | ~node;
@@ -238,11 +239,11 @@ Status FieldSolver::order_left(const Context& context, const FieldSolver& before
 }
 
 /// Returns whether there is one.
-bool FieldSolver::show_last_value(std::uint32_t node) {
-  const auto known = std::ranges::lower_bound(last_.node, node);
-  if (known == last_.node.end() || *known != node) return false;
+/// at   0 for the first node, and what it became for the next, of ascending ones
+bool FieldSolver::show_last_value(std::uint32_t node, std::size_t& at) {
+  while (at < last_.node.size() && last_.node[at] < node) ++at;
+  if (at == last_.node.size() || last_.node[at] != node) return false;
   const auto channels = static_cast<std::size_t>(layout_.channel_count);
-  const auto at = static_cast<std::size_t>(known - last_.node.begin());
   std::copy_n(last_.value.data() + channels * at, channels, layout_.value.data() + channels * node);
   node_hit_[node] = last_.hit[at];
   return true;

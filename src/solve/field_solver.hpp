@@ -284,7 +284,7 @@ class FieldSolver {
   Status order_left(const Context& context, const FieldSolver& before,
                     const gather::ShareBound& share);
   Status gather_last_of_left(Context& context, std::size_t count);
-  bool show_last_value(std::uint32_t node);
+  bool show_last_value(std::uint32_t node, std::size_t& at);
   /// Lists in to_gather_ the free nodes of `old` that the update met and that do not stand where
   /// they stood. Those that do count as not met from here on.
   Status list_moved(const Context& context, const NodeLayout& old);

@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 
 namespace sfumato::solve {
 namespace {
 
 /// Of a table's rows, so that it seldom moves as frames follow.
 constexpr std::size_t kShareOfRoom = 16;
+
+/// To mark a row and find it again takes this share of what a row takes to be sorted.
+constexpr std::size_t kMarksPerSort = 16;
 
 /// Values of a layer's one field that holds colour and opacity.
 bool is_joint(const FrameSource& frame, const PatchLayer& layer) {
@@ -76,6 +80,23 @@ void for_each_table(const FrameSource& frame, PatchLayer& layer, Body body) {
 }
 
 }  // namespace
+
+Status sort_rows(const Context& context, std::size_t count, std::vector<std::uint32_t>& rows) {
+  if (rows.size() < count / kMarksPerSort) {
+    Status status = TableMemory::sort(context, rows, std::less<>());
+    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+    return status;
+  }
+  TableMemory scratch("patches");
+  std::vector<std::uint8_t> is_listed;
+  Status status = scratch.resize(context, is_listed, count);
+  if (!status) return status;
+  for (const std::uint32_t row : rows) is_listed[row] = 1;
+  rows.clear();  // there are no more of them now than before
+  for (std::size_t row = 0; row < count; ++row)
+    if (is_listed[row]) rows.push_back(static_cast<std::uint32_t>(row));
+  return status;
+}
 
 Status make_room(const Context& context, const FrameSource& frame, PatchLayer& layer) {
   TableMemory memory("patches");

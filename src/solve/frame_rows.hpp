@@ -22,6 +22,10 @@ struct FrameRows {
   TableMemory memory{"a drag"};
 };
 
+/// Puts rows in ascending order, each once. Errors: limit (memory), cancelled.
+/// count   of the rows of their table
+Status sort_rows(const Context& context, std::size_t count, std::vector<std::uint32_t>& rows);
+
 /// What the rows of a frame's patches are copied from.
 struct FrameSource {
   const mesh::TriangleMesh& mesh;

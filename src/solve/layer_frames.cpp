@@ -240,10 +240,12 @@ Result<FrameRows> LayerSolver::list_rows(std::size_t first_vertex) const {
   if (status && opacity_) {
     status = opacity_->list_rows(context_, rows.memory, rows.triangles, rows.opacity_nodes);
   }
-  for (std::vector<std::uint32_t>* list : {&rows.triangles, &rows.nodes, &rows.opacity_nodes}) {
-    if (status) status = TableMemory::sort(context_, *list, std::less<>());
-    list->erase(std::unique(list->begin(), list->end()), list->end());
-  }
+  const auto order = [&](std::size_t count, std::vector<std::uint32_t>& list) {
+    if (status) status = sort_rows(context_, count, list);
+  };
+  order(mesh_->triangle_count(), rows.triangles);
+  order(color_.layout().node_count(), rows.nodes);
+  if (opacity_) order(opacity_->layout().node_count(), rows.opacity_nodes);
   if (status && is_joint()) status = rows.memory.append(context_, rows.nodes, rows.opacity_nodes);
   if (!status) return status;
   return rows;
