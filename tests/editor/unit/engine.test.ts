@@ -190,6 +190,20 @@ describe.skipIf(!hasModule).each(ways)("the engine $way", ({ mostInFront }) => {
     expect(new Set(exact).size).toBe(mostInFront === 0 ? 2 : 1);
   });
 
+  it("keeps a second worker only where it is going to be needed", async () => {
+    const host = localHost();
+    open(host);
+    page.show(drawing(70), false);
+    await page.exact();
+    await page.until(() => host.living === (mostInFront === 0 ? 2 : 1));
+    await page.engine.lint();
+    await new Promise((resolve) => setTimeout(resolve, 400));
+    expect(host.living).toBe(mostInFront === 0 ? 2 : 1);
+    page.show(drawing(80), false);
+    await page.exact();
+    await expectSolved(page, drawing(80), 512);
+  });
+
   it("knows the curves of the text that rests, also where nothing moved any more", async () => {
     open();
     page.show(drawing(70), false);
@@ -278,4 +292,35 @@ describe.skipIf(!hasModule).each(ways)("the engine $way", ({ mostInFront }) => {
       expect(page.layers.length).toBeGreaterThan(0);
     }
   }, 120_000);
+});
+
+/** A worker whose quick pictures leave something to do for so many rounds, and whose exact ones take long. */
+class SlowWorker {
+  onmessage: ((event: MessageEvent) => void) | null = null;
+  #rounds = 0;
+
+  postMessage({ id, name, given }: { id: number; name: string; given: { way?: { kind: string } }[] }) {
+    const isExact = given[0]?.way?.kind === "exact";
+    if (name === "read") this.#rounds = 40;
+    const waiting = isExact ? 0 : this.#rounds--;
+    const solved = { stack: null, stackStamp: "", stamps: [], layers: [], waiting, unsettled: 1e6, largest: 1e6, milliseconds: 1 };
+    const values: Record<string, unknown> = { start: "1", read: { curves: [], warnings: [] }, solve: solved };
+    setTimeout(() => this.onmessage?.({ data: { id, value: values[name] } } as MessageEvent), isExact ? 300 : 2);
+  }
+
+  terminate() {}
+}
+
+it("goes on with the rough picture while a large one is made exact", async () => {
+  const host = { module: async () => ({}) as WebAssembly.Module, worker: () => new SlowWorker() as unknown as Worker };
+  const page = new Page(new WorkerEngine(host));
+  page.show("a", false);
+  await page.exact();
+  // So long that an edit settles at once.
+  await new Promise((resolve) => setTimeout(resolve, 900));
+  const before = page.updates;
+  page.show("b", false);
+  await page.exact();
+  expect(page.updates - before).toBeGreaterThan(20);
+  page.engine.free();
 });

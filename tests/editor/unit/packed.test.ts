@@ -31,6 +31,12 @@ describe("packed bytes in a page", () => {
     }
   });
 
+  test("a frame says its size, so that no more room is made", () => {
+    const descriptor = bytesOfText(asText(packed(Uint8Array.from({ length: 5000 }, (_, i) => i & 255))))[4];
+    // Bit 5: a single segment, whose window is its content.
+    expect(descriptor & 0x20).toBe(0x20);
+  });
+
   test("a program comes back", () => {
     const module = process.env.SFUMATO_WASM ?? new URL("../../../build-wasm/sfumato.wasm", import.meta.url);
     expect(comesBack(readFileSync(module))).toBe(true);

@@ -25,12 +25,14 @@ class LocalWorker {
   onmessage: ((event: MessageEvent) => void) | null = null;
   onerror = null;
   #isEnded = false;
+  readonly #onEnd: () => void;
   #scope: MessageEndpoint = {
     onmessage: null,
     postMessage: (data, transfer) => this.#later(data, transfer, () => this.onmessage),
   };
 
-  constructor() {
+  constructor(onEnd: () => void) {
+    this.#onEnd = onEnd;
     serve(this.#scope);
   }
 
@@ -39,6 +41,7 @@ class LocalWorker {
   }
 
   terminate() {
+    if (!this.#isEnded) this.#onEnd();
     this.#isEnded = true;
   }
 
@@ -50,14 +53,16 @@ class LocalWorker {
   }
 }
 
-/** Counts the workers that were started. */
-export function localHost(): Host & { workers: number } {
+/** Counts the workers that were started, and those that live. */
+export function localHost(): Host & { workers: number; living: number } {
   return {
     workers: 0,
+    living: 0,
     module,
     worker() {
       this.workers += 1;
-      return new LocalWorker() as unknown as Worker;
+      this.living += 1;
+      return new LocalWorker(() => (this.living -= 1)) as unknown as Worker;
     },
   };
 }

@@ -19,8 +19,17 @@ export function escaped(bytes) {
   return Buffer.from(out);
 }
 
-export const packed = (content) =>
-  escaped(execFileSync("zstd", ["--ultra", "-22", "--stdout", "--quiet"], { input: content, maxBuffer: 2 ** 28 }));
+/** A frame that says its size: without, who unpacks it makes room for the largest that there is. */
+export function packed(content) {
+  const input = Buffer.from(content);
+  const options = ["--ultra", "-22", `--stream-size=${input.length}`, "--stdout", "--quiet"];
+  try {
+    return escaped(execFileSync("zstd", options, { input, maxBuffer: 2 ** 28 }));
+  } catch (error) {
+    if (error.code !== "ENOENT") throw error;
+    throw new Error("There is no zstd; scripts/setup editor installs it.", { cause: error });
+  }
+}
 
 /** An element of a page that holds bytes. */
 export function packedElement(id, content) {

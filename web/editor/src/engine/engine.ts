@@ -65,6 +65,10 @@ export class WorkerEngine implements Engine {
   #timer = 0;
   /** As the front seat's last answer had it. */
   #unsettled = Infinity;
+  /** As the last exact picture had it. */
+  #largest = Infinity;
+  /** Told of each picture. */
+  #onShown: () => void = () => {};
   readonly #rest = new Rest();
   #seatCount = 0;
   #isFree = false;
@@ -175,6 +179,7 @@ export class WorkerEngine implements Engine {
     this.#shownStack = solved.stackStamp;
     this.#shownSerial = wanted.serial;
     this.#unsettled = solved.unsettled;
+    this.#onShown();
     this.onPicture({ stack: solved.stack, layers: solved.layers, layerCount: solved.stamps.length, isExact });
     const kind = isExact ? "exact" : "refining";
     this.onStatus({ kind, milliseconds: solved.milliseconds });
@@ -197,12 +202,20 @@ export class WorkerEngine implements Engine {
     if (this.#isSettling || !this.#isSettleWanted) return;
     this.#isSettling = true;
     const [seat, options] = [this.#front, this.#options];
-    if (sameOptions(seat.exactFor, options)) await this.#framesEnd();
-    const isLittle = sameOptions(seat.exactFor, options) && this.#unsettled <= this.#mostInFront;
-    if (isLittle) await this.#settleInFront(seat, options);
+    if (await this.#isLittle(seat, options)) await this.#settleInFront(seat, options);
     else await this.#settleInBack();
     this.#isSettling = false;
     if (this.#isSettleWanted) this.#settleAfter(this.#rest.again(this.#wanted.moving));
+  }
+
+  /** Whether the front seat has made exact all but a little, which the first frame of a text tells. */
+  async #isLittle(seat: Seat, options: SolveOptions): Promise<boolean> {
+    if (!sameOptions(seat.exactFor, options)) return false;
+    if (this.#frames && this.#shownSerial !== this.#wanted.serial) {
+      const shown = new Promise<void>((resolve) => (this.#onShown = resolve));
+      await Promise.race([this.#frames, shown]);
+    }
+    return this.#unsettled <= this.#mostInFront;
   }
 
   /** They leave what waits: the exact picture follows. */
@@ -214,6 +227,7 @@ export class WorkerEngine implements Engine {
 
   /** Where the front seat has all but a little. Frames wait meanwhile. */
   async #settleInFront(seat: Seat, options: SolveOptions): Promise<void> {
+    await this.#framesEnd();
     const wanted = this.#wanted;
     if (seat !== this.#front || this.#frames || this.#shownSerial !== wanted.serial) return;
     this.#frames = this.#settleFront(seat, wanted, options).finally(() => {
@@ -264,13 +278,19 @@ export class WorkerEngine implements Engine {
     this.#pending.reset();
     this.#publishExact(solved, wanted, options);
     // If it fails, so does what asks this seat next.
-    if (solved.largest > this.#mostInFront) this.#warm(this.#back, wanted, options).catch(() => {});
+    if (this.#isBackNeeded) this.#warm(this.#back, wanted, options).catch(() => {});
     else this.#dismissBack();
+  }
+
+  /** Whether an edit of one layer can take a back seat. */
+  get #isBackNeeded(): boolean {
+    return this.#largest > this.#mostInFront;
   }
 
   #publishExact(solved: Solved, wanted: Wanted, options: SolveOptions) {
     this.#exactSerial = wanted.serial;
     this.#exactOptions = options;
+    this.#largest = solved.largest;
     this.#publish(solved, wanted, true);
   }
 
@@ -346,6 +366,7 @@ export class WorkerEngine implements Engine {
     await seat.ready;
     if (seat.serial !== wanted.serial || seat.isChanged) await this.#bring(seat, wanted, null);
     const report = await seat.link.call<LintReport>("lint");
+    if (seat === this.#back && !this.#isSettling && !this.#isBackNeeded) this.#dismissBack();
     return this.#wanted === wanted ? hintsOf(report, seat.curves) : null;
   }
 

@@ -13,6 +13,7 @@ function compile(): Promise<WebAssembly.Module> {
     worker = new ModuleWorker({ name: "module" });
     worker.onmessage = ({ data }: MessageEvent<WebAssembly.Module | string>) =>
       typeof data === "string" ? reject(new Error(data)) : resolve(data);
+    worker.onmessageerror = () => reject(new Error("The module cannot be handed over."));
     worker.onerror = (event) => reject(new Error(event.message));
     worker.postMessage(takePacked("sfumato-module"));
   }).finally(() => worker?.terminate());
