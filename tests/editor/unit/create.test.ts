@@ -97,6 +97,18 @@ test("a gradient stands in <defs>, and side and stroke name it", () => {
   expect(setPaint(d, handle(d, "b"), "right", "color", { kind: "existing", id: "none" })).toBeNull();
 });
 
+test("an opacity's paint leaves the stroke to the colour's, which other programs draw", () => {
+  const curve = '<path id="c" d="M0 0L9 9" stroke="url(#sky)" sf:left="url(#sky)"/>';
+  const d = openDrawing(`<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1"><defs><linearGradient id="sky"><stop/></linearGradient><linearGradient id="fade"><stop/></linearGradient></defs><g sf:diffuse="true">${curve}</g></svg>`);
+  const paint = { kind: "existing", id: "fade" } as const;
+  d.apply(setPaint(d, handle(d, "c"), "left", "opacity", paint)?.patch ?? []);
+  expect(d.text).toContain('stroke="url(#sky)"');
+  expect(d.text).toContain('sf:left-opacity="url(#fade)"');
+  expect(d.text).toContain('sf:right-opacity="1"');
+  d.apply(setPaint(d, handle(d, "c"), "left", "color", paint)?.patch ?? []);
+  expect(d.text).toContain('stroke="url(#fade)"');
+});
+
 test("into a document without anything, curves come with their paints", () => {
   const from = openDrawing(SAMPLES[2].text);
   const text = copyItems(from, [handle(from, "path111")]);

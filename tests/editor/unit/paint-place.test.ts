@@ -183,6 +183,11 @@ describe("a circle", () => {
     expectNear(gripIn(moved(focused, "start", [20, 20]), "focus"), [23, 20]);
   });
 
+  test("has its focus where the engine draws it, which is within it", () => {
+    const beyond = gripIn(documentWith(radial(`${circle} fx="60" fy="30"`)), "focus");
+    expectNear(beyond, [39.99, 30]);
+  });
+
   test("is never made so small that it is gone", () => {
     expect(frameIn(moved(text, "end", [30, 30]))).not.toBeNull();
     expect(frameIn(moved(text, "across", [30, 10]))).not.toBeNull();
@@ -202,6 +207,11 @@ describe("a texture", () => {
     const stretched = moved(turned, "across", [12, 10]);
     expectNear(gripIn(stretched, "across"), [12, 10]);
     expectNear(gripIn(stretched, "end"), [20, 26]);
+  });
+
+  test("that inherits a transform says its own, also where it does nothing", () => {
+    const both = `<pattern id="q" ${tile} patternTransform="translate(30 0)"><image href="t.png" width="8" height="8"/></pattern><pattern id="p" href="#q" patternTransform="translate(10 0)"/>`;
+    expectNear(gripIn(moved(documentWith(both), "start", [0, 0]), "start"), [0, 0]);
   });
 
   test("of a box's units has the box's tile", () => {

@@ -19,12 +19,13 @@ const engine = new WorkerEngine({ module: getModule, worker: createWorker });
 const editor = new DrawingEditor(engine, null, blankText(800, 600, null));
 const later = signal<Work | null>(null);
 
-/** Keys, buttons and files that come before it wait. */
+/** Keys, buttons and dropped files that come before it wait. */
 async function fetchWork(): Promise<Work> {
   const { begin, commandsOf } = await import("./work.js");
   const work = begin(editor, engine);
   later.value = work;
-  editor.learn(commandsOf(work.documents));
+  // What was asked for early is no part of this: if it fails, the rest is there all the same.
+  queueMicrotask(() => editor.learn(commandsOf(work.documents)));
   void work.documents.openServed();
   return work;
 }

@@ -25,6 +25,7 @@ import type { Attribute, Drawing, Handle, Item, Outcome } from "../model/types.j
 import { en } from "../strings/en.js";
 import { copyByMenu, pasteByMenu } from "./clipboard.js";
 import type { DrawingEditor } from "./editor.js";
+import { takeInHandle } from "./handles.js";
 import { deleteStop } from "./stops.js";
 import { chosen, chosenCurves, chosenItems, chosenNodes, chosenStop, primaryCurve } from "./selected.js";
 import type { ToolName } from "./types.js";
@@ -61,11 +62,10 @@ function nodeKind(label: string, kind: NodeKind): Command {
   };
 }
 
-/** The chosen stop or nodes, else whole items. */
+/** The chosen handle, stop or nodes, else whole items. */
 function deleteChosen(editor: DrawingEditor) {
-  const kind = editor.selection.value.at(-1)?.part.kind;
-  // The canvas knows what becomes of them; the curve is not meant.
-  if (kind === "paint" || kind === "handle") return;
+  const primary = editor.selection.value.at(-1);
+  if (primary?.part.kind === "handle") return takeInHandle(editor, primary.handle, primary.part);
   const curve = primaryCurve(editor);
   const stop = chosenStop(editor);
   const nodes = chosenNodes(editor);

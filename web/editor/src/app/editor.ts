@@ -38,7 +38,7 @@ const STEP = 1 / 1000;
 const HINT_REST = 1000;
 
 /** What the editor has done by others: the commands that menus and keys name. */
-export type CommandTable = Pick<ReadonlyMap<string, (editor: DrawingEditor) => void>, "get">;
+type CommandTable = Pick<ReadonlyMap<string, (editor: DrawingEditor) => void>, "get">;
 
 export class DrawingEditor implements Editor {
   readonly engine: Engine;
@@ -369,7 +369,7 @@ export class DrawingEditor implements Editor {
 
   command(name: string): void {
     if (this.#commands) this.#commands.get(name)?.(this);
-    else this.#asked.push(name);
+    else if (!this.#asked.includes(name)) this.#asked.push(name);
   }
 
   /** What was asked for until now is done, in its order. */

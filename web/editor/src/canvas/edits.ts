@@ -35,11 +35,12 @@ import type {
   SideValue,
 } from "../model/types.js";
 import { gripPlace } from "../model/paint-frames.js";
+import { takeInHandle } from "../app/handles.js";
 import { deleteStop } from "../app/stops.js";
 import { en } from "../strings/en.js";
 import { pathInLayer } from "./along.js";
 import { movable } from "./box.js";
-import { nodeOfHandle, withHandle } from "./nodes.js";
+import { withHandle } from "./nodes.js";
 import { isCurve, isLocked } from "./places.js";
 import { stopsOf, withOffset, withoutStops, type StopKind, type Value } from "./sides.js";
 import { mappedPath } from "../geometry/cubic.js";
@@ -118,9 +119,10 @@ export function deleteParts(editor: Editor): boolean {
   const selection = editor.selection.peek();
   const primary = selection.at(-1);
   // A gradient has its ends wherever they are.
-  if (primary?.part.kind === "paint") return true;
+  if (primary?.part.kind === "paint") return isShown(editor, primary.handle, primary.part);
   if (primary?.part.kind === "handle") {
-    takeInHandle(editor, primary.handle, primary.part);
+    const item = editor.drawing.item(primary.handle);
+    if (item && !isLocked(item)) takeInHandle(editor, primary.handle, primary.part);
     return true;
   }
   const stops = selection.filter(({ part }) => part.kind === "stop");
@@ -147,15 +149,10 @@ export function deleteParts(editor: Editor): boolean {
   return true;
 }
 
-function takeInHandle(editor: Editor, handle: Handle, { path: k, index }: Part & { kind: "handle" }) {
+/** Whether there is a grip: what the side shows may have changed since it was chosen. */
+function isShown(editor: Editor, handle: Handle, part: Part & { kind: "paint" }): boolean {
   const item = editor.drawing.item(handle);
-  const path = isCurve(item) && item.paths[k] && nodePath(item.paths[k]);
-  if (!isCurve(item) || isLocked(item) || !path || !path.points[index]) return;
-  const node = nodeOfHandle(path, index);
-  const changed = withHandle(path, index, path.points[3 * node], true);
-  const made = setPath(editor.drawing, handle, k, changed, editor.step(item));
-  if (editor.run(en.tools.undo.deleteHandle, made))
-    editor.selection.value = [{ handle, part: { kind: "node", path: k, index: node } }];
+  return isCurve(item) && gripPlace(editor.drawing, item, part.side, part.attribute, part.grip) !== null;
 }
 
 function deleteStops(editor: Editor, handle: Handle, parts: readonly Part[]): void {

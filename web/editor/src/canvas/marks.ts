@@ -13,6 +13,7 @@ import type {
   Selection,
   Side,
 } from "../model/types.js";
+import type { PaintKind } from "../model/paint-frames.js";
 import { en } from "../strings/en.js";
 import { pathInLayer, placesOfStops, standing } from "./along.js";
 import { percent, shown } from "./format.js";
@@ -55,6 +56,7 @@ export interface BoxMark extends MarkBase {
 export interface PaintMark extends MarkBase {
   readonly kind: "paint";
   readonly part: Part & { readonly kind: "paint" };
+  readonly paint: PaintKind;
 }
 
 export type Mark = NodeMark | StopMark | BoxMark | PaintMark;

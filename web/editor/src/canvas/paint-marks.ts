@@ -1,5 +1,6 @@
 // Grips of the gradients and textures that the chosen curve's sides show, and the lines between them.
 import { composed, mapped, type Affine, type Point } from "../geometry/affine.js";
+import { distance } from "../geometry/vector.js";
 import { paintFrame, placeInFrame, type PaintFrame } from "../model/paint-frames.js";
 import type { CurveItem, Drawing, PaintAttribute, PaintGrip, Part, Side } from "../model/types.js";
 import { en } from "../strings/en.js";
@@ -10,7 +11,7 @@ import { isSamePart } from "./sketch.js";
 /** A focus that is nearer to the middle cannot be taken apart from it, CSS pixels. */
 const APART = 9;
 
-export interface ShownPaint extends PaintFrame {
+interface ShownPaint extends PaintFrame {
   readonly side: Side;
   readonly attribute: PaintAttribute;
 }
@@ -25,8 +26,6 @@ export function shownPaints(d: Drawing, item: CurveItem, attribute: PaintAttribu
   }
   return found;
 }
-
-const less = ([ax, ay]: Point, [bx, by]: Point): Point => [ax - bx, ay - by];
 
 /** @param apart how far the focus is from the middle, CSS pixels */
 function gripsOf({ kind }: ShownPaint, apart: number): readonly PaintGrip[] {
@@ -52,9 +51,10 @@ export function paintMarks(
       const part = { kind: "paint", side, attribute, grip } as const;
       const isChosen = parts.some((one) => isSamePart(one, part));
       const label = en.canvas.paint(kind, grip, en.canvas.sides[side]);
-      return { kind: "paint", at: place(grip), foot: start, handle: item.handle, part, isChosen, label };
+      const at = place(grip);
+      return { kind: "paint", at, foot: start, handle: item.handle, part, paint: kind, isChosen, label };
     };
-    return gripsOf(paint, Math.hypot(...less(place("focus"), start))).map(mark);
+    return gripsOf(paint, distance(place("focus"), start)).map(mark);
   });
 }
 

@@ -37,6 +37,8 @@ export interface PaintFrame {
   readonly itemFromBox: Affine;
   readonly transform: Affine;
   readonly lengths: Lengths;
+  /** Whether it would have another transform without one of its own. */
+  readonly inherits: boolean;
   /** Whether a length is said by the paint or by one that it inherits from. */
   readonly isSaid: (name: string) => boolean;
 }
@@ -112,6 +114,13 @@ export function frameOf(kind: PaintKind, l: Lengths): Affine | null {
   return inverted(frame) && frame;
 }
 
+/** As the engine draws it: a focus beyond the circle is moved into it. */
+function inside([x, y]: Point): Point {
+  const share = Math.min(1, LARGEST_FOCUS / Math.hypot(x, y));
+  return share < 1 ? [share * x, share * y] : [x, y];
+}
+const LARGEST_FOCUS = 0.999;
+
 const unitsOf = { linear: "gradientUnits", radial: "gradientUnits", texture: "patternUnits" } as const;
 export const transformOf = {
   linear: "gradientTransform",
@@ -151,10 +160,11 @@ export function paintFrame(
     kind,
     element,
     itemFromFrame: composed(itemFromOwn, frame),
-    focus: kind === "radial" ? mapped(back, [fx, fy]) : null,
+    focus: kind === "radial" ? inside(mapped(back, [fx, fy])) : null,
     itemFromOwn,
     itemFromBox,
     transform,
+    inherits: chain.slice(1).some((one) => valueOf(one, transformOf[kind]) !== undefined),
     ...read,
   };
 }

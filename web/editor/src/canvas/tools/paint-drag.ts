@@ -1,6 +1,7 @@
 // Takes hold of where a gradient or a texture lies.
 import { inverted, mapped, type Point } from "../../geometry/affine.js";
 import { atAngle } from "../../geometry/snap.js";
+import { subtract } from "../../geometry/vector.js";
 import { movePaint } from "../../model/commands/index.js";
 import { gripPlace } from "../../model/paint-frames.js";
 import type { PaintGrip, Selected } from "../../model/types.js";
@@ -19,7 +20,8 @@ import { EditDrag, travelled, type Drag, type Press } from "./tool.js";
 export function dragPaint(canvas: Canvas, mark: PaintMark, start: Press): Drag {
   const { editor } = canvas;
   const { side, attribute } = mark.part;
-  const grip: PaintGrip = start.alt && mark.part.grip === "start" ? "focus" : mark.part.grip;
+  const isFocus = start.alt && mark.paint === "radial" && mark.part.grip === "start";
+  const grip: PaintGrip = isFocus ? "focus" : mark.part.grip;
   const fixed = fixedPoint(canvas, mark, grip);
   return new EditDrag(canvas, start, {
     label: en.tools.undo.movePaint,
@@ -28,7 +30,7 @@ export function dragPaint(canvas: Canvas, mark: PaintMark, start: Press): Drag {
     make: (p, before) => {
       const item = before.item(mark.handle);
       if (!isCurve(item)) return null;
-      const raw = plus(mark.at, fixed ? offset(start, p) : travelled(start, p));
+      const raw = plus(mark.at, fixed ? subtract(p.at, start.at) : travelled(start, p));
       const at = fixed && p.shift ? atAngle(fixed, raw) : raw;
       const back = inverted(stageFromItem(canvas.stageFromArtboard(), item));
       const to = back && mapped(back, at);
@@ -37,8 +39,6 @@ export function dragPaint(canvas: Canvas, mark: PaintMark, start: Press): Drag {
     kept: () => tell(canvas, { ...mark, part: { ...mark.part, grip } }),
   });
 }
-
-const offset = (start: Press, p: Press): Point => [p.at[0] - start.at[0], p.at[1] - start.at[1]];
 
 /** What a grip turns about, on the stage; null: it moves all of it. */
 function fixedPoint(canvas: Canvas, mark: PaintMark, grip: PaintGrip): Point | null {
@@ -51,12 +51,13 @@ function fixedPoint(canvas: Canvas, mark: PaintMark, grip: PaintGrip): Point | n
 }
 
 /** Says where the grip has come to. */
-function tell(canvas: Canvas, { handle, part, label }: PaintMark): void {
+function tell(canvas: Canvas, { handle, part, paint }: PaintMark): void {
   const { editor } = canvas;
   const item = editor.drawing.item(handle);
   if (!isCurve(item)) return;
   const place = gripPlace(editor.drawing, item, part.side, part.attribute, part.grip);
   if (!place) return;
   const [x, y] = mapped(item.artboardFromItem, place);
+  const label = en.canvas.paint(paint, part.grip, en.canvas.sides[part.side]);
   editor.announcement.value = en.canvas.at(label, shown(x), shown(y));
 }

@@ -9,6 +9,7 @@ import {
   type Point,
 } from "../../geometry/affine.js";
 import { numberText } from "../../geometry/path.js";
+import { subtract } from "../../geometry/vector.js";
 import { setAttribute } from "../../source/attributes.js";
 import type { Edit } from "../../source/patch.js";
 import { paintFrame, transformOf, type Lengths, type PaintFrame } from "../paint-frames.js";
@@ -18,7 +19,7 @@ import { outcomeOf } from "./together.js";
 
 /** A frame is not made smaller than this share of itself at a time: it could not be made larger again. */
 const LEAST = 1e-3;
-/** The engine moves a focus into the circle: what is further out than this of the radius. */
+/** A focus stays within this share of the radius: the engine moves it into the circle at 0.999. */
 const FOCUS = 0.99;
 /** Shares of a box: finer than an eye. */
 const FINE = 1e-5;
@@ -40,7 +41,6 @@ function turnedAndScaled(middle: Point, [fx, fy]: Point, [tx, ty]: Point): Affin
   return about(middle, [a, b, -b, a, 0, 0]);
 }
 
-const less = ([ax, ay]: Point, [bx, by]: Point): Point => [ax - bx, ay - by];
 const atLeast = (share: number) => Math.max(LEAST, share);
 
 /** The frame with a grip elsewhere, in the curve's coordinates. */
@@ -48,12 +48,12 @@ function pulledFrame({ kind, itemFromFrame: map }: PaintFrame, grip: PaintGrip, 
   const [start, end, across] = [mapped(map, [0, 0]), mapped(map, [1, 0]), mapped(map, [0, 1])];
   if (kind === "linear") {
     const [from, until] = grip === "start" ? [to, end] : [start, to];
-    const [dx, dy] = less(until, from);
+    const [dx, dy] = subtract(until, from);
     return [dx, dy, -dy, dx, from[0], from[1]];
   }
-  if (grip === "start") return composed(translation(...less(to, start)), map);
-  const axis = grip === "end" ? less(end, start) : less(across, start);
-  const pull = less(to, start);
+  if (grip === "start") return composed(translation(...subtract(to, start)), map);
+  const axis = grip === "end" ? subtract(end, start) : subtract(across, start);
+  const pull = subtract(to, start);
   if (grip === "across") {
     const share = (pull[0] * axis[0] + pull[1] * axis[1]) / (axis[0] ** 2 + axis[1] ** 2);
     return composed(map, [1, 0, 0, atLeast(share), 0, 0]);
@@ -98,7 +98,8 @@ function setPaintTransform(d: Drawing, now: PaintFrame, wanted: Affine): Edit[] 
       : composed(box, composed(change, composed(itemFromBox, transform)));
   const extent = Math.max(1, ...d.artboard.map(Math.abs));
   const text = transformText(next, extent, finestStep(d));
-  return setAttribute(d.text, element, transformOf[kind], text);
+  // Without one of its own it would have the one that it inherits.
+  return setAttribute(d.text, element, transformOf[kind], text ?? (now.inherits ? "translate(0 0)" : null));
 }
 
 /** The focus at a point of the curve's coordinates, within the circle. */

@@ -2,9 +2,9 @@
 import type { Point } from "../../geometry/affine.js";
 import type { Rgb } from "../../geometry/color.js";
 import { numberText } from "../../geometry/path.js";
-import { prefixOf, setAttribute, sf, XLINK } from "../../source/attributes.js";
+import { prefixOf, setAttribute, sf, valueOf, XLINK } from "../../source/attributes.js";
 import { colorText } from "../../source/colors.js";
-import type { Drawing, Handle, Outcome, PaintAttribute, Side } from "../types.js";
+import type { CurveItem, Drawing, Handle, Outcome, PaintAttribute, Side } from "../types.js";
 import { intoDefs } from "./defs.js";
 import { Draft } from "./draft.js";
 import { finestStep } from "./mapping.js";
@@ -51,8 +51,15 @@ export function setPaint(
   const isFirst = [side, other].every((one) => item[one as Side].opacity.kind === "open");
   if (attribute === "opacity" && isFirst)
     draft.add(setAttribute(d.text, item.element, sf(`${other}-opacity`), "1"));
-  draft.add(setAttribute(d.text, item.element, "stroke", `url(#${id})`));
+  if (attribute === "color" || !namesColor(item))
+    draft.add(setAttribute(d.text, item.element, "stroke", `url(#${id})`));
   return draft.outcome();
+}
+
+/** Whether the stroke names a paint that a side shows as its colour: it is what other programs draw. */
+function namesColor({ element, left, right }: CurveItem): boolean {
+  const stroke = valueOf(element, "stroke")?.trim();
+  return [left, right].some(({ color }) => color.kind === "paint" && stroke === `url(${color.href})`);
 }
 
 function paintMarkup(d: Drawing, paint: New, id: string): string {
