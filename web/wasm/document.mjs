@@ -1,0 +1,156 @@
+// Documents of the library: sfumato.mjs has all of it.
+import { box, expect, Handle } from "./handle.mjs";
+import { SfumatoError, Status } from "./library.mjs";
+
+/** Sides of a curve, what they bear, what they are to it, and what offsets count. */
+export const Side = Object.freeze({ left: 0, right: 1 });
+export const Attribute = Object.freeze({ color: 0, opacity: 1, blur: 2 });
+export const Kind = Object.freeze({ open: 0, barrier: 1, stops: 2, paint: 3 });
+export const Space = Object.freeze({ arcLength: 0, parameter: 1 });
+
+/** Diffusion curves as their author drew them. It is changed through the context that made it. */
+export class SfumatoDocument extends Handle {
+  #context;
+
+  /** For SfumatoContext. */
+  constructor(context, address) {
+    super(context.library, "document", address);
+    this.#context = context;
+  }
+
+  copy() {
+    return new SfumatoDocument(
+      this.#context,
+      this.#context.make("sfumato_document_copy", this.address),
+    );
+  }
+
+  /** The document as SVG. */
+  write() {
+    const bytes = this.#context.make("sfumato_document_write", this.address);
+    return new TextDecoder().decode(this.library.takeBytes(bytes));
+  }
+
+  /** x, y, width, height */
+  get artboard() {
+    return box(this.library, "sfumato_document_artboard", this.address);
+  }
+
+  get layerCount() {
+    return this.library.call("sfumato_layer_count", this.address);
+  }
+
+  curveCount(layer) {
+    return this.library.call("sfumato_curve_count", this.address, layer);
+  }
+
+  /** Perhaps ""; null where there is no such layer. */
+  layerId(layer) {
+    return this.library.string(this.library.call("sfumato_layer_id", this.address, layer));
+  }
+
+  /** Perhaps ""; null where there is no such curve. */
+  curveId(layer, curve) {
+    return this.library.string(this.library.call("sfumato_curve_id", this.address, layer, curve));
+  }
+
+  /**
+   * Where a curve stands in the text that was read: {byteOffset, subpath}, the place of its
+   * element's `<` in UTF-8, and which of the element's subpaths it is; null where that is not known.
+   */
+  curveSource(layer, curve) {
+    const place = this.library.scratch();
+    const asked = [this.address, layer, curve, place, place + 4];
+    expect(
+      this.library.call("sfumato_curve_source", ...asked),
+      `there is no curve ${curve} in layer ${layer}`,
+    );
+    const [byteOffset, subpath] = [this.library.u32(place), this.library.u32(place + 4)];
+    return byteOffset === 0 ? null : { byteOffset, subpath };
+  }
+
+  /** 3 n + 1 control points, x and y in turn. */
+  points(layer, curve) {
+    const view = this.library.scratch();
+    expect(
+      this.library.call("sfumato_curve_points", this.address, layer, curve, view),
+      `there is no curve ${curve} in layer ${layer}`,
+    );
+    return this.library.table(view).data.slice();
+  }
+
+  /** @param {ArrayLike<number>} xy as points() gives them */
+  setPoints(layer, curve, xy) {
+    this.#withPoints(xy, (...points) =>
+      this.#context.run("sfumato_set_curve_points", this.address, layer, curve, ...points),
+    );
+  }
+
+  /** Adds a curve whose sides bear nothing, before curve `at` or, with null, as the last. */
+  insertCurve(layer, at, xy) {
+    this.#withPoints(xy, (...points) =>
+      this.#context.run("sfumato_insert_curve", this.address, layer, at ?? 0xffffffff, ...points),
+    );
+  }
+
+  removeCurve(layer, curve) {
+    this.#context.run("sfumato_remove_curve", this.address, layer, curve);
+  }
+
+  /** How strongly a curve counts beside others; 1 for one without a weight. */
+  weight(layer, curve) {
+    const weight = this.library.number("sfumato_curve_weight", this.address, layer, curve);
+    if (weight === 0) expect(Status.badUsage, `there is no curve ${curve} in layer ${layer}`);
+    return weight;
+  }
+  setWeight(layer, curve, weight) {
+    this.#context.run("sfumato_set_curve_weight", this.address, layer, curve, weight);
+  }
+
+  /**
+   * What a side bears: {kind, space, rows}; a row is [offset, red, green, blue] or [offset, value].
+   * @param {number} side of Side
+   * @param {number} attribute of Attribute
+   */
+  stops(layer, curve, side, attribute) {
+    const { library } = this;
+    const asked = ["sfumato_curve_stops", this.address, layer, curve, side, attribute];
+    const numbers = attribute === Attribute.color ? 4 : 2;
+    const place = library.scratch();
+    const count = library.call(...asked, place, place + 4, 0, 0);
+    const [kind, space] = [library.u32(place), library.u32(place + 4)];
+    const flat = library.withBytes(new Float64Array(count * numbers), (rows) => {
+      library.call(...asked, 0, 0, rows, count);
+      return library.doubles(rows, count * numbers);
+    });
+    const rows = Array.from({ length: count }, (_, i) => [
+      ...flat.subarray(i * numbers, (i + 1) * numbers),
+    ]);
+    return { kind, space, rows };
+  }
+
+  /**
+   * Sets what stops() gives: Kind.stops with rows, or Kind.open or Kind.barrier without.
+   * @param {number} layer
+   * @param {number} curve
+   * @param {number} side of Side
+   * @param {number} attribute of Attribute
+   * @param {{kind: number, space?: number, rows?: readonly (readonly number[])[]}} list
+   */
+  setStops(layer, curve, side, attribute, { kind, space = Space.arcLength, rows = [] }) {
+    const numbers = attribute === Attribute.color ? 4 : 2;
+    if (rows.some((row) => row.length !== numbers)) {
+      throw new SfumatoError(Status.badUsage, `expected rows of ${numbers} numbers`);
+    }
+    this.library.withBytes(new Float64Array(rows.flat()), (address) => {
+      const which = [this.address, layer, curve, side, attribute];
+      const list = [kind, space, address, rows.length];
+      this.#context.run("sfumato_set_curve_stops", ...which, ...list);
+    });
+  }
+
+  #withPoints(xy, body) {
+    if (xy.length % 2 !== 0) throw new SfumatoError(Status.badUsage, "expected pairs of numbers");
+    return this.library.withBytes(Float64Array.from(xy), (address) => body(address, xy.length / 2));
+  }
+}

@@ -1,0 +1,104 @@
+// Solved documents, and exact colours at points: sfumato.mjs has all of it.
+import { box, expect, Handle } from "./handle.mjs";
+
+/** Tables of a solved layer. */
+export const Table = Object.freeze({
+  vertices: 0,
+  triangles: 1,
+  curveEdges: 2,
+  colorNodes: 3,
+  colorValues: 4,
+  opacityNodes: 5,
+  opacityValues: 6,
+});
+
+/** What a picture counts of the last time that it was solved: the numbers of the C interface. */
+const statistics = [
+  "curves",
+  "segments",
+  "triangles",
+  "vertices",
+  "nodes",
+  "geometrySeconds",
+  "triangulationSeconds",
+  "gatherSeconds",
+  "waitingNodes",
+];
+
+/** A solved document, of no resolution. */
+export class SfumatoPicture extends Handle {
+  /** For SfumatoContext. */
+  constructor(library, address) {
+    super(library, "picture", address);
+  }
+
+  /** x, y, width, height */
+  get viewport() {
+    return box(this.library, "sfumato_picture_viewport", this.address);
+  }
+
+  get layerCount() {
+    return this.library.call("sfumato_picture_layer_count", this.address);
+  }
+
+  /**
+   * {rows, columns, data}: a table of a layer, copied.
+   * @param {number} table of Table
+   */
+  table(layer, table) {
+    const view = this.tableView(layer, table);
+    return { ...view, data: view.data.slice() };
+  }
+
+  /** The same without a copy: `data` lasts until the next call of anything of this module. */
+  tableView(layer, table) {
+    return this.#look("sfumato_picture_table", layer, table);
+  }
+
+  /** The rows that the last solveAgain() made anew: ranges [from, up to], ascending and apart. */
+  changes(layer, table) {
+    const { rows, data } = this.#look("sfumato_picture_changes", layer, table);
+    return Array.from({ length: rows }, (_, i) => [data[2 * i], data[2 * i + 1]]);
+  }
+
+  /** What the last solve() or solveAgain() did: { curves, nodes, gatherSeconds... }, and waitingNodes. */
+  get statistics() {
+    const number = (i) => this.library.number("sfumato_picture_statistic", this.address, i);
+    return Object.fromEntries(statistics.map((name, i) => [name, number(i)]));
+  }
+
+  #look(name, layer, table) {
+    const view = this.library.scratch();
+    expect(
+      this.library.call(name, this.address, layer, table, view),
+      `there is no layer ${layer} or no table ${table}`,
+    );
+    return this.library.table(view);
+  }
+}
+
+/** The exact colours of one layer at points. */
+export class SfumatoField extends Handle {
+  #context;
+
+  /** For SfumatoContext. */
+  constructor(context, address) {
+    super(context.library, "field", address);
+    this.#context = context;
+  }
+
+  /**
+   * @param {ArrayLike<number>} xy pairs, in the frame of the layer
+   * @returns {Float32Array} red, green, blue, opacity of each point
+   */
+  colors(xy) {
+    const { library } = this;
+    const count = xy.length / 2;
+    return library.withBytes(Float64Array.from(xy), (points) =>
+      library.withBytes(new Float32Array(4 * count), (rgba, byteCount) => {
+        this.#context.run("sfumato_field_colors", this.address, points, count, rgba);
+        return new Float32Array(library.bytes(rgba, byteCount).slice().buffer);
+      }),
+    );
+  }
+}
