@@ -210,7 +210,8 @@ export class WorkerEngine implements Engine {
 
   /** Whether the front seat has made exact all but a little, which the first frame of a text tells. */
   async #isLittle(seat: Seat, options: SolveOptions): Promise<boolean> {
-    if (!sameOptions(seat.exactFor, options)) return false;
+    // A hand that holds still within a drag goes on at any time.
+    if (this.#wanted.moving || !sameOptions(seat.exactFor, options)) return false;
     if (this.#frames && this.#shownSerial !== this.#wanted.serial) {
       const shown = new Promise<void>((resolve) => (this.#onShown = resolve));
       await Promise.race([this.#frames, shown]);
