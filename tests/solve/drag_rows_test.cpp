@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sfumato/solve/solution.hpp"
+#include "solve/circles.hpp"
 #include "solve/diffused.hpp"
 #include "solve/solved.hpp"
 #include "support/drawing.hpp"
@@ -15,27 +16,14 @@
 namespace sfumato {
 namespace {
 
-using test::circle_curve;
+using test::circle_at;
+using test::circles;
 using test::colored;
 using test::difference_of;
 using test::diffused;
 using test::expecting_drags;
-using test::kBlue;
 using test::kGreen;
 using test::kRed;
-
-Curve circle_at(Vec2 center) {
-  return colored(circle_curve(center, 12), kRed, kBlue);
-}
-
-/// Two circles in one layer, another layer over them.
-Document circles() {
-  Document document =
-      test::one_layer({circle_at({30, 30}), colored(circle_curve({50, 50}, 45), kBlue, kGreen)});
-  document.layers.push_back({"above", {colored(circle_curve({70, 70}, 9), kGreen, kRed)}});
-  document.stack.push_back(LayerInstance{1, {}, 0.5f});
-  return document;
-}
 
 TEST(DragRows, says_the_rows_between_pictures_that_were_looked_at) {
   Context context;

@@ -9,6 +9,7 @@
 #include "base/charge.hpp"
 #include "sfumato/base/native/thread_pool.hpp"
 #include "sfumato/solve/solution.hpp"
+#include "solve/circles.hpp"
 #include "solve/diffused.hpp"
 #include "solve/mean_difference.hpp"
 #include "solve/solved.hpp"
@@ -23,31 +24,19 @@
 namespace sfumato {
 namespace {
 
+using test::circle_at;
 using test::circle_curve;
+using test::circles;
 using test::colored;
 using test::difference_of;
 using test::diffused;
 using test::expecting_drags;
-using test::kBlue;
 using test::kGreen;
 using test::kRed;
 using test::mean_difference;
 using test::solved;
 
 constexpr std::uint64_t kDocuments = SFUMATO_HAS_SANITIZER ? 2 : 10;
-
-Curve circle_at(Vec2 center) {
-  return colored(circle_curve(center, 12), kRed, kBlue);
-}
-
-/// Two circles in one layer, another layer over them.
-Document circles() {
-  Document document =
-      test::one_layer({circle_at({30, 30}), colored(circle_curve({50, 50}, 45), kBlue, kGreen)});
-  document.layers.push_back({"above", {colored(circle_curve({70, 70}, 9), kGreen, kRed)}});
-  document.stack.push_back(LayerInstance{1, {}, 0.5f});
-  return document;
-}
 
 TEST(Drag, shows_the_curve_where_it_is) {
   Context context;

@@ -1,5 +1,5 @@
 // What becomes of a chosen handle that is deleted: it goes back into its node, and the curve stays.
-import { movedHandle } from "../geometry/nodes.js";
+import { movedHandle, nodeOfHandle } from "../geometry/nodes.js";
 import { nodePath } from "../geometry/natural.js";
 import { setPath } from "../model/commands/index.js";
 import type { Handle, Part } from "../model/types.js";
@@ -12,12 +12,10 @@ export function takeInHandle(editor: Editor, handle: Handle, part: Part & { kind
   const shown = item.paths[part.path];
   const path = shown && nodePath(shown);
   if (!path?.points[part.index]) return;
-  const last = path.points.length - 1;
-  const at = 3 * Math.round(part.index / 3);
-  const node = path.closed && at === last ? 0 : at;
-  const { path: changed } = movedHandle(path, part.index, path.points[node], "free");
+  const node = nodeOfHandle(path, part.index);
+  const { path: changed } = movedHandle(path, part.index, path.points[3 * node], "free");
   const made = setPath(editor.drawing, handle, part.path, changed, editor.step(item));
   if (!editor.run(en.commands.deleteHandle, made)) return;
-  const chosen: Part = { kind: "node", path: part.path, index: node / 3 };
+  const chosen: Part = { kind: "node", path: part.path, index: node };
   editor.selection.value = [{ handle, part: chosen }];
 }

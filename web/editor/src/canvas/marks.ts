@@ -4,6 +4,7 @@ import { nodeCount, pieceCount, type CubicPath } from "../geometry/cubic.js";
 import type { Rgb } from "../geometry/color.js";
 import { hexOf } from "../geometry/colortext.js";
 import { nodePath } from "../geometry/natural.js";
+import { nodeOfHandle } from "../geometry/nodes.js";
 import type {
   Attribute,
   CurveItem,
@@ -17,7 +18,7 @@ import type { PaintKind } from "../model/paint-frames.js";
 import { en } from "../strings/en.js";
 import { pathInLayer, placesOfStops, standing } from "./along.js";
 import { percent, shown } from "./format.js";
-import { handlesOf, nodeOfHandle } from "./nodes.js";
+import { handlesOf } from "./nodes.js";
 import { isSamePart } from "./sketch.js";
 import { kindOn, SIDES, stopsOf, type StopKind, type Stops, type Value } from "./sides.js";
 

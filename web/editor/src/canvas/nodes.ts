@@ -2,7 +2,7 @@
 import type { Point } from "../geometry/affine.js";
 import { pieceAt, pieceCount, pointAt, type CubicPath } from "../geometry/cubic.js";
 import { locate } from "../geometry/length.js";
-import { bent as bentPiece, kindOf, movedHandle } from "../geometry/nodes.js";
+import { bent as bentPiece, kindOf, movedHandle, nodeOfHandle } from "../geometry/nodes.js";
 import { add } from "../geometry/vector.js";
 
 /** Control points of the handles towards the beginning and the end; null where the path ends. */
@@ -16,12 +16,6 @@ export function handlesOf(
     before: at > 0 ? at - 1 : path.closed ? last - 1 : null,
     after: at < last ? at + 1 : path.closed ? 1 : null,
   };
-}
-
-/** The node of a handle, a control point that is no node. */
-export function nodeOfHandle(path: CubicPath, handle: number): number {
-  const node = Math.round(handle / 3);
-  return path.closed && 3 * node === path.points.length - 1 ? 0 : node;
 }
 
 /** The other end of an open path, where a node is one of its ends; null: it is none. */

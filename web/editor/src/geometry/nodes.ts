@@ -54,6 +54,12 @@ export function movedNodes(path: CubicPath, nodes: readonly number[], by: Point)
   return withPoints(path, points);
 }
 
+/** The node of a handle, a control point that is no node. */
+export function nodeOfHandle(path: CubicPath, handle: number): number {
+  const node = Math.round(handle / 3);
+  return path.closed && 3 * node === path.points.length - 1 ? 0 : node;
+}
+
 /** How the other handle of a node answers when one moves. */
 export type HandleLink = "free" | "smooth" | "symmetric";
 

@@ -1,4 +1,5 @@
-// A table: all words that the editor shows; each part of it has its own object.
+// A table, which may be longer than other files: all words that the editor shows stand in one file, so that
+// whoever translates them has one to copy. Each part of the editor has its own object.
 
 const commands = {
   align: "Align",

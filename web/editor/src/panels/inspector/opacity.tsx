@@ -8,7 +8,16 @@ import { openMenu, type MenuItem } from "../controls/menu.js";
 import { edits } from "../controls/sink.js";
 import { decimal } from "../format.js";
 import { useShell, type Shell } from "../services.js";
-import { constant, fractionOf, mixNumbers, putOpacity, withValue, type Stops } from "../stops.js";
+import {
+  constant,
+  fractionOf,
+  mixNumbers,
+  putOpacity,
+  withValue,
+  type Mix,
+  type Put,
+  type Stops,
+} from "../stops.js";
 import { gradientTints, type GradientTints } from "../tints.js";
 import { chosenStop } from "./chosen.js";
 import { GradientFields, opacityOf } from "./gradient.js";
@@ -85,61 +94,57 @@ function openKinds(shell: Shell, item: CurveItem, anchor: HTMLElement) {
   openMenu(words.kindsOfOpacity, items, anchor);
 }
 
-function OpacityRibbon({ item, side, list }: SideProps & { readonly list: Stops<number> }) {
+interface RibbonProps<Value> extends SideProps {
+  readonly list: Stops<Value>;
+  readonly mix: Mix<Value>;
+  readonly put: Put<Value>;
+  readonly opacityOf: (value: Value) => number;
+  /** The ribbon's name; absent: the side's. */
+  readonly label?: string;
+}
+
+/** Stops of a side, or of the gradient that it shows, by what they are as opacity. */
+function OpacityRibbon<Value>({ opacityOf, ...props }: RibbonProps<Value>) {
+  const { item, side, list } = props;
   const { editor } = useShell();
   const chosen = chosenStop(editor, item, "opacity");
   const stops = list.stops.map(({ offset, value }) => ({
     at: fractionOf(item, list.space, offset),
-    css: css(value),
+    css: css(opacityOf(value)),
   }));
   return (
     <div class="side-row">
       <span class="side-name">{words.sides[side]}</span>
       <Ribbon
-        item={item}
-        side={side}
+        {...props}
         attribute="opacity"
-        list={list}
-        mix={mixNumbers}
-        put={putOpacity(item.handle)}
         band={bandOf(stops, "srgb")}
-        css={css}
-        describe={describe}
+        css={(value) => css(opacityOf(value))}
+        describe={(value) => describe(opacityOf(value))}
         chosen={chosen?.side === side ? chosen.index : null}
       />
     </div>
   );
 }
 
-/** The stops of a gradient, by what they are as opacity. */
-function GradientRibbon({ item, side, tints }: SideProps & { readonly tints: GradientTints }) {
+function GradientOpacity({ item, side, tints }: SideProps & { readonly tints: GradientTints }) {
   const { editor } = useShell();
   const { list, gradient, mix, put } = tints;
   const chosen = chosenStop(editor, item, "opacity");
-  const index = chosen?.side === side && chosen.index < list.stops.length ? chosen.index : null;
-  const at = index ?? 0;
+  const at = chosen?.side === side && chosen.index < list.stops.length ? chosen.index : 0;
   const { value } = list.stops[at];
+  const name = words.gradientNow[gradient.kind](gradient.id);
   return (
     <>
-      <div class="side-row">
-        <span class="side-name">{words.sides[side]}</span>
-        <Ribbon
-          item={item}
-          side={side}
-          attribute="opacity"
-          label={words.gradientOf(words.sides[side], words.gradientNow[gradient.kind](gradient.id))}
-          list={list}
-          mix={mix}
-          put={put}
-          band={bandOf(
-            list.stops.map((stop) => ({ at: stop.offset, css: css(opacityOf(stop.value)) })),
-            "srgb",
-          )}
-          css={(tint) => css(opacityOf(tint))}
-          describe={(tint) => describe(opacityOf(tint))}
-          chosen={index}
-        />
-      </div>
+      <OpacityRibbon
+        item={item}
+        side={side}
+        label={words.gradientOf(words.sides[side], name)}
+        list={list}
+        mix={mix}
+        put={put}
+        opacityOf={opacityOf}
+      />
       <GradientFields
         gradient={gradient}
         alpha={value.alpha}
@@ -180,10 +185,14 @@ function OtherThanStops({ item, side }: SideProps) {
 function SideOpacity({ item, side, varies }: SideProps & { readonly varies: boolean }) {
   const { editor } = useShell();
   const list = stopsOf(item, side);
-  if (list) return varies ? <OpacityRibbon item={item} side={side} list={list} /> : null;
+  if (list && !varies) return null;
+  if (list) {
+    const put = putOpacity(item.handle);
+    return <OpacityRibbon item={item} side={side} list={list} mix={mixNumbers} put={put} opacityOf={Number} />;
+  }
   const tints = gradientTints(editor.drawing, item, side, "opacity");
   return tints ? (
-    <GradientRibbon item={item} side={side} tints={tints} />
+    <GradientOpacity item={item} side={side} tints={tints} />
   ) : (
     <OtherThanStops item={item} side={side} />
   );
