@@ -17,7 +17,7 @@
 //
 //   build/bench/drag [--curves N] [--max-error E] [--missed SHARE] [--seconds S] FILE...
 //
-// SHARE is FrameOptions::most_missed; S the time of a frame (FrameOptions::time), after which
+// SHARE is LayerDrag's most_missed; S the time of a frame (FrameOptions::time), after which
 // `left` nodes wait. N curves of the layer with the most, one after another, are dragged by up to
 // seven user units.
 namespace sfumato {
@@ -28,7 +28,7 @@ constexpr int kFrames = 30;  // after the first
 struct Options {
   std::uint32_t curves = 12;
   double max_error = 1;
-  double most_missed = solve::FrameOptions().most_missed;
+  double most_missed = solve::kMostMissed;
   double seconds = std::numeric_limits<double>::infinity();
 };
 
@@ -65,8 +65,8 @@ bool solve_layer(Context& context, const Document& document, std::uint32_t layer
 bool drag_one(Context& context, const Document& document, std::uint32_t layer, std::uint32_t curve,
               const DiffuseOptions& options, const Options& asked, Solved& solved, Times& times) {
   const double start = cpu_milliseconds();
-  Result<solve::LayerDrag> drag = solve::LayerDrag::begin(context, document, layer, curve,
-                                                          solved.sight, options, solved.refined);
+  Result<solve::LayerDrag> drag = solve::LayerDrag::begin(
+      context, document, layer, curve, solved.sight, options, solved.refined, asked.most_missed);
   if (!drag) return false;
   times.begin += cpu_milliseconds() - start;
   PatchLayer shown = solved.patches;                                   // then the last frame
@@ -76,8 +76,7 @@ bool drag_one(Context& context, const Document& document, std::uint32_t layer, s
     for (Vec2& p : moved.control_points) p = p + Vec2{1.0 + i % 6, 2.0 - i % 7};
     DiffuseStats stats;
     const double frame_start = cpu_milliseconds();
-    const solve::FrameOptions how{asked.most_missed, solve::FrameTime(asked.seconds),
-                                  rows.has_value(), &stats};
+    const solve::FrameOptions how{solve::FrameTime(asked.seconds), rows.has_value(), &stats};
     Result<solve::FramePatches> frame = drag->frame(context, moved, how);
     if (!frame) return false;
     if (frame->is_whole) {

@@ -286,13 +286,17 @@ Status FieldSolver::gather_last_of_left(Context& context, std::size_t count) {
 Status FieldSolver::lay_out_without(Context& context, const RefinedField& known,
                                     const PreparedField& with, const mesh::TriangleMesh& mesh,
                                     std::span<const std::uint32_t> changed,
-                                    std::span<const std::uint8_t> is_same) {
+                                    std::span<const std::uint8_t> is_same,
+                                    const gather::ShareBound* bound) {
   history_.is_logged = true;
   Status status = copy_layout(context, known.layout, known.node_hit, changed.size());
   if (status) status = follow(context, mesh, changed);
   if (status) status = list_moved(context, known.layout);
   if (status) status = locate_nodes(context, known, is_same);
-  if (status) status = list_to_gather(context, with, *this, is_same, nullptr, to_gather_);
+  // Weights are known in units of the heaviest curve.
+  const bool is_heaviest = field_.gatherer.weight_unit() != with.gatherer.weight_unit();
+  if (is_heaviest || !has_code_values(field_.attributes)) bound = nullptr;
+  if (status) status = list_to_gather(context, with, *this, is_same, bound, to_gather_);
   field_.gatherer.forget_before();
   return status;
 }

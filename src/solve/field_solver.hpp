@@ -154,10 +154,12 @@ class FieldSolver {
   /// with      the field with them, which are watched
   /// changed   as for lay_out_from(): triangles of the mesh
   /// is_same   as gather::KnownPlaces, for this field and that one
+  /// bound     of the segments, or null: nodes at which it holds keep their values, and the weights
+  ///           that they have with these
   /// Errors    limit (memory), cancelled
   Status lay_out_without(Context& context, const RefinedField& known, const PreparedField& with,
                          const mesh::TriangleMesh& mesh, std::span<const std::uint32_t> changed,
-                         std::span<const std::uint8_t> is_same);
+                         std::span<const std::uint8_t> is_same, const gather::ShareBound* bound);
 
   /// After lay_out_from() and gather(), where nothing else was done: what the next frame may begin
   /// from.

@@ -95,7 +95,8 @@ struct LastFrame {
 
 struct LayerDrag::State {
   State(const Box& of_document, InterpolationSpace space, std::vector<Curve> of_layer,
-        std::uint32_t curve, const LayerSight& layer_sight, const DiffuseOptions& diffuse_options)
+        std::uint32_t curve, const LayerSight& layer_sight, const DiffuseOptions& diffuse_options,
+        double most)
       : options(diffuse_options),
         sight(layer_sight),
         artboard(of_document),
@@ -103,6 +104,7 @@ struct LayerDrag::State {
         curves(std::move(of_layer)),
         moving(curve),
         is_joint(curves::opacity_goes_with_color(curves)),
+        most_missed(most),
         units(artboard, sight, options) {}
 
   Status begin(Context& context, std::optional<RefinedLayer>& refined);
@@ -119,6 +121,7 @@ struct LayerDrag::State {
   std::vector<Curve> curves;  ///< with the one that moves as it was
   std::uint32_t moving;       ///< which of them it is
   bool is_joint;              ///< as FlatLayer
+  double most_missed;         ///< as kMostMissed
   bool has_room = false;      ///< of the meshes
   LayerUnits units;
   ScopedCharge charge;                      ///< of the polylines and curves
@@ -240,7 +243,13 @@ Status LayerDrag::State::take_off(Context& context, RefinedLayer& refined) {
   status = patches->edit(context, flat, edit, true);
   if (!status) return status;
   base.emplace(context, prepared_layer(std::move(*rest), std::move(*patches)), options, nullptr);
-  Result<std::optional<FrameRows>> rows = base->continue_without({refined, with.get(), *is_same});
+  const std::uint32_t first = flat.curve_begin[moving], end = flat.curve_begin[moving + 1];
+  const Result<gather::ShareBound> bound =
+      gather::ShareBound::create(context, std::span(flat.vertex).subspan(first, end - first),
+                                 curves[moving].weight, 0.5 * most_missed);
+  if (!bound) return bound.status();
+  Result<std::optional<FrameRows>> rows =
+      base->continue_without({refined, with.get(), *is_same, most_missed > 0 ? &*bound : nullptr});
   if (rows && refined.is_all_shown) rows_of_solved = std::move(*rows);
   return rows.status();
 }
@@ -415,14 +424,14 @@ Result<FramePatches> LayerDrag::State::frame(Context& context, const Curve& curv
   LayerSolver layer(context, prepared_layer(std::move(*fields), std::move(*patches)), options,
                     how.stats, how.watch);
   const Result<gather::ShareBound> bound =
-      gather::ShareBound::create(context, now.placed->moved.vertex, curve.weight, how.most_missed);
+      gather::ShareBound::create(context, now.placed->moved.vertex, curve.weight, most_missed);
   if (!bound) return bound.status();
-  CurveInsertion insertion{*moves, *is_same, how.most_missed > 0 ? &*bound : nullptr, &tables};
+  CurveInsertion insertion{*moves, *is_same, most_missed > 0 ? &*bound : nullptr, &tables};
   std::optional<gather::ShareBound> order;
   std::optional<FrameLimit> limit;
   if (keeps && how.time.is_limited()) {
     Result<gather::ShareBound> coarse = gather::ShareBound::create(
-        context, now.placed->moved.vertex, curve.weight, how.most_missed, kMostRuns);
+        context, now.placed->moved.vertex, curve.weight, most_missed, kMostRuns);
     if (!coarse) return coarse.status();
     insertion.limit = &limit.emplace(FrameLimit{how.time, order.emplace(std::move(*coarse))});
   }
@@ -490,9 +499,10 @@ Result<bool> LayerDrag::is_costly(const Context& context, const RefinedLayer& re
 Result<LayerDrag> LayerDrag::begin(Context& context, const Document& document, std::uint32_t layer,
                                    std::uint32_t curve, const LayerSight& sight,
                                    const DiffuseOptions& options,
-                                   std::optional<RefinedLayer>& refined) {
-  auto state = std::make_unique<State>(document.artboard, document.interpolation,
-                                       document.layers[layer].curves, curve, sight, options);
+                                   std::optional<RefinedLayer>& refined, double most_missed) {
+  auto state =
+      std::make_unique<State>(document.artboard, document.interpolation,
+                              document.layers[layer].curves, curve, sight, options, most_missed);
   Status status = state->begin(context, refined);
   if (!status) return status;
   return LayerDrag(std::move(state));
@@ -512,7 +522,7 @@ bool LayerDrag::needs_room(const Curve& curve) const {
 Result<LayerDrag> LayerDrag::with_room(Context& context) const {
   const State& now = *state_;
   auto state = std::make_unique<State>(now.artboard, now.interpolation, now.curves, now.moving,
-                                       now.sight, now.options);
+                                       now.sight, now.options, now.most_missed);
   std::optional<RefinedLayer> none;
   Status status = state->begin(context, none);
   if (!status) return status;

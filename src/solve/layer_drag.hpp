@@ -15,12 +15,14 @@
 
 namespace sfumato::solve {
 
+/// Nodes of a frame keep the values that they had where the curve changes these for certain by no
+/// more than this share of the range of code values, and where it was, by half of that. 0: all
+/// nodes have their exact values, as colours have in other spaces, in which a small change may be
+/// one of many code values.
+inline constexpr double kMostMissed = 0.02;
+
 /// How a frame is made.
 struct FrameOptions {
-  /// Nodes keep the values that they have without the curve where it changes these for certain by
-  /// no more than this share of the range of code values. 0: all nodes have their exact values, as
-  /// colours have in other spaces, in which a small change may be one of many code values.
-  double most_missed = 0.02;
   /// Until when nodes are gathered that may wait: those that the curve touches do not. The others
   /// keep the values that the last frame gave them, or that they have without the curve. It does
   /// not count where what is seen ends within the layer, nor where the curve crosses what is shown.
@@ -36,7 +38,7 @@ struct FrameOptions {
 /// changed. It depends on the layer and on the curve, not on the frames before it.
 ///
 /// Frames are for looking at while something moves. Their nodes have their exact values, but for
-/// FrameOptions::most_missed; the mesh is that of the layer as it was, no finer where the curve is
+/// kMostMissed; the mesh is that of the layer as it was, no finer where the curve is
 /// now than the angles ask; and the curve is drawn over all others.
 ///
 /// Memory stays charged to the Budget of the Context that begin() was given, which must outlive
@@ -57,7 +59,8 @@ class LayerDrag {
   static Result<LayerDrag> begin(Context& context, const Document& document, std::uint32_t layer,
                                  std::uint32_t curve, const LayerSight& sight,
                                  const DiffuseOptions& options,
-                                 std::optional<RefinedLayer>& refined);
+                                 std::optional<RefinedLayer>& refined,
+                                 double most_missed = kMostMissed);
 
   LayerDrag(LayerDrag&&) noexcept;
   LayerDrag& operator=(LayerDrag&&) noexcept;

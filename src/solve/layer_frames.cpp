@@ -41,7 +41,8 @@ Result<std::optional<FrameRows>> LayerSolver::continue_without(const CurveRemova
   if (status && is_blurred_) status = follow_blur_too();
   const auto lay_out = [&](FieldSolver& field, const RefinedField& known,
                            const PreparedField& with) {
-    return field.lay_out_without(context_, known, with, *mesh_, changed_, removal.is_same);
+    return field.lay_out_without(context_, known, with, *mesh_, changed_, removal.is_same,
+                                 removal.bound);
   };
   if (status) status = lay_out(color_, nodes.color, removal.fields.color);
   if (status && opacity_) status = lay_out(*opacity_, *nodes.opacity, *removal.fields.opacity);

@@ -61,6 +61,8 @@ struct CurveRemoval {
   const RefinedLayer& known;              ///< the layer with it
   const PreparedFields& fields;           ///< of the layer with it, which is watched
   std::span<const std::uint8_t> is_same;  ///< Mesher::same_triangles of the visibility meshes
+  /// Of the curve. Unless null: nodes at which it holds keep the values that they have with it.
+  const gather::ShareBound* bound = nullptr;
 };
 
 /// A curve that was inserted into a layer, for a frame of a drag.

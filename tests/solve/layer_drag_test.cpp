@@ -117,7 +117,7 @@ void expect_exact_frames(const Document& document, LayerCurve at, const DiffuseO
   if (was_solved) refined = refined_layer(context, document, at.layer, sight, options, &shown);
   const bool is_known = refined.has_value();
   Result<LayerDrag> drag =
-      LayerDrag::begin(context, document, at.layer, at.curve, sight, options, refined);
+      LayerDrag::begin(context, document, at.layer, at.curve, sight, options, refined, 0);
   if (!drag && drag.status().code == StatusCode::limit) return;
   ASSERT_TRUE(drag.ok()) << drag.status().message;
   EXPECT_EQ(refined.has_value(), is_known);
@@ -140,10 +140,10 @@ void expect_exact_frames(const Document& document, LayerCurve at, const DiffuseO
         EXPECT_EQ(difference_from_new_layout(context, mesh, field->field().attributes, layout), "");
       }
     };
-    Result<FramePatches> made = drag->frame(
-        context, curve, {.most_missed = 0, .wants_rows = rows.has_value(), .watch = watch});
+    Result<FramePatches> made =
+        drag->frame(context, curve, {.wants_rows = rows.has_value(), .watch = watch});
     Context other;  // which gets nothing of the frames before
-    const Result<FramePatches> anew = drag->frame(other, curve, {.most_missed = 0});
+    const Result<FramePatches> anew = drag->frame(other, curve);
     EXPECT_EQ(other.budget.used(), 0u);
     ASSERT_EQ(made.status().code, anew.status().code);
     if (!made && made.status().code == StatusCode::bad_input) continue;
@@ -178,27 +178,29 @@ TEST(LayerDrag, has_the_exact_values_at_all_nodes_of_its_frames) {
 
 void expect_small_misses(const Document& document, LayerCurve at, double most, std::mt19937& random,
                          int& missed) {
-  Context context, other;
+  Context context;
   const LayerSight sight = sight_of_layer(document, at.layer, document.artboard);
   DiffuseOptions options;
   options.max_error = 0;
   std::optional<RefinedLayer> refined = refined_layer(context, document, at.layer, sight, options);
-  Result<LayerDrag> drag =
-      LayerDrag::begin(context, document, at.layer, at.curve, sight, options, refined);
-  if (!drag && drag.status().code == StatusCode::limit) return;
-  ASSERT_TRUE(drag.ok()) << drag.status().message;
+  Result<LayerDrag> quick =
+      LayerDrag::begin(context, document, at.layer, at.curve, sight, options, refined, most);
+  if (!quick && quick.status().code == StatusCode::limit) return;
+  Result<LayerDrag> slow =
+      LayerDrag::begin(context, document, at.layer, at.curve, sight, options, refined, 0);
+  ASSERT_TRUE(quick.ok() && slow.ok()) << quick.status().message << slow.status().message;
   for (int frame = 0; frame < 3; ++frame) {
     const Vec2 by{double(random() % 41) - 20, double(random() % 41) - 20};
     Curve curve = moved(document.layers[at.layer].curves[at.curve], by, random);
     if (random() % 3 == 0) curve.weight *= 20;
-    const Result<FramePatches> about = drag->frame(context, curve, {.most_missed = most});
-    const Result<FramePatches> exact = drag->frame(other, curve, {.most_missed = 0});
+    const Result<FramePatches> about = quick->frame(context, curve);
+    const Result<FramePatches> exact = slow->frame(context, curve);
     if (!about && about.status().code == StatusCode::bad_input) continue;
     ASSERT_TRUE(about.ok() && exact.ok());
     // A border is where it is seen to be, and what is cut there has other nodes.
     if (about->layer.color.triangle_node != exact->layer.color.triangle_node) continue;
     const float miss = test::largest_difference(about->layer.color, exact->layer.color);
-    EXPECT_LE(miss, most + kMost) << "frame " << frame;
+    EXPECT_LE(miss, 1.5 * most + kMost) << "frame " << frame;
     missed += miss > 0;
   }
 }

@@ -114,7 +114,7 @@ class Solution {
 
   /// Puts another curve in the place of the one that is dragged, in the document and in the
   /// picture. That is one for looking at until solve() makes the exact one: nodes have their exact
-  /// values, but for changes of less than 2% of the range of code values (lady_bug, dolphin and
+  /// values, but for changes of less than 3% of the range of code values (lady_bug, dolphin and
   /// roses: less than one code value), the mesh is as fine as it was where the curve has come to,
   /// and the curve is drawn over the others of its layer. It depends on what begin_drag() found and
   /// on the curve, not on where the curve was dragged in between. To take a drag back, apply a
