@@ -93,6 +93,33 @@ export function drop(page, files, target = "#app") {
   );
 }
 
+/** Pastes as the browser does, where the focus is: {text, files}. */
+export function paste(page, { text = "", files = [] }) {
+  const given = files.map(({ name, bytes }) => ({ name, bytes: [...Buffer.from(bytes)] }));
+  return page.evaluate(
+    ([words, list]) => {
+      const clipboardData = new DataTransfer();
+      if (words) clipboardData.setData("text/plain", words);
+      for (const { name, bytes } of list) clipboardData.items.add(new File([Uint8Array.from(bytes)], name));
+      const event = new ClipboardEvent("paste", { clipboardData, bubbles: true, cancelable: true });
+      (document.activeElement ?? document.body).dispatchEvent(event);
+      // The browser lets nobody read it any more.
+      clipboardData.clearData();
+    },
+    [text, given],
+  );
+}
+
+/** What a "copy" or "cut" puts on the clipboard. */
+export function copied(page, type) {
+  return page.evaluate((name) => {
+    const clipboardData = new DataTransfer();
+    const event = new ClipboardEvent(name, { clipboardData, bubbles: true, cancelable: true });
+    (document.activeElement ?? document.body).dispatchEvent(event);
+    return clipboardData.getData("text/plain");
+  }, type);
+}
+
 /** Drops files and folders of the real disk, as the system does. */
 export async function dropPaths(editor, paths, [x, y] = [700, 400]) {
   const session = await editor.context.newCDPSession(editor.page);

@@ -3,10 +3,10 @@ import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:f
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
-import { drop } from "./disk.mjs";
+import { copied, drop, paste } from "./disk.mjs";
 import { check, checkEqual, EditorPage, packageOf, serve } from "./harness.mjs";
 import { example, small } from "./texts.mjs";
-import { edit, said, shows } from "./words.mjs";
+import { closeDialog, edit, said, shows } from "./words.mjs";
 
 const { decode } = packageOf("fast-png");
 const size = [900, 600];
@@ -197,13 +197,23 @@ async function testMissingWork(browser, address) {
   await isSaidAfter(() => page.keyboard.press("Control+o"));
   await isSaidAfter(() => page.getByRole("button", { name: /^Sunset/ }).click());
   await isSaidAfter(() => drop(page, mine));
+  await isSaidAfter(() => paste(page, { text: small }));
   await context.close();
+}
+
+/** To be run before the page's scripts: its dialog of files is left at once. */
+function noteAsked() {
+  window.showOpenFilePicker = async () => {
+    window.wasAsked = true;
+    throw new DOMException("left", "AbortError");
+  };
 }
 
 /** What is asked for on the first page before the rest of the editor has come is done when it comes. */
 async function testEarly(browser, address) {
   const early = async (act, isDone) => {
     const context = await browser.newContext({ viewport: { width: 900, height: 600 }, serviceWorkers: "block" });
+    await context.addInitScript(noteAsked);
     const page = await context.newPage();
     let come;
     const coming = new Promise((resolve) => (come = resolve));
@@ -220,7 +230,82 @@ async function testEarly(browser, address) {
   await early((page) => page.getByRole("button", { name: /^Sunset/ }).click(), (page) => shows(page, example("sunset.svg")));
   await early((page) => page.keyboard.press("Control+Alt+n"), (page) => page.locator("dialog[open]").waitFor());
   await early((page) => page.getByRole("button", { name: /Start blank/ }).click(), (page) => page.locator("dialog[open]").waitFor());
+  await early((page) => page.getByRole("button", { name: /^Open/ }).click(), (page) => page.waitForFunction(() => window.wasAsked));
+  await early((page) => page.keyboard.press("Control+o"), (page) => page.waitForFunction(() => window.wasAsked));
+  await early((page) => page.getByRole("button", { name: "Try the five steps" }).click(), (page) => page.locator(".tour-card").waitFor());
   await early((page) => drop(page, mine), (page) => shows(page, small));
+  await early((page) => paste(page, { text: small }), (page) => shows(page, small));
+  await early((page) => paste(page, { files: mine }), (page) => shows(page, small));
+  await early((page) => paste(page, { text: "Dear Sir," }), (page) => said(page, /no drawing on the clipboard/));
+  // What means nothing on the first page: neither then nor later.
+  await early(meddle, async (page) => {
+    check(await page.locator(".welcome").isVisible(), "the first page is gone");
+    checkEqual(await page.locator(".menu, .toast, dialog[open]").count(), 0, "what has opened");
+  });
+}
+
+/** Cut, copy, the menu's button, the wheel and a double click, beside all buttons. */
+async function meddle(page) {
+  for (const name of ["x", "c"]) await page.keyboard.press(`Control+${name}`);
+  await page.locator("h1").click({ button: "right" });
+  await page.locator("h1").dblclick();
+  await page.mouse.wheel(0, 300);
+  await page.mouse.wheel(0, -300);
+}
+
+/** Panels and dialogs are late: the stage takes all that it takes, and what they show is shown later. */
+async function testEarlyStage(browser, address) {
+  const context = await browser.newContext({ viewport: { width: 1200, height: 800 }, serviceWorkers: "block" });
+  let come;
+  const coming = new Promise((resolve) => (come = resolve));
+  await context.route(/\/parts-[^/]*\.js$/, (route) => coming.then(() => route.continue()));
+  const page = await context.newPage();
+  const errors = [];
+  page.on("pageerror", (error) => errors.push(String(error)));
+  await page.goto(address);
+  await page.locator(".welcome").waitFor();
+  await paste(page, { text: small });
+  const stage = page.locator(".canvas-stage");
+  await stage.waitFor();
+  const zoom = () => page.locator(".status-button.zoom").textContent();
+  const [x, y] = await stage.boundingBox().then((box) => [box.x + box.width / 2, box.y + box.height / 2]);
+  await page.mouse.move(x, y);
+  const before = await zoom();
+  await page.mouse.wheel(0, -200);
+  await page.waitForFunction((text) => document.querySelector(".status-button.zoom").textContent !== text, before);
+  await stage.focus();
+  await page.keyboard.press("Control+a");
+  check((await copied(page, "copy")).includes("sf:left"), "nothing was copied");
+  check((await copied(page, "cut")).includes("sf:left"), "nothing was cut");
+  await page.keyboard.press("Control+z");
+  await paste(page, { text: small });
+  await page.mouse.click(x, y, { button: "right" });
+  await page.locator("[role=menu]").first().waitFor();
+  await page.keyboard.press("Escape");
+  await page.mouse.dblclick(x, y);
+  await page.keyboard.press("Control+e");
+  come();
+  await page.waitForFunction(() => window.sfumatoEditor !== undefined);
+  await page.locator("dialog[open]").waitFor();
+  checkEqual((await page.evaluate(() => window.sfumatoEditor.text.match(/<path/g).length)), 2 * small.match(/<path/g).length, "paths after a paste");
+  checkEqual(errors, [], "errors of the page");
+  await context.close();
+}
+
+/** With a dialog open the clipboard's keys do nothing to the drawing behind it. */
+async function testClipboardBehindDialog(editor) {
+  const { page } = editor;
+  await editor.load(small);
+  await page.locator(".canvas-stage").focus();
+  await editor.key("Control+a", "Control+e");
+  await page.locator("dialog[open]").waitFor();
+  await page.locator("dialog[open] button").first().focus();
+  checkEqual(await copied(page, "cut"), "", "what was cut behind the dialog");
+  await paste(page, { text: small });
+  await closeDialog(page);
+  checkEqual(await editor.text, small, "the text behind the dialog");
+  check((await copied(page, "copy")).includes("sf:left"), "nothing is copied without the dialog");
+  editor.checkQuiet();
 }
 
 async function testOneFile(editor) {
@@ -293,6 +378,8 @@ export async function testRobust(tap, { browser, address, oneFile, folder }) {
   await tap.test("robust: parts that do not come are told of", () => testMissingParts(browser, address));
   await tap.test("robust: a file of the editor that does not come is told of", () => testMissingWork(browser, address));
   await tap.test("robust: what is asked for early waits and is done", () => testEarly(browser, address));
+  await tap.test("robust: panels that are late take nothing from the stage", () => testEarlyStage(browser, address));
+  await test("the clipboard's keys end at a dialog", null, testClipboardBehindDialog);
   await test("one file from the disk works", listen, testOneFile, oneFile);
   await tap.test("robust: one file works where a server says it is UTF-8", () => testSaidToBeUtf8(browser, address, oneFile));
   await tap.test("robust: a browser that is too old is told", () => testTooOld(browser, [address, oneFile]));

@@ -9,6 +9,7 @@ import { keepOffline } from "./files/offline.js";
 import { blankText } from "./model/drawing.js";
 import { listenToDrops } from "./page/drops.js";
 import { examplesOf } from "./page/examples.js";
+import { listenToPastes } from "./page/pastes.js";
 import { App } from "./panels/app.js";
 import { fetchParts } from "./panels/shell/part.js";
 import { en } from "./strings/en.js";
@@ -19,7 +20,7 @@ const engine = new WorkerEngine({ module: getModule, worker: createWorker });
 const editor = new DrawingEditor(engine, null, blankText(800, 600, null));
 const later = signal<Work | null>(null);
 
-/** Keys, buttons and dropped files that come before it wait. */
+/** Keys, buttons, and what is dropped or pasted before it wait. */
 async function fetchWork(): Promise<Work> {
   const { begin, commandsOf } = await import("./work.js");
   const work = begin(editor, engine);
@@ -48,6 +49,9 @@ const recent = computed(() =>
 listenToKeys(editor);
 listenToDrops((pieces) => {
   documents.then((there) => there.takeDropped(pieces), missing);
+});
+listenToPastes((pasted) => {
+  work.then((there) => there.paste(pasted), missing);
 });
 render(
   <App editor={editor} later={later} examples={examplesOf(documents)} recent={recent} />,

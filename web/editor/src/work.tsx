@@ -1,5 +1,5 @@
 // What the editor needs from the first drawing on, in a file of its own: the first page does not wait for it.
-import { listenToClipboard } from "./app/clipboard.js";
+import { listenToCopying } from "./app/clipboard.js";
 import { commandTable } from "./app/commands.js";
 import type { DrawingEditor } from "./app/editor.js";
 import { PictureCanvas } from "./canvas/renderer.js";
@@ -9,6 +9,8 @@ import type { WorkerEngine } from "./engine/engine.js";
 import { publish } from "./page/api.js";
 import { fileCommands } from "./page/commands.js";
 import { Documents } from "./page/documents.js";
+import { takePasted } from "./page/pasted.js";
+import type { Pasted } from "./page/pastes.js";
 import { Pictures } from "./page/pictures.js";
 import { servicesOf } from "./page/services.js";
 import type { Later } from "./panels/app.js";
@@ -19,6 +21,7 @@ import { en } from "./strings/en.js";
 
 export interface Work extends Later {
   readonly documents: Documents;
+  paste(pasted: Pasted): void;
   /** Hands the page to scripts. */
   publish(): void;
 }
@@ -29,11 +32,12 @@ export function begin(editor: DrawingEditor, engine: WorkerEngine): Work {
   const thumbs = new Thumbs(editor, picture);
   engine.onPicture = (update) => picture.take(update);
   const attach = (canvas: HTMLCanvasElement | null) => picture.attach(canvas);
-  listenToClipboard(editor, (files) => void documents.drop(files));
+  listenToCopying(editor);
   prepareTour(editor);
   return {
     documents,
     services: servicesOf(editor, documents, thumbs),
+    paste: (pasted) => takePasted(editor, documents, pasted),
     Menus,
     Workplace: () => (
       <Workplace>

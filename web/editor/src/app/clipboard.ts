@@ -4,7 +4,7 @@ import { SourceError } from "../source/tree.js";
 import { en } from "../strings/en.js";
 import type { DrawingEditor } from "./editor.js";
 import { chosen } from "./selected.js";
-import { isTyping } from "./keys.js";
+import { isForPage } from "./keys.js";
 
 /** What was copied last, where the system's clipboard is refused. */
 let own = "";
@@ -52,21 +52,15 @@ export async function pasteByMenu(editor: DrawingEditor): Promise<void> {
   pasteText(editor, text);
 }
 
-/** Hears Ctrl+C, X and V as the browser tells them. */
-export function listenToClipboard(editor: DrawingEditor, onFiles: (files: readonly File[]) => void): void {
-  const on = (name: "copy" | "cut" | "paste", act: (event: ClipboardEvent) => void) =>
+/** Hears Ctrl+C and X as the browser tells them; of Ctrl+V page/pastes.ts hears. */
+export function listenToCopying(editor: DrawingEditor): void {
+  const on = (name: "copy" | "cut", act: () => string) =>
     document.addEventListener(name, (event) => {
-      const isText = isTyping(document.activeElement) || String(getSelection() ?? "") !== "";
-      if (!isText && !editor.welcome.value) act(event);
+      if (!isForPage() || editor.welcome.value) return;
+      give(event, act());
     });
-  on("copy", (event) => give(event, copySelection(editor)));
-  on("cut", (event) => give(event, cutSelection(editor)));
-  on("paste", (event) => {
-    const files = [...(event.clipboardData?.files ?? [])];
-    event.preventDefault();
-    if (files.length > 0) onFiles(files);
-    else pasteText(editor, event.clipboardData?.getData("text/plain") ?? "");
-  });
+  on("copy", () => copySelection(editor));
+  on("cut", () => cutSelection(editor));
 }
 
 function give(event: ClipboardEvent, text: string) {

@@ -145,6 +145,12 @@ export function isTyping(target: EventTarget | null): boolean {
   return target instanceof HTMLInputElement && !["range", "checkbox", "radio", "button", "color"].includes(target.type);
 }
 
+/** Whether the clipboard's keys mean the drawing: neither a field, nor chosen words, nor a dialog. */
+export function isForPage(): boolean {
+  const isText = isTyping(document.activeElement) || String(getSelection() ?? "") !== "";
+  return !isText && document.querySelector("dialog[open]") === null;
+}
+
 /** The command of a key, or null. */
 export function commandOfKey(event: KeyboardEvent): string | null {
   const name = keyName(event);

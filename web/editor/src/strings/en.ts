@@ -63,6 +63,7 @@ const page = {
     names.length === 1
       ? `The picture “${names[0]}” is not there. Drop it together with the drawing.`
       : `${names.length} pictures are not there. Drop them together with the drawing.`,
+  pastedName: "pasted.svg",
   noPicture: "This file is no picture.",
   notOpened: "Nothing was opened",
   otherTab: "Another tab of this browser has this drawing open.",

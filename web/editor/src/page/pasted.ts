@@ -1,0 +1,13 @@
+// What becomes of what is pasted: files are opened, and so is a text on the first page; else it goes into the drawing.
+import { pasteText } from "../app/clipboard.js";
+import type { DrawingEditor } from "../app/editor.js";
+import { en } from "../strings/en.js";
+import type { Documents } from "./documents.js";
+import type { Pasted } from "./pastes.js";
+
+export function takePasted(editor: DrawingEditor, documents: Documents, { files, text }: Pasted): void {
+  if (files.length > 0) void documents.drop(files);
+  else if (!editor.welcome.peek()) pasteText(editor, text);
+  else if (text.includes("<")) void documents.drop([new File([text], en.page.pastedName, { type: "image/svg+xml" })]);
+  else editor.say(en.commands.nothingToPaste);
+}
