@@ -1,6 +1,10 @@
 // Gradients and textures on the canvas: their grips by the pointer and by keys; gradients as opacity.
-import { check, checkEqual, EditorPage } from "./harness.mjs";
 import { changing } from "./draw.mjs";
+import { Disk, giveDisk } from "./disk.mjs";
+import { check, checkEqual, EditorPage, packageOf } from "./harness.mjs";
+import { said } from "./words.mjs";
+
+const { encode } = packageOf("fast-png");
 
 const drawing = `<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1" viewBox="0 0 640 480" sf:background="#fff">
   <defs>
@@ -105,8 +109,47 @@ async function testOpacity(given) {
   await editor.close();
 }
 
+/** A picture file becomes a side's opacity: one step, and nothing where no picture was chosen. */
+async function testTextureAsOpacity(given) {
+  const context = await given.browser.newContext({ viewport: { width: 1440, height: 900 } });
+  await giveDisk(context);
+  const editor = await EditorPage.within(context, given.address);
+  const { page } = editor;
+  const disk = new Disk(page);
+  await editor.load(drawing);
+  await editor.click(320, 195);
+  const choose = async () => {
+    await page.getByRole("button", { name: "What opacity each side has" }).click();
+    await page.getByRole("menuitem", { name: "Right side" }).click();
+    await page.getByRole("menuitem", { name: "Texture…" }).click();
+  };
+  const data = Uint8Array.from({ length: 16 * 8 * 3 }, (_, i) => (37 * i) % 256);
+  await disk.write("veil.png", encode({ width: 16, height: 8, data, channels: 3, depth: 8 }));
+  await disk.write("words.png", Buffer.from("no picture"));
+  await disk.set({ chosen: "" });
+  await choose();
+  await disk.set({ chosen: "words.png" });
+  await choose();
+  await said(page, /words\.png/);
+  checkEqual(await editor.text, drawing, "the text before a picture was chosen");
+  await editor.settled();
+  const before = await editor.picture();
+  await disk.set({ chosen: "veil.png" });
+  const made = await changing(editor, "a texture as opacity", choose);
+  check(/sf:right-opacity="url\(#texture\)"/.test(made), `no texture as opacity: ${made.slice(0, 2000)}`);
+  check(/<pattern id="texture"[^>]*width="16" height="8"><image href="data:image\/png/.test(made), "no pattern of the picture");
+  check(/sf:left-opacity="1"/.test(made), "the other side is not opaque");
+  await editor.settled();
+  check(Buffer.compare(before, await editor.picture()) !== 0, "the picture shows no texture");
+  await page.keyboard.press("Control+z");
+  checkEqual(await editor.text, drawing, "the text after one step back");
+  editor.checkQuiet();
+  await context.close();
+}
+
 export async function testPaints(tap, given) {
   await tap.test("paints: grips of gradients by the pointer", () => testPointer(given));
   await tap.test("paints: grips by keys alone", () => testKeys(given));
   await tap.test("paints: a side's opacity is a gradient, a barrier, a number", () => testOpacity(given));
+  await tap.test("paints: a picture file becomes a side's opacity", () => testTextureAsOpacity(given));
 }

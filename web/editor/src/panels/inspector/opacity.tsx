@@ -21,7 +21,7 @@ import {
 import { gradientTints, type GradientTints } from "../tints.js";
 import { chosenStop } from "./chosen.js";
 import { GradientFields, opacityOf } from "./gradient.js";
-import { documentPaints, gradientItems, type NewStop } from "./paints.js";
+import { documentPaints, gradientItems, textureItem, type NewStop } from "./paints.js";
 import { bandOf, Ribbon } from "./ribbon.js";
 import { Section } from "./sections.js";
 
@@ -82,6 +82,7 @@ function sideMenu(shell: Shell, item: CurveItem, side: Side): readonly MenuItem[
     },
     "line",
     ...gradientItems(shell, item, side, "opacity", gradientStops),
+    textureItem(shell, item, side, "opacity"),
     ...documentPaints(shell, item, side, "opacity"),
   ];
 }

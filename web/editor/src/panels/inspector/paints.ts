@@ -58,6 +58,22 @@ export function gradientItems(
   }));
 }
 
+/** A picture file that is asked for becomes the side's texture. */
+export function textureItem(
+  { editor, services }: Shell,
+  { handle }: CurveItem,
+  side: Side,
+  attribute: PaintAttribute,
+): MenuItem {
+  const choose = async () => {
+    const picture = await services.chooseTexture();
+    if (!picture) return;
+    const paint = { kind: "texture", ...picture } as const;
+    editor.run(words.setTexture, setPaint(editor.drawing, handle, side, attribute, paint));
+  };
+  return { label: words.texture, run: () => void choose() };
+}
+
 /** Ids of gradients and patterns that the document has. */
 function paintsOf(drawing: Drawing): readonly string[] {
   const found: string[] = [];

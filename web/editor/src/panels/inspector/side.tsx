@@ -1,5 +1,5 @@
 // The colours of one side: stops on a ribbon, or open, a barrier, a paint.
-import { setColor, setPaint } from "../../model/commands/index.js";
+import { setColor } from "../../model/commands/index.js";
 import type { Rgb } from "../../geometry/color.js";
 import type { CurveItem, Drawing, Outcome, Side } from "../../model/types.js";
 import { en } from "../../strings/en.js";
@@ -12,7 +12,7 @@ import { constant, fractionOf, putColor, rounded } from "../stops.js";
 import { tintsOf, type Tints } from "../tints.js";
 import { chosenStop } from "./chosen.js";
 import { cssOf, describeTint } from "./gradient.js";
-import { documentPaints, gradientItems, type NewStop } from "./paints.js";
+import { documentPaints, gradientItems, textureItem, type NewStop } from "./paints.js";
 import { bandOf, Ribbon } from "./ribbon.js";
 
 const words = en.panels;
@@ -42,15 +42,6 @@ function gradientStops(before: Drawing, item: CurveItem, side: Side): readonly N
     { offset: 0, color: from, opacity: 1 },
     { offset: 1, color: { r: 1, g: 1, b: 1 }, opacity: 1 },
   ];
-}
-
-async function texture({ editor, services }: Shell, item: CurveItem, side: Side) {
-  const picture = await services.chooseTexture();
-  if (!picture) return;
-  editor.run(
-    words.setTexture,
-    setPaint(editor.drawing, item.handle, side, "color", { kind: "texture", ...picture }),
-  );
 }
 
 function sideMenu(shell: Shell, item: CurveItem, side: Side): readonly MenuItem[] {
@@ -86,7 +77,7 @@ function sideMenu(shell: Shell, item: CurveItem, side: Side): readonly MenuItem[
           },
           "line" as const,
           ...gradientItems(shell, item, side, "color", gradientStops),
-          { label: words.texture, run: () => void texture(shell, item, side) },
+          textureItem(shell, item, side, "color"),
           ...documentPaints(shell, item, side, "color"),
         ]),
   ];
