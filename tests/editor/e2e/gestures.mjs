@@ -154,8 +154,37 @@ async function testLoupe(t) {
   await page.mouse.move(...(await editor.at(301, 350)));
   await loupe.filter({ hasText: /^#[0-9a-f]{6}$/ }).waitFor();
   check(!["#ff0000", "#0000ff"].includes(await loupe.textContent()), "over the picture the loupe shows the photo");
+  // Curves are traced along a photo that is put away, too.
+  await page.mouse.move(...(await editor.at(300, 300)));
+  await says("Left #ff0000 · Right #0000ff", "over the curve, the photo put away");
   await page.keyboard.press("v");
   await loupe.waitFor({ state: "detached" });
+}
+
+/** What the loupe shows when the button is let go is what the stop gets, whatever lies on its layer. */
+async function testPickAsSeen(t) {
+  const { editor, page } = t;
+  const veil = '<g sf:diffuse="true" opacity="0.5"><path d="M-90 -90H900V900H-90Z" sf:left="#fff" sf:right="#fff"/></g>';
+  await editor.load(one.replace("</svg>", `${veil}\n</svg>`));
+  await page.locator(".canvas-stage").focus();
+  await page.keyboard.press("v");
+  await editor.click(200, 300);
+  await page.keyboard.press("i");
+  const { x, y, width, height } = await page.locator(".mark[aria-label^=\"Left stop 1 of 1\"]").boundingBox();
+  const [toX, toY] = await editor.at(300, 420);
+  await page.mouse.move(x + width / 2, y + height / 2);
+  await page.mouse.down();
+  await page.mouse.move(toX - 30, toY - 30, { steps: 4 });
+  await page.mouse.move(toX, toY);
+  const seen = await page.locator(".loupe-text").filter({ hasText: /^#[0-9a-f]{6}$/ }).textContent();
+  const before = await editor.text;
+  await page.mouse.up();
+  await editor.settled();
+  const now = await editor.text;
+  check(seen !== "#3366cc" && now.includes(`sf:left="${seen}"`), `seen ${seen}: ${now}`);
+  check(before !== one, "nothing was shown while the pointer moved");
+  await page.keyboard.press("Control+z");
+  check((await editor.text).includes('id="c" d="M100 300L300 300L500 300" sf:left="#e33"'), "more than one step of undo");
 }
 
 /** The colour of the page at a point of the artboard, bytes. */
@@ -230,6 +259,7 @@ export async function testGestures(tap, given) {
     "sampling takes the photo's blur, too": testSampledBlur,
     "the photo lies above or below, and is moved when it is not locked": testPhoto,
     "the loupe shows what is sampled": testLoupe,
+    "a stop takes the colour that is seen": testPickAsSeen,
   };
   for (const [name, body] of Object.entries(gestures)) await tap.test(name, () => withTools(given, body));
   await tap.test("the loupe stands above the finger", () => testTouchLoupe(given));

@@ -52,6 +52,24 @@ describe("the loupe", () => {
     expect(loupe.spots.map(([, y]) => y)).toEqual([-3, 3]);
   });
 
+  test("where the photo is clear it shows the picture, which is what is taken there", () => {
+    const clear = { ...photo(), data: new Uint8ClampedArray(4 * 40 * 30) };
+    const green = Uint8ClampedArray.from({ length: 4 * LOUPE_PIXELS ** 2 }, (_, k) => (k % 4 === 1 || k % 4 === 3 ? 255 : 0));
+    const still = { getContext: () => ({ getImageData: () => ({ data: green }) }) } as unknown as OffscreenCanvas;
+    const loupe = loupeOf(canvas, wish([55, 55], { photo: clear, still }))!;
+    expect(loupe.text).toBe("#00ff00");
+    expect(loupe.pixels).toBe(green);
+    expect(loupeOf(canvas, wish([55, 55], { still }))!.text).toBe("#ff0000");
+  });
+
+  test("of a curve it shows the photo that is traced, clear where it has nothing", () => {
+    const hit = canvas.curveAt([150, 100], "mouse");
+    const clear = { ...photo(), data: new Uint8ClampedArray(4 * 40 * 30) };
+    const loupe = loupeOf(canvas, wish([150, 100], { hit, photo: clear }))!;
+    expect(loupe.text).toBe("Left nothing · Right nothing");
+    expect(loupe.pixels.every((value) => value === 0)).toBe(true);
+  });
+
   test("of a place with neither photo nor picture is none", () => {
     expect(loupeOf(canvas, wish([50, 50], { photo: null }))).toBeNull();
   });

@@ -8,11 +8,13 @@ import type { Canvas } from "./canvas.js";
 import type { CurveHit, PointerKind } from "./hit.js";
 import type { PlacedPhoto } from "./photo.js";
 import { photoColor, sampledAt } from "./sampled.js";
-import { stillAround } from "./still.js";
+import { pixelsOf, rgbOf, stillOf } from "./still.js";
 
 /** Pixels on each side of the one in the middle. */
 export const REACH = 5;
 export const LOUPE_PIXELS = 2 * REACH + 1;
+/** Of the middle one among their numbers. */
+const MIDDLE = 4 * (REACH * LOUPE_PIXELS + REACH);
 
 export interface Loupe {
   /** Of the pointer, on the stage. */
@@ -32,34 +34,48 @@ export interface Loupe {
 export interface LoupeWish {
   readonly at: Point;
   readonly kind: PointerKind;
+  /** What is sampled, where it has a colour; else the picture is. */
   readonly photo: PlacedPhoto | null;
   /** The curve whose sides are sampled there. */
   readonly hit: CurveHit | null;
   /** What a stop had before it took another colour. */
   readonly old: Rgb | null;
+  /** The picture that is sampled; absent: as it was drawn last. */
+  readonly still?: OffscreenCanvas | null;
 }
 
 /** null: nothing is to be seen there. */
 export function loupeOf(canvas: Canvas, wish: LoupeWish): Loupe | null {
-  const { at, kind, photo, hit, old } = wish;
-  const pixels = pixelsAround(canvas, at, photo);
-  if (!pixels) return null;
-  const middle = colorOfMiddle(pixels);
-  const point = canvas.toArtboard(at);
-  const taken = (photo && photoColor(photo, point)) ?? middle;
-  const base = { at, kind, pixels, turn: 0, spots: [] };
+  const { photo, hit } = wish;
   const sides = photo && hit && sidesOf(canvas, photo, hit);
-  if (!sides) return { ...base, ring: [taken, old ?? taken], text: taken ? hexOf(taken) : en.canvas.clear };
-  const [middleX, middleY] = pixelOf(photo, point);
-  const spots = sides.spots.map(([x, y]): Point => [x - middleX, y - middleY]);
+  return sides ? besideCurve(canvas, wish, photo, sides) : ofPoint(canvas, wish);
+}
+
+type Sides = NonNullable<ReturnType<typeof sampledAt>>;
+
+/** Of a curve the photo alone is sampled, also where it has nothing. */
+function besideCurve(canvas: Canvas, { at, kind }: LoupeWish, photo: PlacedPhoto, sides: Sides): Loupe {
+  const middle = pixelOf(photo, canvas.toArtboard(at));
   const named = (color: Rgb | null) => (color ? hexOf(color) : en.canvas.clear);
   return {
-    ...base,
+    at,
+    kind,
+    pixels: cut(photo, middle),
     ring: [sides.left, sides.right],
     turn: Math.atan2(sides.normal[0], -sides.normal[1]),
-    spots,
+    spots: sides.spots.map(([x, y]): Point => [x - middle[0], y - middle[1]]),
     text: en.canvas.sampled(named(sides.left), named(sides.right)),
   };
+}
+
+function ofPoint(canvas: Canvas, { at, kind, photo, old, still }: LoupeWish): Loupe | null {
+  const point = canvas.toArtboard(at);
+  const traced = photo && photoColor(photo, point);
+  const shown = still ?? stillOf(canvas.editor);
+  const pixels = traced ? cut(photo, pixelOf(photo, point)) : shown && pixelsOf(shown, at, REACH);
+  if (!pixels) return null;
+  const taken = traced ?? rgbOf(pixels.subarray(MIDDLE));
+  return { at, kind, pixels, turn: 0, spots: [], ring: [taken, old ?? taken], text: taken ? hexOf(taken) : en.canvas.clear };
 }
 
 function sidesOf(canvas: Canvas, photo: PlacedPhoto, { place, path, at }: CurveHit) {
@@ -70,14 +86,6 @@ function sidesOf(canvas: Canvas, photo: PlacedPhoto, { place, path, at }: CurveH
 function pixelOf(photo: PlacedPhoto, point: Point): Point {
   const back = inverted(photo.artboardFromPixel);
   return back ? mapped(back, point) : [NaN, NaN];
-}
-
-/** Those of the photo where there is one, else of the picture as the screen has it. */
-function pixelsAround(canvas: Canvas, at: Point, photo: PlacedPhoto | null): Uint8ClampedArray | null {
-  const [x, y] = photo ? pixelOf(photo, canvas.toArtboard(at)) : [NaN, NaN];
-  if (photo && x >= 0 && y >= 0 && x < photo.width && y < photo.height) return cut(photo, [x, y]);
-  const ratio = globalThis.devicePixelRatio || 1;
-  return stillAround(canvas.editor, [at[0] * ratio, at[1] * ratio], REACH);
 }
 
 /** A square of a photo; what is beside it is clear. */
@@ -94,10 +102,4 @@ export function cut({ width, height, data }: Photo, [x, y]: Point): Uint8Clamped
     pixels.set(line, 4 * (row * LOUPE_PIXELS + from - left));
   }
   return pixels;
-}
-
-function colorOfMiddle(pixels: Uint8ClampedArray): Rgb | null {
-  const at = 4 * (REACH * LOUPE_PIXELS + REACH);
-  const [r, g, b, a] = pixels.subarray(at, at + 4);
-  return a === 0 ? null : { r: r / 255, g: g / 255, b: b / 255 };
 }

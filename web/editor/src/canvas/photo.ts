@@ -1,4 +1,5 @@
 // The pixels of a picture to trace over.
+import type { Editor } from "../app/types.js";
 import {
   composed,
   inverted,
@@ -27,6 +28,16 @@ export function referenceAt(drawing: Drawing, point: Point | null): ReferenceIte
     item.kind === "reference" && !isHidden(item) ? [item] : [],
   );
   return seen.filter((item) => point === null || isWithin(item, point)).at(-1) ?? null;
+}
+
+/** The one under the pointer that a point's colour is taken of; null: there is none, or all are put away. */
+export function photoInSight({ drawing, showReference }: Editor, point: Point): ReferenceItem | null {
+  return showReference.peek() ? referenceAt(drawing, point) : null;
+}
+
+/** The one that curves are traced along at a point, also while it is put away. */
+export function photoToTrace(drawing: Drawing, point: Point): ReferenceItem | null {
+  return referenceAt(drawing, point) ?? referenceAt(drawing, null);
 }
 
 /** Photos that are seen, below the picture or above it. */

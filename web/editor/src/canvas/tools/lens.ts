@@ -3,7 +3,7 @@ import type { Rgb } from "../../geometry/color.js";
 import type { Canvas } from "../canvas.js";
 import type { CurveHit } from "../hit.js";
 import { loupeOf } from "../loupe.js";
-import { photoOf, referenceAt, type PlacedPhoto } from "../photo.js";
+import { photoInSight, photoOf, photoToTrace, type PlacedPhoto } from "../photo.js";
 import type { Press } from "./tool.js";
 
 export class Lens {
@@ -11,17 +11,20 @@ export class Lens {
 
   constructor(private readonly canvas: Canvas) {}
 
-  /** @param hit whose sides are sampled. @param old what a stop had */
-  look({ at, kind }: Press, hit: CurveHit | null, old: Rgb | null = null): void {
+  /**
+   * @param hit whose sides are sampled. @param old what a stop had
+   * @param still the picture that is sampled; absent: as it was drawn last
+   */
+  look({ at, kind }: Press, hit: CurveHit | null, old: Rgb | null = null, still: OffscreenCanvas | null = null): void {
     this.latest += 1;
     const turn = this.latest;
     const show = (photo: PlacedPhoto | null) => {
       if (turn === this.latest)
-        this.canvas.draw({ loupe: loupeOf(this.canvas, { at, kind, photo, hit, old }) });
+        this.canvas.draw({ loupe: loupeOf(this.canvas, { at, kind, photo, hit, old, still }) });
     };
     const { editor } = this.canvas;
     const point = this.canvas.toArtboard(at);
-    const reference = editor.showReference.peek() ? referenceAt(editor.drawing, point) : null;
+    const reference = hit ? photoToTrace(editor.drawing, point) : photoInSight(editor, point);
     if (reference) void photoOf(reference).then(show);
     else show(null);
   }

@@ -1,8 +1,6 @@
 // Sample: along a curve both sides take the photo's colours; from a stop it is an eyedropper.
 import type { Gesture } from "../../app/types.js";
 import { composed, IDENTITY, inverted, lengthScale, type Box } from "../../geometry/affine.js";
-import type { Rgb } from "../../geometry/color.js";
-import { parseColor } from "../../geometry/colortext.js";
 import { pieceCount, type CubicPath } from "../../geometry/cubic.js";
 import { setColor, together } from "../../model/commands/index.js";
 import type { CurveItem, Drawing, Outcome } from "../../model/types.js";
@@ -13,23 +11,18 @@ import type { Canvas } from "../canvas.js";
 import type { CursorName } from "../cursors.js";
 import { setSide } from "../edits.js";
 import { outermostLayer, type CurveHit } from "../hit.js";
-import { stageFromItem, type StopMark } from "../marks.js";
-import { photoOf, referenceAt, type PlacedPhoto } from "../photo.js";
+import { stageFromItem } from "../marks.js";
+import { photoOf, photoToTrace, type PlacedPhoto } from "../photo.js";
 import { editedAt, isCurve, placesOf } from "../places.js";
-import { photoColor, sampledSides, type SampledSides } from "../sampled.js";
-import { SIDES, stopsOf, withValue, type Value } from "../sides.js";
+import { sampledSides, type SampledSides } from "../sampled.js";
+import { SIDES } from "../sides.js";
 import { NO_SKETCH } from "../sketch.js";
-import { colorAt } from "../taken.js";
 import { Lens } from "./lens.js";
+import { PickDrag } from "./pick.js";
 import { isBeyond, type Drag, type Press, type Tool } from "./tool.js";
 
 /** Between samples, CSS pixels. */
 const SPACING = 2;
-
-/** The system's eyedropper, where there is one. */
-interface EyeDropper {
-  open(): Promise<{ readonly sRGBHex: string }>;
-}
 
 export class SampleTool implements Tool {
   private readonly lens: Lens;
@@ -63,8 +56,7 @@ export class SampleTool implements Tool {
     const owner = editedAt(hit.place);
     editor.selection.value = [{ handle: owner.handle, part: { kind: "whole" } }];
     if (owner !== hit.place.item) return null;
-    const reference =
-      referenceAt(editor.drawing, canvas.toArtboard(p.at)) ?? referenceAt(editor.drawing, null);
+    const reference = photoToTrace(editor.drawing, canvas.toArtboard(p.at));
     if (!reference) {
       editor.say(en.tools.noPhoto);
       return null;
@@ -215,91 +207,4 @@ function neighbours(drawing: Drawing, curve: CurveItem): CubicPath[] {
 
 function boundsOfCurve(item: CurveItem): Box {
   return placeBounds({ item, owner: item, artboardFromItem: item.artboardFromItem });
-}
-
-/** From a stop to the colour it takes: of the photo, else of the picture; a click asks the system. */
-class PickDrag implements Drag {
-  readonly cursor = "sample";
-  private gesture: Gesture | null = null;
-  private latest = 0;
-  private asked: Promise<void> = Promise.resolve();
-
-  constructor(
-    private readonly canvas: Canvas,
-    private readonly mark: StopMark,
-    private readonly start: Press,
-    private readonly lens: Lens,
-  ) {
-    lens.look(start, null, mark.value as Rgb);
-  }
-
-  move(p: Press): void {
-    const { canvas } = this;
-    this.lens.look(p, null, this.mark.value as Rgb);
-    if (!this.gesture) {
-      if (!isBeyond(this.start.at, p.at)) return;
-      this.gesture = canvas.editor.gesture(en.tools.undo.pick);
-      canvas.draw({ isFaded: true, dragged: { handle: this.mark.handle, part: this.mark.part } });
-    }
-    this.latest += 1;
-    const turn = this.latest;
-    this.asked = this.pick(p).then((color) => {
-      // The latest wins: answers may come in any order.
-      if (color && turn === this.latest) this.show(color);
-    });
-  }
-
-  private async pick(p: Press): Promise<Rgb | null> {
-    const { editor } = this.canvas;
-    const point = this.canvas.toArtboard(p.at);
-    const reference = editor.showReference.peek() ? referenceAt(editor.drawing, point) : null;
-    const photo = reference && (await photoOf(reference));
-    const item = editor.drawing.item(this.mark.handle);
-    return (photo && photoColor(photo, point)) ?? (item ? colorAt(editor, item, point) : null);
-  }
-
-  private show(color: Rgb): void {
-    if (!this.gesture || this.gesture.isOver) return;
-    this.gesture.show((before) => this.colored(before, color));
-  }
-
-  private colored(drawing: Drawing, color: Rgb): Outcome | null {
-    const { handle, side, index } = this.mark;
-    const item = drawing.item(handle);
-    const list = isCurve(item) ? stopsOf(item, side, "color") : null;
-    if (!isCurve(item) || !list?.stops[index]) return null;
-    return setSide(drawing, item, side, "color", withValue<Value>(list, index, color));
-  }
-
-  end(): void {
-    this.lens.close();
-    const { gesture } = this;
-    if (!gesture) {
-      void this.askSystem();
-      return;
-    }
-    void this.asked.then(() => {
-      if (!gesture.isOver) gesture.keep();
-      this.canvas.sketch.value = NO_SKETCH;
-    });
-  }
-
-  private async askSystem(): Promise<void> {
-    const { EyeDropper } = globalThis as { EyeDropper?: new () => EyeDropper };
-    if (!EyeDropper) return;
-    try {
-      const color = parseColor((await new EyeDropper().open()).sRGBHex);
-      const { editor } = this.canvas;
-      if (color) editor.run(en.tools.undo.pick, this.colored(editor.drawing, color));
-    } catch {
-      // It was left by Escape.
-    }
-  }
-
-  cancel(): void {
-    this.lens.close();
-    this.latest += 1;
-    if (this.gesture && !this.gesture.isOver) this.gesture.drop();
-    this.canvas.sketch.value = NO_SKETCH;
-  }
 }
