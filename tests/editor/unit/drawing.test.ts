@@ -76,6 +76,7 @@ function dump(d: Drawing): string {
     readOnly,
     outermost,
     items,
+    [...d.ids].map(([id, { range }]) => [id, range]),
     elements,
   ]);
 }

@@ -146,6 +146,7 @@ export function line(from: Point, to: Point): CubicPath {
 export class FakeDrawing implements Drawing {
   readonly text = "";
   readonly root = elementOf("svg");
+  readonly ids = new Map();
   readonly background = null;
   readonly readOnly = null;
   interpolation: Drawing["interpolation"] = "srgb";

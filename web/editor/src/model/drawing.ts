@@ -37,6 +37,7 @@ class TextDrawing implements Drawing {
   artboard: Box = [0, 0, 1, 1];
   interpolation: Drawing["interpolation"] = "srgb";
   background: Rgb | null = null;
+  ids: ReadonlyMap<string, Element> = new Map();
   readonly #newHandle = counter();
   /** In the order of the text. */
   #elements: Element[] = [];
@@ -225,11 +226,7 @@ class TextDrawing implements Drawing {
   /** @param touched what is another object in any case */
   #build(known: Known, touched?: Handle): void {
     const before = this.#built?.byHandle;
-    const elementOfId = new Map<string, Element>();
-    for (const element of this.#elements) {
-      const id = attributeOf(element, "id")?.value;
-      if (id !== undefined && !elementOfId.has(id)) elementOfId.set(id, element);
-    }
+    this.ids = idsOf(this.#elements);
     this.#frame = readArtboard(this.root);
     this.artboard = this.#frame.box;
     this.interpolation = readInterpolation(this.root);
@@ -237,7 +234,7 @@ class TextDrawing implements Drawing {
       root: this.root,
       styles: this.#styles,
       artboard: this.#frame,
-      elementOfId,
+      elementOfId: this.ids,
       known,
     });
     countCopies(built);
@@ -247,6 +244,15 @@ class TextDrawing implements Drawing {
     const said = saidBackground(this.root);
     this.background = said === undefined ? built.background : said;
   }
+}
+
+function idsOf(elements: readonly Element[]): ReadonlyMap<string, Element> {
+  const found = new Map<string, Element>();
+  for (const element of elements) {
+    const id = attributeOf(element, "id")?.value;
+    if (id !== undefined && !found.has(id)) found.set(id, element);
+  }
+  return found;
 }
 
 function exchanged(items: readonly Item[], from: Item, to: Item): Item[] {

@@ -5,7 +5,6 @@ import { parseColor, type Color } from "../source/colors.js";
 import { keywordOf, shareOf } from "../source/css.js";
 import { isSvg, Styles } from "../source/styles.js";
 import type { ElementNode } from "../source/tree.js";
-import { idsWithin } from "./commands/references.js";
 import { paintChain } from "./paint-frames.js";
 import type { Drawing } from "./types.js";
 
@@ -72,7 +71,7 @@ function readStops(styles: Styles, elements: readonly ElementNode[]): GradientSt
 /** @param href "#id"; null where that is no gradient with stops */
 export function gradientNodes(d: Drawing, href: string): GradientNodes | null {
   const id = href.replace(/^#/, "");
-  const ids = idsWithin(d.root);
+  const ids = d.ids;
   const element = ids.get(id);
   const chain = element ? paintChain(element, ids) : [];
   const bearer = chain.find((one) => stopsWithin(one).length > 0);

@@ -14,7 +14,6 @@ import { parseLength, parseTransform } from "../source/lengths.js";
 import { isSvg } from "../source/styles.js";
 import type { ElementNode } from "../source/tree.js";
 import { readArtboard } from "./artboard.js";
-import { idsWithin } from "./commands/references.js";
 import type { CurveItem, Drawing, PaintAttribute, PaintGrip, Side } from "./types.js";
 
 const LOCAL = { linearGradient: "linear", radialGradient: "radial", pattern: "texture" } as const;
@@ -137,7 +136,7 @@ export function paintFrame(
 ): PaintFrame | null {
   const value = item[side][attribute];
   if (value.kind !== "paint") return null;
-  const ids = idsWithin(d.root);
+  const ids = d.ids;
   const element = ids.get(value.href.replace(/^#/, ""));
   const kind = element && kindOf(element);
   if (!kind) return null;

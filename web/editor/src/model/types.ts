@@ -137,6 +137,8 @@ export interface Drawing {
   readonly background: Rgb | null;
   /** Why it may not be edited, or null: a DOCTYPE that defines entities. */
   readonly readOnly: string | null;
+  /** The first element of each id. */
+  readonly ids: ReadonlyMap<string, ElementNode>;
   item(handle: Handle): Item | undefined;
   /** The item whose element begins at a place of the text. */
   itemAt(offset: number): Item | undefined;

@@ -10,7 +10,7 @@ import { Draft } from "./draft.js";
 import { layerOf, outerFrame, outermost } from "./items.js";
 import { finestStep, isIdentity, setTransform, transformText } from "./mapping.js";
 import { svgName } from "./markup.js";
-import { idsWithin, neededBy } from "./references.js";
+import { neededBy } from "./references.js";
 
 /** Marks a layer of the clipboard that is none: its curves were copied by themselves. */
 export const CURVES_MARK = "data-curves";
@@ -53,7 +53,7 @@ export function copyItems(d: Drawing, handles: readonly Handle[]): string {
   const { tag, sf } = rootTag(d, elements);
   const draft = new Draft(d.text);
   const styles = new Styles(d.text, d.root);
-  const needed = neededBy(elements, idsWithin(d.root));
+  const needed = neededBy(elements, d.ids);
   const lines = [tag];
   if (needed.length > 0) {
     const defs = svgName(d.root, "defs");

@@ -14,7 +14,7 @@ import { insertion } from "./layout.js";
 import { opening, svgName } from "./markup.js";
 import type { WrittenAttributes } from "./markup.js";
 import { innerPlace, newLayer, outerPlace } from "./places.js";
-import { freeId, idsWithin } from "./references.js";
+import { freeId } from "./references.js";
 
 export interface NewCurve {
   readonly path: CubicPath;
@@ -90,7 +90,7 @@ export function addLayer(d: Drawing, above: Handle | null, name: string): Outcom
   const draft = new Draft(d.text);
   draft.add(declare(d.text, d.root, SFUMATO));
   const wish = name.trim().replace(/[^\p{L}\p{N}_.-]+/gu, "-").replace(/^[^\p{L}_]+/u, "");
-  const id = wish === "" ? null : freeId(wish, new Set(idsWithin(d.root).keys()));
+  const id = wish === "" ? null : freeId(wish, new Set(d.ids.keys()));
   const inkscape = prefixOf(parent, INKSCAPE);
   const markup = opening(parent, "g", [
     ["id", id],

@@ -7,13 +7,13 @@ import { Draft } from "./draft.js";
 import { isShown, outermost } from "./items.js";
 import { insertion } from "./layout.js";
 import { artboardMapping, finestStep } from "./mapping.js";
-import { freshNames, idsWithin, renaming } from "./references.js";
+import { freshNames, renaming } from "./references.js";
 
 /** Copies on top of the items, moved by a vector of the artboard; not of what <defs> alone holds. */
 export function duplicate(d: Drawing, handles: readonly Handle[], by: Point): Outcome | null {
   const items = outermost(d, handles).filter((item) => isShown(d, item));
   const map = translation(by[0], by[1]);
-  const taken = new Set(idsWithin(d.root).keys());
+  const taken = new Set(d.ids.keys());
   const names = new Map(items.flatMap(({ element }) => [...freshNames(element, taken)]));
   const draft = new Draft(d.text);
   for (const run of familiesOf(items)) {

@@ -21,7 +21,6 @@ import type { Drawing, Outcome } from "../types.js";
 import { Draft } from "./draft.js";
 import { insertion, removalsOf } from "./layout.js";
 import { opening } from "./markup.js";
-import { idsWithin } from "./references.js";
 import { outcomeOf } from "./together.js";
 
 /** Finer than an eye. */
@@ -176,7 +175,7 @@ export function setGradientStops(
 export function setSpread(d: Drawing, href: string, spread: Spread): Outcome | null {
   const nodes = gradientNodes(d, href);
   if (!nodes || nodes.spread === spread) return null;
-  const [element, ...inherited] = paintChain(nodes.element, idsWithin(d.root));
+  const [element, ...inherited] = paintChain(nodes.element, d.ids);
   const isInherited = inherited.some((one) => valueOf(one, "spreadMethod") !== undefined);
   const value = spread === "pad" && !isInherited ? null : spread;
   return outcomeOf(setAttribute(d.text, element, "spreadMethod", value));

@@ -14,7 +14,7 @@ import { finestStep, setTransform, transformText } from "./mapping.js";
 import { opening, svgName } from "./markup.js";
 import { outerPlace } from "./places.js";
 import type { Place } from "./places.js";
-import { freeId, freshNames, idsWithin, renaming } from "./references.js";
+import { freeId, freshNames, renaming } from "./references.js";
 
 /**
  * A <use> of an item, on top of it and moved by a vector of the artboard; of a <use>, another one.
@@ -30,7 +30,7 @@ export function makeInstance(d: Drawing, h: Handle, by: Point): Outcome | null {
   if (!back) return null;
   const draft = new Draft(d.text);
   const given = valueOf(element, "id");
-  const id = given ?? freeId(item.kind, new Set(idsWithin(d.root).keys()));
+  const id = given ?? freeId(item.kind, new Set(d.ids.keys()));
   if (given === undefined) draft.add(setAttribute(d.text, element, "id", id));
   const xlink = prefixOf(place.parent, XLINK);
   const [x, y] = mappedVector(back, by);
@@ -77,7 +77,7 @@ function copyOf(d: Drawing, draft: Draft, use: UseItem, target: Item, place: Aff
   const { element } = use;
   const id = valueOf(element, "id");
   const rest = element.attributes.filter(({ local }) => !OF_USE.has(local));
-  const taken = new Set(idsWithin(d.root).keys());
+  const taken = new Set(d.ids.keys());
   if (rest.length === 0) {
     return draft.rewritten(target.element, placedEdits(d, target, place, id, taken));
   }

@@ -6,7 +6,7 @@ import type { Edit } from "../../source/patch.js";
 import { isSvg } from "../../source/styles.js";
 import type { AttributeNode, ElementNode } from "../../source/tree.js";
 import type { Drawing, Handle, Outcome } from "../types.js";
-import { freeId, idsWithin } from "./references.js";
+import { freeId } from "./references.js";
 import { outcomeOf } from "./together.js";
 
 /** A name as an id: its letters and digits, begun by a letter. */
@@ -80,7 +80,7 @@ export function rename(d: Drawing, h: Handle, name: string): Outcome | null {
     const isReferred = before !== undefined && references(`${before}-`).length > 0;
     return isReferred ? null : outcomeOf(setAttribute(text, element, "id", null));
   }
-  const to = freeId(wanted, new Set(idsWithin(d.root).keys()));
+  const to = freeId(wanted, new Set(d.ids.keys()));
   return outcomeOf([...setAttribute(text, element, "id", to), ...references(to)]);
 }
 

@@ -9,7 +9,7 @@ import { intoDefs } from "./defs.js";
 import { Draft } from "./draft.js";
 import { finestStep } from "./mapping.js";
 import { opening, svgName } from "./markup.js";
-import { freeId, idsWithin } from "./references.js";
+import { freeId } from "./references.js";
 
 export type NewPaint =
   | {
@@ -37,7 +37,7 @@ export function setPaint(
 ): Outcome | null {
   const item = d.item(h);
   if (item?.kind !== "curve") return null;
-  const ids = idsWithin(d.root);
+  const ids = d.ids;
   const isNew = paint.kind !== "existing";
   if (!isNew && !ids.has(paint.id)) return null;
   const draft = new Draft(d.text);

@@ -19,7 +19,7 @@ import { svgName } from "./markup.js";
 import { reframing } from "./mapping.js";
 import { innerPlace, newLayer, outerPlace } from "./places.js";
 import type { Place } from "./places.js";
-import { freshNames, idsWithin, neededBy, renaming } from "./references.js";
+import { freshNames, neededBy, renaming } from "./references.js";
 import { respelled } from "./respell.js";
 
 /**
@@ -88,10 +88,10 @@ class Pasting {
     items: readonly Item[],
   ) {
     this.#draft = new Draft(d.text);
-    this.#ids = idsWithin(d.root);
+    this.#ids = d.ids;
     this.#tag = rootTag(from, items.map(({ element }) => element)).tag;
     const elements = items.map(({ element }) => element);
-    const needed = neededBy(elements, idsWithin(from.root)).filter((it) => !this.#isThere(it));
+    const needed = neededBy(elements, from.ids).filter((it) => !this.#isThere(it));
     const taken = new Set(this.#ids.keys());
     for (const element of [...needed, ...elements]) {
       for (const [id, name] of freshNames(element, taken)) {
