@@ -261,6 +261,53 @@ async function testHints({ browser, address }) {
   await editor.close();
 }
 
+const wholes = `<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1" viewBox="0 0 512 512" sf:version="1">
+  <g id="ground" sf:diffuse="true">
+    <path id="frame" d="M0 0H512V512H0Z" sf:right="#abc" sf:left="none"/>
+  </g>
+  <g id="shape" sf:diffuse="true">
+    <path id="ring" d="M200 100V300H100V100Z" sf:left="#f00" sf:right="#fd0"/>
+  </g>
+  <g id="ghost" opacity="0">
+    <g id="inner" sf:diffuse="true">
+      <path id="r" d="M20 10V30H10V10Z" sf:right="#fd0" sf:left-opacity="0" sf:right-opacity="1"/>
+    </g>
+  </g>
+  <path id="brush" d="M9 9L90 90" sf:radius="9" sf:left="red" sf:alpha="0"/>
+  <g id="spot" sf:diffuse="true">
+    <path id="s" d="M420 410V430H410V410Z" sf:left="#0a0" sf:right="#fd0" sf:left-opacity="0" sf:right-opacity="1"/>
+  </g>
+  <use id="away" href="#spot" x="900"/>
+</svg>
+`;
+
+/** Hints about layers, groups, strokes and instances: each has its button, one step, and is gone then. */
+async function testHintsOfWholes({ browser, address }) {
+  const editor = await EditorPage.open(browser, address);
+  const { page } = editor;
+  await editor.load(wholes);
+  await page.getByRole("button", { name: /^\d+ hints?/ }).click();
+  const row = (text) => page.locator(".hints .hint").filter({ hasText: text });
+  const mend = async (text, name, check) => {
+    const found = row(text).first();
+    await found.waitFor();
+    const count = await row(text).count();
+    await undone(editor, text, () => found.getByRole("button", { name, exact: true }).click());
+    await page.keyboard.press("Control+Shift+z");
+    const now = await editor.text;
+    check(now);
+    await page.waitForFunction(([t, n]) => [...document.querySelectorAll(".hints .hint")].filter((e) => e.textContent.includes(t)).length < n, [text, count]);
+    return now;
+  };
+  const has = (pattern, is = true) => (text) => check(pattern.test(text) === is, `${pattern}: ${text}`);
+  await mend("cover everything below", "End it at its outline", has(/id="ring"[^>]*sf:left-opacity="0" sf:right-opacity="1"/));
+  await mend("“ghost”", "Delete it", has(/id="ghost"/, false));
+  await mend("“brush”", "Delete it", has(/id="brush"/, false));
+  await mend("outside the artboard: nothing", "Move it into the picture", has(/id="away" href="#spot" x="900" transform="translate\(-\d+ 0\)"/));
+  editor.checkQuiet();
+  await editor.close();
+}
+
 /** A change is said to be kept when it is, and a drawing that is not begun has no hints. */
 async function testKept({ browser, address }) {
   const editor = await EditorPage.open(browser, address);
@@ -323,5 +370,6 @@ export async function testPanels(tap, given) {
   await tap.test("the export dialog writes each format", () => testExport(given));
   await tap.test("a change is said to be kept once it is", () => testKept(given));
   await tap.test("a hint is mended by its button", () => testHints(given));
+  await tap.test("hints about layers, groups, strokes and instances are mended", () => testHintsOfWholes(given));
   await tap.test("the tour goes through its five steps", () => testTour(given));
 }

@@ -7,7 +7,7 @@ import { isWorthTelling } from "../../../web/editor/src/model/lint-worth.js";
 import { applied } from "../../../web/editor/src/source/patch.js";
 import { placeOf } from "../../../web/editor/src/panels/hints/show.js";
 import { en } from "../../../web/editor/src/strings/en.js";
-import { file, modulePath } from "./drawings.js";
+import { file, handle, modulePath } from "./drawings.js";
 
 const frame = '<path id="frame" d="M0 0H512V512H0Z" sf:right="#abc" sf:left="none"/>';
 const text = (inner: string, outer = "", before = "") =>
@@ -31,6 +31,9 @@ const FAULTY: Readonly<Record<string, string>> = {
   flood: text(curve(`${RING}Z`, 'sf:right="red"')),
   "unseen-side": text(frame + curve("M90 90L300 200", 'sf:left="red"') + curve("M90 90L510 310", 'sf:left="blue" sf:right="blue"')),
   "empty-layer": text(frame, '<g sf:diffuse="true"></g>'),
+  leak: text(frame, `<g id="it" sf:diffuse="true">${curve(`${RING}Z`, 'sf:left="red" sf:right="gold"')}${curve("M180 180L220 220", 'sf:left="#fff"')}</g>`),
+  invisible: text(frame, `<g id="it" opacity="0"><g sf:diffuse="true">${curve(`${RING}Z`, 'sf:right="gold" sf:left-opacity="0" sf:right-opacity="1"')}</g></g>`),
+  "instance-outside": text(frame, `<g id="shape" sf:diffuse="true">${curve(`${RING}Z`, 'sf:right="gold" sf:left="gold" sf:left-opacity="0" sf:right-opacity="1"')}</g><use id="it" href="#shape" x="900" y="-20"/>`),
 };
 
 interface Found {
@@ -68,7 +71,8 @@ test.skipIf(!modulePath()).each(Object.keys(FAULTY))("%s: the fix takes the hint
   const source = FAULTY[rule];
   const hint = lint(source).find((found) => found.rule === rule);
   expect(hint, JSON.stringify(lint(source))).toBeDefined();
-  const fix = fixOf(openDrawing(source), hint ?? { rule, offset: null });
+  const d = openDrawing(source);
+  const fix = fixOf(d, { offset: null, ...hint, rule, handle: source.includes('id="it"') ? handle(d, "it") : null });
   expect(fix).not.toBeNull();
   expect(en.commands.lintFixes[fix?.label ?? "closeCurve"]).toMatch(/^[A-Z]/);
   const mended = applied(source, fix?.outcome.patch ?? []);
@@ -89,6 +93,39 @@ test("a hint that has no curve any more, or a rule that nobody can mend, has non
   expect(fixOf(d, { rule: "leak", offset: null })).toBeNull();
   expect(fixOf(d, { rule: "toString", offset: 0 })).toBeNull();
   expect(fixOf(d, { rule: "empty-layer", offset: null })).toBeNull();
+});
+
+const wholes = (source: string, rule: string, id = "it") => {
+  const d = openDrawing(source);
+  return fixOf(d, { rule, offset: null, handle: handle(d, id) });
+};
+
+test("a layer ends at its outline alone where all of it lies within closed curves", () => {
+  const line = curve("M20 20L90 30", 'sf:left="red"');
+  expect(wholes(FAULTY.leak.replace("</g></svg>", `${line}</g></svg>`), "leak")).toBeNull();
+  expect(wholes(text(frame, `<g id="it" sf:diffuse="true">${line}</g>`), "leak")).toBeNull();
+  expect(wholes(text(frame, '<g id="it" sf:diffuse="true"></g>'), "leak")).toBeNull();
+  const eight = curve("M10 10L90 90V10L10 90Z", 'sf:left="red" sf:right="red"');
+  expect(wholes(text(frame, `<g id="it" sf:diffuse="true">${eight}</g>`), "leak")).toBeNull();
+});
+
+test("an outline ends its layer whichever way it turns, and inner curves stay as they are", () => {
+  const turned = 'd="M200 100V300H100V100Z" sf:left="red" sf:right="gold"';
+  const inner = 'd="M120 120H150V150Z" sf:left="#fff" sf:right="#000"';
+  const source = text(frame, `<g id="it" sf:diffuse="true"><path ${turned}/><path ${inner}/></g>`);
+  const clockwise = wholes(source, "leak")?.outcome.patch ?? [];
+  expect(applied(source, clockwise)).toContain(`<path ${turned} sf:left-opacity="0" sf:right-opacity="1"/><path ${inner}/>`);
+  const other = source.replace("M200 100V300H100V100Z", "M200 100H100V300H200Z");
+  expect(applied(other, wholes(other, "leak")?.outcome.patch ?? [])).toContain('sf:right-opacity="0" sf:left-opacity="1"');
+});
+
+test("what is seen again, or lies in the picture, is neither deleted nor moved", () => {
+  expect(wholes(FAULTY.invisible.replace('opacity="0"', 'opacity="0.1"'), "invisible")).toBeNull();
+  expect(wholes(FAULTY["instance-outside"].replace('x="900"', 'x="9"'), "instance-outside")).toBeNull();
+  const inner = FAULTY.invisible.replace('<g sf:diffuse="true"><path d="M200', '<g id="in" sf:diffuse="true"><path d="M200');
+  expect(applied(inner, wholes(inner, "invisible", "in")?.outcome.patch ?? [])).toBe(text(frame));
+  const stroke = text(frame, '<path id="it" d="M9 9L90 90" sf:radius="9" sf:left="red" sf:alpha="0"/>');
+  expect(applied(stroke, wholes(stroke, "invisible")?.outcome.patch ?? [])).toBe(text(frame));
 });
 
 test.skipIf(!modulePath())("the place of a hint is on the artboard, whatever transforms its curve and layer", async () => {

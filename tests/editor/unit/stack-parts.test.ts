@@ -1,7 +1,7 @@
 // Layers and groups of the document found in the stack of the picture.
 import { expect, test } from "vitest";
 import type { Editor } from "../../../web/editor/src/app/types.js";
-import { lookOf, partsOf, type StackItem } from "../../../web/editor/src/canvas/stack-parts.js";
+import { itemAt, lookOf, partsOf, type StackItem } from "../../../web/editor/src/canvas/stack-parts.js";
 import { openDrawing } from "../../../web/editor/src/model/drawing.js";
 
 const text = `<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1" viewBox="0 0 9 9">
@@ -42,10 +42,11 @@ const stroke = (): StackItem => ({
 /** The engine's numbers of layers by name; others it does not know. */
 const numbers: Readonly<Record<string, number>> = { back: 0, in: 2 };
 
+const editorOf = () =>
+  ({ drawing: openDrawing(text), engineLayer: ({ name }: { name: string }) => numbers[name] ?? null }) as unknown as Editor;
+
 function parts(stack: readonly StackItem[]) {
-  const drawing = openDrawing(text);
-  const editor = { drawing, engineLayer: ({ name }: { name: string }) => numbers[name] ?? null };
-  const found = partsOf(editor as unknown as Editor, stack);
+  const found = partsOf(editorOf(), stack);
   return Object.fromEntries([...found].map(([item, part]) => [item.name, part]));
 }
 
@@ -66,6 +67,14 @@ test("a stack of another text has no parts", () => {
   expect(parts([layer(1), ...stack.slice(1)])).toEqual({});
   expect(parts([stroke(), ...stack.slice(1)])).toEqual({});
   expect(parts([])).toEqual({});
+});
+
+test("each item of the stack is told by what of the document put it there", () => {
+  const editor = editorOf();
+  const names = stack.map((_, at) => itemAt(editor, stack, at)?.name ?? null);
+  expect(names).toEqual(["back", "copies", "group", "in", "brush", null, "again", "again", "again", null]);
+  expect(itemAt(editor, stack, stack.length)).toBeNull();
+  expect(itemAt(editor, stack.slice(1), 0)).toBeNull();
 });
 
 test("a look tells strokes apart by their numbers, and items by their blending", () => {

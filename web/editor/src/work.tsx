@@ -36,7 +36,7 @@ export function begin(editor: DrawingEditor, engine: WorkerEngine): Work {
   prepareTour(editor);
   return {
     documents,
-    services: servicesOf(editor, documents, thumbs),
+    services: servicesOf(editor, documents, picture, thumbs),
     paste: (pasted) => takePasted(editor, documents, pasted),
     Menus,
     Workplace: () => (

@@ -1,6 +1,5 @@
 // What menus and keys name.
 import type { Box, Point } from "../geometry/affine.js";
-import { mappedBox } from "../geometry/affine.js";
 import {
   addLayer,
   curvesOf,
@@ -21,7 +20,8 @@ import {
   ungroup,
   type NodeKind,
 } from "../model/commands/index.js";
-import type { Attribute, Drawing, Handle, Item, Outcome } from "../model/types.js";
+import { boxOf } from "../model/item-boxes.js";
+import type { Attribute, Drawing, Handle, Outcome } from "../model/types.js";
 import { en } from "../strings/en.js";
 import { copyByMenu, pasteByMenu } from "./clipboard.js";
 import type { DrawingEditor } from "./editor.js";
@@ -88,30 +88,6 @@ function deleteWhole(editor: DrawingEditor) {
   const handles = chosen(editor);
   const done = editor.run(en.commands.delete, deleteItems(editor.drawing, handles));
   if (done) editor.say(en.commands.deleted(handles.length), { label: en.commands.undo, run: () => editor.undo() });
-}
-
-/** The box of items, artboard units; null where they have no points. */
-export function boxOf(items: readonly Item[]): Box | null {
-  const box: [number, number, number, number] = [Infinity, Infinity, -Infinity, -Infinity];
-  const grow = (part: Box) => {
-    box[0] = Math.min(box[0], part[0]);
-    box[1] = Math.min(box[1], part[1]);
-    box[2] = Math.max(box[2], part[2]);
-    box[3] = Math.max(box[3], part[3]);
-  };
-  const visit = (item: Item) => {
-    if (item.kind === "curve" || item.kind === "stroke") {
-      for (const { points } of item.paths) {
-        for (const [x, y] of points) grow(mappedBox(item.artboardFromItem, [x, y, x, y]));
-      }
-    } else if (item.kind === "reference") {
-      grow(mappedBox(item.artboardFromItem, item.box));
-    } else {
-      item.children.forEach(visit);
-    }
-  };
-  items.forEach(visit);
-  return box[0] <= box[2] ? box : null;
 }
 
 /** Moves each item so that an edge or the middle of its box lies where that of all lies. */

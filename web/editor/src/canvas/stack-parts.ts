@@ -73,14 +73,28 @@ function lookOfOne(item: StackItem): string {
 /** A word for what items look like, apart from the tables of their layers. */
 export const lookOf = (items: readonly StackItem[]): string => items.map(lookOfOne).join();
 
-/** Parts by their items; none where the document's order is not the stack's: the text is another one. */
-export function partsOf(editor: Editor, stack: readonly StackItem[]): ReadonlyMap<Item, Part> {
+interface Placed {
+  readonly ranges: Ranges;
+  /** Of each leaf, on the stack. */
+  readonly places: readonly number[];
+}
+
+/** null where the document's order is not the stack's: the text is another one. */
+function placedOn(editor: Editor, stack: readonly StackItem[]): Placed | null {
   const ranges: Ranges = new Map();
   const leaves: Leaf[] = [];
   for (const item of editor.drawing.items) addLeaves(editor, item, ranges, leaves);
   const places = [...stack.keys()].filter((k) => isLeaf(stack[k]));
+  const isSame = places.length === leaves.length && places.every((at, k) => fits(stack[at], leaves[k]));
+  return isSame ? { ranges, places } : null;
+}
+
+/** Parts by their items; none where the text is another one. */
+export function partsOf(editor: Editor, stack: readonly StackItem[]): ReadonlyMap<Item, Part> {
   const parts = new Map<Item, Part>();
-  if (places.length !== leaves.length || !places.every((at, k) => fits(stack[at], leaves[k]))) return parts;
+  const placed = placedOn(editor, stack);
+  if (!placed) return parts;
+  const { ranges, places } = placed;
   for (const [item, [from, to]] of ranges) {
     if (from === to || (item.kind !== "layer" && item.kind !== "group")) continue;
     const items = nested(stack.slice(places[from], places[to - 1] + 1));
@@ -89,3 +103,21 @@ export function partsOf(editor: Editor, stack: readonly StackItem[]): ReadonlyMa
   }
   return parts;
 }
+
+/** What of the document put something on the stack, an instance as such; null: it cannot be said. */
+export function itemAt(editor: Editor, stack: readonly StackItem[], at: number): Item | null {
+  const placed = placedOn(editor, stack);
+  const shown = stack[at];
+  if (!placed || !shown || shown.kind === "end") return null;
+  const leaf = placed.places.findIndex((place) => place >= at);
+  // Each stands behind what is within it.
+  const around = [...placed.ranges].filter(([, [from, to]]) => from <= leaf && leaf < to);
+  if (shown.kind !== "begin") return around[0]?.[0] ?? null;
+  const isBegun = ({ kind, opacity }: Item) =>
+    kind === "use" || (kind === "group" && Math.abs(opacity - shown.opacity) < SAME);
+  const begun = around.filter(([item, [from]]) => from === leaf && isBegun(item));
+  return begun.at(-1)?.[0] ?? null;
+}
+
+/** Opacities of the stack are floats. */
+const SAME = 1e-6;

@@ -20,6 +20,7 @@ export function hintsOf({ hints }: LintReport, curves: readonly EngineCurve[]): 
       side: hint.side === "left" || hint.side === "right" ? hint.side : null,
       offset: found?.offset ?? null,
       subpath: found?.subpath ?? null,
+      stackItem: numberOf(hint.stack_item),
       at: Array.isArray(hint.at) ? [Number(hint.at[0]), Number(hint.at[1])] : null,
     };
   });

@@ -32,6 +32,8 @@ export interface Hint {
   /** Where its curve's element stands in the text that was looked at, and which subpath; or null. */
   readonly offset: number | null;
   readonly subpath: number | null;
+  /** Of what has no curve of a layer: its number on the picture's stack, or null. */
+  readonly stackItem: number | null;
   /** The point that the message names, in the frame of the layer, or null. */
   readonly at: readonly [number, number] | null;
 }

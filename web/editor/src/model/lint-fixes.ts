@@ -10,7 +10,8 @@ import { deleteItems, moveNodes, setBoth, setColor, setNumbers, setPath, swapSid
 import { layerOf } from "./commands/items.js";
 import { finestStep } from "./commands/mapping.js";
 import { together } from "./commands/together.js";
-import type { CurveItem, Drawing, Item, Outcome, Side, SideValue } from "./types.js";
+import { atOutline, broughtIn, curvesWithin, endsOf, isOpen, withoutInvisible } from "./lint-items.js";
+import type { CurveItem, Drawing, Handle, Item, Outcome, Side, SideValue } from "./types.js";
 
 /** What of a hint the fixes look at: its rule, and where its curve's element stands in the text. */
 export interface FixableHint {
@@ -18,6 +19,8 @@ export interface FixableHint {
   readonly offset: number | null;
   /** Of a hint about one side. */
   readonly side?: Side | null;
+  /** What it is about, where that is no curve of a layer. */
+  readonly handle?: Handle | null;
 }
 
 /** What a fix does; the words are in strings/en.ts, `lintFixes`. */
@@ -31,7 +34,10 @@ export type FixLabel =
   | "addBarrier"
   | "matchEnds"
   | "joinToCurve"
-  | "openSide";
+  | "openSide"
+  | "endAtOutline"
+  | "deleteInvisible"
+  | "bringIn";
 
 export interface Fix {
   readonly label: FixLabel;
@@ -64,22 +70,32 @@ const OF_DRAWINGS: Readonly<Record<string, readonly [FixLabel, (d: Drawing) => O
   "empty-layer": ["deleteEmptyLayers", withoutEmptyLayers],
 };
 
+const OF_ITEMS: Readonly<Record<string, readonly [FixLabel, (d: Drawing, item: Item) => Outcome | null]>> = {
+  leak: ["endAtOutline", atOutline],
+  invisible: ["deleteInvisible", withoutInvisible],
+  "instance-outside": ["bringIn", broughtIn],
+};
+
 /** The rules that may have a fix. */
 export const FIXABLE_RULES: readonly string[] = [
   ...Object.keys(OF_CURVES),
+  ...Object.keys(OF_ITEMS),
   ...Object.keys(OF_DRAWINGS),
 ];
 
 /** The fix of a hint about the present text; null where there is none. */
-export function fixOf(d: Drawing, { rule, offset, side = null }: FixableHint): Fix | null {
+export function fixOf(d: Drawing, { rule, offset, side = null, handle = null }: FixableHint): Fix | null {
   if (Object.hasOwn(OF_DRAWINGS, rule)) {
     const [label, mend] = OF_DRAWINGS[rule];
     return made(label, mend(d));
   }
-  const item = offset === null ? undefined : d.itemAt(offset);
-  if (!Object.hasOwn(OF_CURVES, rule) || (item?.kind !== "curve" && item?.kind !== "stroke")) {
-    return null;
+  const item = handle !== null ? d.item(handle) : offset === null ? undefined : d.itemAt(offset);
+  if (!item) return null;
+  if (Object.hasOwn(OF_ITEMS, rule)) {
+    const [label, mend] = OF_ITEMS[rule];
+    return made(label, mend(d, item));
   }
+  if (!Object.hasOwn(OF_CURVES, rule) || (item.kind !== "curve" && item.kind !== "stroke")) return null;
   const [label, mend] = OF_CURVES[rule];
   return made(label, mend(d, item, side));
 }
@@ -91,14 +107,6 @@ function made(label: FixLabel, outcome: Outcome | null): Fix | null {
 /** Artboard units of a pixel of an artboard of 512. */
 function pixelOf({ artboard: [x0, y0, x1, y1] }: Drawing): number {
   return Math.max(x1 - x0, y1 - y0) / 512;
-}
-
-function endsOf({ points }: CubicPath): readonly [Point, Point] {
-  return [points[0], points[points.length - 1]];
-}
-
-function isOpen(path: CubicPath): boolean {
-  return !path.closed && distance(...endsOf(path)) > 0;
 }
 
 /** The subpath whose ends are nearest to each other is closed, its last node moved onto the first. */
@@ -126,11 +134,6 @@ export function curvesThrough(d: Drawing, curve: Item, at: Point): readonly Item
     });
   };
   return (layer ? curvesWithin(layer) : []).filter((other) => other !== curve && isNear(other));
-}
-
-/** Curves of a layer, in the order of the text. */
-function curvesWithin(item: Item): CurveItem[] {
-  return item.kind === "curve" ? [item] : item.children.flatMap(curvesWithin);
 }
 
 function pointsInLayer({ paths, layerFromItem }: CurveItem): Point[] {

@@ -1,5 +1,6 @@
 // What the panels get beside the editor's state.
 import type { DrawingEditor } from "../app/editor.js";
+import type { PictureCanvas } from "../canvas/renderer.js";
 import type { Thumbs } from "../canvas/thumbs.js";
 import { copyPng, estimateSize, exportDrawing, exportTypes, type ExportWatch, type ExportWish } from "../files/export.js";
 import { pickFile } from "../files/open.js";
@@ -8,7 +9,7 @@ import type { Services } from "../panels/services.js";
 import { en } from "../strings/en.js";
 import type { Documents } from "./documents.js";
 import { dataUri } from "./files.js";
-import { mendOf } from "./mend.js";
+import { itemOfHint, mendOf } from "./mend.js";
 import { pickColor } from "./pick.js";
 import { previewOf } from "./preview.js";
 
@@ -36,7 +37,7 @@ async function chooseTexture(editor: DrawingEditor) {
   return { href: await dataUri(blob), width, height };
 }
 
-export function servicesOf(editor: DrawingEditor, documents: Documents, thumbs: Thumbs): Services {
+export function servicesOf(editor: DrawingEditor, documents: Documents, picture: PictureCanvas, thumbs: Thumbs): Services {
   return {
     get version() {
       return editor.engine.version;
@@ -51,7 +52,8 @@ export function servicesOf(editor: DrawingEditor, documents: Documents, thumbs: 
     forget: (id) => documents.forget(id),
     pickColor: (stop) => pickColor(editor, stop),
     thumb: (handle) => thumbs.of(handle),
-    mend: (hint) => mendOf(editor, hint),
+    itemOf: (hint) => itemOfHint(editor, picture, hint),
+    mend: (hint) => mendOf(editor, picture, hint),
     chooseTexture: () => chooseTexture(editor),
   };
 }

@@ -7,7 +7,7 @@ import type { Box } from "../geometry/affine.js";
 import type { Hint } from "../engine/types.js";
 import type { ExportWatch, ExportWish } from "../files/export.js";
 import type { Rgb } from "../geometry/color.js";
-import type { Handle } from "../model/types.js";
+import type { Handle, Item } from "../model/types.js";
 
 /** A drawing to begin from. */
 export interface Example {
@@ -77,6 +77,8 @@ export interface Services {
    * A picture of a layer or group for its row, or null while there is none. Reading it subscribes.
    */
   thumb(handle: Handle): string | null;
+  /** The curve, or what else of the drawing a hint is about; null: it is not there, or no one thing. */
+  itemOf(hint: Hint): Item | null;
   /** Mends what a hint says, in one step of undo; null: this kind cannot be mended by itself. */
   mend(hint: Hint): { readonly label: string; readonly run: () => void } | null;
   /** Asks for a picture file to use as a texture; null: the person left it. */

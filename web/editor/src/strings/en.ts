@@ -41,6 +41,9 @@ const commands = {
     matchEnds: "End with the first colour",
     joinToCurve: "Move the end onto the curve",
     openSide: "Open the side",
+    endAtOutline: "End it at its outline",
+    deleteInvisible: "Delete it",
+    bringIn: "Move it into the picture",
   },
 } as const;
 

@@ -1,7 +1,7 @@
 // The parts of a drawing that can be exported, and their sizes in pixels.
 import type { Editor } from "../../app/types.js";
 import { mapped, type Box } from "../../geometry/affine.js";
-import { boxOf } from "../inspector/box.js";
+import { boxOf } from "../../model/item-boxes.js";
 
 export type Area = "artboard" | "selection" | "view";
 

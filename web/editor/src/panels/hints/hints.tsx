@@ -15,14 +15,15 @@ const hiddenRules = signal<ReadonlySet<string>>(new Set());
 const current = signal<Hint | null>(null);
 
 function HintRow({ hint }: { readonly hint: Hint }) {
-  const { editor, services } = useShell();
-  const item = hint.offset === null ? undefined : editor.drawing.itemAt(hint.offset);
+  const shell = useShell();
+  const { editor, services } = shell;
+  const item = services.itemOf(hint);
   const repair = services.mend(hint);
   const look = (on: boolean) => {
     current.value = on ? hint : null;
     editor.hovered.value = on && item ? item.handle : null;
   };
-  const go = () => showHint(editor, hint);
+  const go = () => showHint(shell, hint);
   const names = [
     "hint",
     hint.severity === "warning" ? "warn" : "info",
@@ -55,7 +56,7 @@ function HintRow({ hint }: { readonly hint: Hint }) {
             {repair.label}
           </button>
         )}
-        {!repair && itemsOf(editor, hint).length > 0 && (
+        {!repair && itemsOf(shell, hint).length > 0 && (
           <button
             type="button"
             class="button"
@@ -88,7 +89,7 @@ export function HintList() {
     <>
       <ul class="hint-list">
         {shown.map((hint) => (
-          <HintRow key={`${hint.rule} ${hint.offset} ${hint.at} ${hint.message}`} hint={hint} />
+          <HintRow key={`${hint.rule} ${hint.offset} ${hint.stackItem} ${hint.at} ${hint.message}`} hint={hint} />
         ))}
       </ul>
       {shown.length < all.length && (

@@ -4,6 +4,7 @@ import type { Hint } from "../../engine/types.js";
 import { composed, inverted, mapped, type Point } from "../../geometry/affine.js";
 import { curvesThrough } from "../../model/lint-fixes.js";
 import type { Item } from "../../model/types.js";
+import type { Shell } from "../services.js";
 
 /** Half of what is shown around a hint's place, artboard units. */
 const AROUND = 40;
@@ -16,18 +17,19 @@ export function placeOf({ drawing }: Pick<Editor, "drawing">, { at, offset }: Pi
   return itemFromLayer && mapped(composed(item.artboardFromItem, itemFromLayer), at);
 }
 
-/** The curve, else the layer; of a crossing both curves. */
-export function itemsOf(editor: Editor, hint: Hint): readonly Item[] {
+/** The curve or whatever else it is about, else its layer; of a crossing both curves. */
+export function itemsOf({ editor, services }: Shell, hint: Hint): readonly Item[] {
   const { drawing } = editor;
-  const item = hint.offset === null ? undefined : drawing.itemAt(hint.offset);
+  const item = services.itemOf(hint);
   const at = hint.rule === "crossing" ? placeOf(editor, hint) : null;
   if (item) return at ? [...curvesThrough(drawing, item, at), item] : [item];
   if (hint.layer === null) return [];
   return [...drawing.all()].filter((one) => one.kind === "layer" && editor.engineLayer(one) === hint.layer);
 }
 
-export function showHint(editor: Editor, hint: Hint): void {
-  const items = itemsOf(editor, hint);
+export function showHint(shell: Shell, hint: Hint): void {
+  const { editor } = shell;
+  const items = itemsOf(shell, hint);
   if (items.length > 0) editor.selection.value = items.map(({ handle }) => ({ handle, part: { kind: "whole" } }));
   const at = placeOf(editor, hint);
   if (at) {

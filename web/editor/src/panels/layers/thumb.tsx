@@ -4,7 +4,7 @@ import { useRef } from "preact/hooks";
 import type { Affine } from "../../geometry/affine.js";
 import type { CurveItem, Item } from "../../model/types.js";
 import { hexOf } from "../../geometry/colortext.js";
-import { boxOf } from "../inspector/box.js";
+import { boxOf } from "../../model/item-boxes.js";
 import { useShell } from "../services.js";
 import { curvesWithin } from "./rows.js";
 import { settledOf } from "./settled.js";

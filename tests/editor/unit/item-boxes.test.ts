@@ -4,7 +4,7 @@ import { turning } from "../../../web/editor/src/geometry/affine.js";
 import { transform } from "../../../web/editor/src/model/commands/index.js";
 import { openDrawing } from "../../../web/editor/src/model/drawing.js";
 import type { Drawing } from "../../../web/editor/src/model/types.js";
-import { boxOf } from "../../../web/editor/src/panels/inspector/box.js";
+import { boxOf } from "../../../web/editor/src/model/item-boxes.js";
 
 const drawingWith = (use: string) =>
   openDrawing(`<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1" viewBox="0 0 200 100">
