@@ -78,6 +78,21 @@ export async function testTouch(editor) {
   checkEqual(await editor.text, drawn, "the text after two fingers");
 }
 
+/** A pen draws with its pressure, and the palm beside it draws nothing. */
+export async function testPen(editor) {
+  await fresh(editor, "k");
+  const places = [];
+  for (let k = 0; k <= 8; k += 1) places.push([...(await editor.at(150 + 25 * k, 400 + 4 * k)), 0.2 + 0.09 * k]);
+  const drawn = await editor.changing("a pen", () => editor.pen(places));
+  checkEqual(drawn.match(/<path /g).length, 3, "curves after a pen");
+  const radii = /sf:radius="([^"]*)"/.exec(drawn)?.[1].match(/[\d.]+(?!\d*%)(?=[ ,]|$)/g)?.map(Number) ?? [];
+  check(radii.length > 1 && radii.at(-1) > 2 * radii[0], `pressure is not the radius: ${drawn}`);
+  const palm = await editor.page.touchscreen.touchStart(...(await editor.at(300, 200)));
+  for (const to of [[320, 210], [380, 220]]) await palm.move(...(await editor.at(...to)));
+  await palm.end();
+  checkEqual(await editor.text, drawn, "the text after a palm beside the pen");
+}
+
 const drop = (editor, files) => dropFiles(editor.page, files);
 
 const holds = (editor, part) =>

@@ -11,7 +11,7 @@ import { setTimeout as sleep } from "node:timers/promises";
 import { pathToFileURL } from "node:url";
 import { FirefoxPage, launchFirefox, missing } from "./gecko.mjs";
 import { check, checkEqual, EditorPage, launch, serve, Skip, Tap } from "./harness.mjs";
-import { testFiles, testLostContext, testOffline, testServed, testTools, testTouch } from "./firefox-tools.mjs";
+import { testFiles, testLostContext, testOffline, testPen, testServed, testTools, testTouch } from "./firefox-tools.mjs";
 import { countColors, largestDifference } from "./pixels.mjs";
 import { isKept } from "./recover.mjs";
 import { small } from "./texts.mjs";
@@ -262,6 +262,7 @@ async function testAll(tap, given) {
   await test("a reload loses nothing", given.address, testReload);
   await test("every tool does its gesture", given.address, testTools);
   await test("one finger draws, two move and zoom", given.address, testTouch);
+  await test("a pen draws with its pressure", given.address, testPen);
   await test("files of all kinds are dropped", given.address, testFiles);
   await test("graphics that are taken away come back", given.address, testLostContext);
   await tap.test("firefox: after one visit it needs no network", () => testOffline(given));

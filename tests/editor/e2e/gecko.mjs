@@ -31,12 +31,29 @@ export async function launchFirefox() {
   try {
     const executablePath = String(spawnSync("which", [firefox]).stdout).trim();
     const env = { ...process.env, DISPLAY: screen.display };
-    const browser = await puppeteer.launch({ browser: "firefox", executablePath, headless: false, env });
+    const args = ["--remote-allow-system-access"];
+    const browser = await puppeteer.launch({ browser: "firefox", executablePath, headless: false, args, env });
     const close = () => browser.close().finally(screen.close);
     return { browser, close };
   } catch (error) {
     screen.close();
     throw error;
+  }
+}
+
+/**
+ * Moments of a pen in the window that shows the page: type, x, y, pressure. BiDi's own actions do not
+ * know pens ("Unimplemented pointerMove for pointerType pen"): the browser's window takes them, as it
+ * takes those of the system.
+ */
+async function penMoments(moments) {
+  const PEN = 2;
+  const { left, top } = gBrowser.selectedBrowser.getBoundingClientRect();
+  for (const [type, x, y, pressure] of moments) {
+    const pen = { pointerId: 9, inputSource: PEN, button: 0, buttons: pressure > 0 ? 1 : 0, clickCount: 1, pressure };
+    window.synthesizeMouseEvent(type, left + x, top + y, pen, {});
+    // Moves of one frame would become one.
+    await new Promise((done) => requestAnimationFrame(done));
   }
 }
 
@@ -113,6 +130,19 @@ export class FirefoxPage extends EditorPage {
       await keyboard.press(last);
       for (const modifier of modifiers.reverse()) await keyboard.up(modifier);
     }
+  }
+
+  /** A stroke of a pen through places of the window: x, y, pressure. */
+  async pen(places) {
+    await this.page.bringToFront();
+    const { session } = this.page.mainFrame().browsingContext.userContext.browser;
+    const windows = await session.send("browsingContext.getTree", { "moz:scope": "chrome" });
+    const { context } = windows.result.contexts.find(({ url }) => url.endsWith("browser.xhtml"));
+    const [first, last] = [places[0], places.at(-1)];
+    const moments = [["mousemove", ...first.slice(0, 2), 0], ["mousedown", ...first], ...places.map((place) => ["mousemove", ...place]), ["mouseup", ...last.slice(0, 2), 0]];
+    const expression = `(${penMoments})(${JSON.stringify(moments)})`;
+    const { result } = await session.send("script.evaluate", { expression, target: { context }, awaitPromise: true });
+    check(result.type === "success", `the pen: ${result.exceptionDetails?.text}`);
   }
 
   async pictureOf(selector) {
