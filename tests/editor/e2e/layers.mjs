@@ -143,8 +143,32 @@ async function testDragged({ browser, address }) {
   await editor.close();
 }
 
+/** A curve that is chosen on the picture is in sight in the tree, also where its layer was folded. */
+async function testRevealed({ browser, address }) {
+  const editor = await EditorPage.open(browser, address);
+  const { page } = editor;
+  const layers = Array.from({ length: 40 }, (_, k) => `<g id="l${k}" sf:diffuse="true"><path id="c${k}" d="M0 ${9 * k}h600" sf:left="red"/></g>`);
+  await editor.load(`<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1" viewBox="0 0 640 480">${layers.join("\n")}</svg>`);
+  await page.locator(".canvas-stage").focus();
+  for (const name of ["c0", "c1"]) {
+    await editor.key("Tab");
+    await row(page, name).waitFor();
+    const [line, tree] = [await row(page, name).boundingBox(), await page.locator(".tree").boundingBox()];
+    const isInSight = line.y >= tree.y && line.y + line.height <= tree.y + tree.height + 1;
+    check(isInSight, `${name} at ${line.y}, the tree from ${tree.y} to ${tree.y + tree.height}`);
+  }
+  // What is unfolded by hand moves nothing.
+  const top = await page.locator(".tree").evaluate((tree) => tree.scrollTop);
+  await row(page, "l3").locator(".twist").click();
+  await row(page, "c3").waitFor();
+  checkEqual(await page.locator(".tree").evaluate((tree) => tree.scrollTop), top, "where the tree is scrolled to");
+  editor.checkQuiet();
+  await editor.close();
+}
+
 export async function testLayers(tap, given) {
   await tap.test("layers: thumbs are the picture, of what has changed, at rest", () => testThumbs(given));
   await tap.test("layers: rows have names of their own, with their state", () => testNames(given));
+  await tap.test("layers: what is chosen on the picture is in sight", () => testRevealed(given));
   await tap.test("layers: rows are dragged by the mouse", () => testDragged(given));
 }

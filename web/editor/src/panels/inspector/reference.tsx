@@ -93,11 +93,9 @@ export function ReferenceSections({ item }: { readonly item: ReferenceItem }) {
               )
             }
           />
-          <span>
-            {words.locked}
-            <small>{words.neverExported}</small>
-          </span>
+          <span>{words.locked}</span>
         </label>
+        <p class="muted">{words.neverExported}</p>
       </Section>
       {!item.locked && (
         <Section title={words.placeOfPhoto}>

@@ -112,9 +112,22 @@ function inSight(
 
 /** Unfolds what holds the selection, and scrolls to it when it was made elsewhere. */
 function useReveal(state: TreeState, tree: { current: HTMLElement | null }, rowHeight: number) {
-  const { editor, open, active } = state;
+  const { editor, open, active, rows } = state;
   const selection = editor.selection.value;
   const primary = selection[selection.length - 1]?.handle ?? null;
+  const sought = useRef<Handle | null>(null);
+  const scroll = () => {
+    const index = rows.findIndex(({ item }) => item.handle === sought.current);
+    const view = tree.current;
+    if (!view || index < 0) return;
+    sought.current = null;
+    const top = index * rowHeight;
+    if (top < view.scrollTop) view.scrollTop = top;
+    else if (top + rowHeight > view.scrollTop + view.clientHeight)
+      view.scrollTop = top + rowHeight - view.clientHeight;
+  };
+  // Rows that were unfolded for it have to be there first: until then the tree is too short.
+  useLayoutEffect(scroll, [rows]);
   useEffect(() => {
     const item = primary === null ? undefined : editor.drawing.item(primary);
     if (!item) return;
@@ -122,15 +135,8 @@ function useReveal(state: TreeState, tree: { current: HTMLElement | null }, rowH
     if (closed.length > 0)
       open.value = new Set([...open.peek(), ...closed.map(({ handle }) => handle)]);
     active.value = primary;
-    const index = rowsOf(editor.drawing, open.peek()).findIndex(
-      (row) => row.item.handle === primary,
-    );
-    const view = tree.current;
-    if (!view || index < 0) return;
-    const top = index * rowHeight;
-    if (top < view.scrollTop) view.scrollTop = top;
-    else if (top + rowHeight > view.scrollTop + view.clientHeight)
-      view.scrollTop = top + rowHeight - view.clientHeight;
+    sought.current = primary;
+    scroll();
   }, [primary]);
 }
 
