@@ -39,6 +39,13 @@ describe("detail", () => {
     expect(detailFor(100, seen(100, 260, 151), artboard, near)).not.toBe(near);
   });
 
+  it("is another one for another artboard: its width counts for all of it", () => {
+    const small: Box = [0, 0, 40, 30];
+    const before = detailFor(8, seen(8), small, null);
+    expect(detailFor(8, seen(8), artboard, before)).toEqual(detailFor(8, seen(8), artboard, null));
+    expect(detailFor(8, seen(8), [0, 0, 40, 30], before)).toBe(before);
+  });
+
   it("takes artboards without a side, and views beside them", () => {
     expect(detailFor(1, [0, 0, 1, 1], [0, 0, 0, 0], null).options.width).toBe(1);
     expect(detailFor(1000, [1e6, 1e6, 1e6 + 1, 1e6 + 1], artboard, null).part).toBeNull();

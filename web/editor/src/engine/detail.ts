@@ -13,6 +13,8 @@ export interface Detail {
   readonly pixelsPerUnit: number;
   /** Part of the artboard; null: all. */
   readonly part: Box | null;
+  /** What `part` and the options' width are of. */
+  readonly artboard: Box;
   readonly options: SolveOptions;
 }
 
@@ -33,13 +35,14 @@ function rounded(pixelsPerUnit: number): number {
   return 2 ** Math.ceil(Math.log2(pixelsPerUnit) - 1e-9);
 }
 
-/** @param before what there is; it comes back where it will do */
+/** @param known what there is; it comes back where it will do */
 export function detailFor(
   pixelsPerUnit: number,
   seen: Box,
   artboard: Box,
-  before: Detail | null,
+  known: Detail | null,
 ): Detail {
+  const before = known?.artboard.every((k, i) => k === artboard[i]) ? known : null;
   const side = sideOf(artboard) || 1;
   const wanted = Math.max(rounded(pixelsPerUnit), LEAST / side);
   const visible = cut(seen, artboard);
@@ -51,7 +54,7 @@ export function detailFor(
   if (wanted * side <= WHOLE || isEmpty) {
     const fine = Math.min(wanted, WHOLE / side);
     const width = Math.max(1, Math.round(widthOf(artboard) * fine));
-    return { pixelsPerUnit: fine, part: null, options: { width } };
+    return { pixelsPerUnit: fine, part: null, artboard, options: { width } };
   }
   return partDetail(wanted, visible, artboard);
 }
@@ -62,5 +65,5 @@ function partDetail(pixelsPerUnit: number, visible: Box, artboard: Box): Detail 
   const part = cut([visible[0] - dx, visible[1] - dy, visible[2] + dx, visible[3] + dy], artboard);
   const viewport = [part[0], part[1], widthOf(part), heightOf(part)].join(",");
   const width = Math.max(1, Math.round(widthOf(part) * pixelsPerUnit));
-  return { pixelsPerUnit, part, options: { viewport, width } };
+  return { pixelsPerUnit, part, artboard, options: { viewport, width } };
 }
