@@ -298,7 +298,9 @@ typedef struct sfumato_picture sfumato_picture;
  * output will be, as in sfumato_export(); detail=NUMBER [1] multiplies it. drags: exact pictures
  * keep what quick ones of a curve or a stop begin from, in four to five times the memory of the
  * picture, if all calls for it get this context. Without this option they do so from the first such
- * quick picture on. */
+ * quick picture on. drag-triangles=N: the same for layers of no more than N triangles in all, those
+ * that were dragged last and then the largest ones, and for the last one, or the only one, in any
+ * case: about 1 kB a triangle. */
 SFUMATO_API int32_t sfumato_solve(sfumato_context* context, const sfumato_document* document,
                                   const char* options, sfumato_picture** picture);
 /** Makes a picture that of `document`, with the options that it was solved with: only layers whose
@@ -334,6 +336,13 @@ SFUMATO_API int32_t sfumato_solve_again(sfumato_context* context, const sfumato_
  * are solved roughly. */
 SFUMATO_API int32_t sfumato_solve_within(sfumato_context* context, const sfumato_document* document,
                                          double seconds, sfumato_picture* picture);
+/** Prepares a picture for quick ones in which this curve moves, so that the first of them comes as
+ * soon as the others: when a pointer is above the curve, say. The picture stays as it is. Where
+ * what they begin from was not kept, its layer is solved once more. What is prepared holds memory
+ * of this context until another curve is, or the picture is solved again. Fails with
+ * SFUMATO_BAD_INPUT where there is no such curve. */
+SFUMATO_API int32_t sfumato_expect_drag(sfumato_context* context, sfumato_picture* picture,
+                                        uint32_t layer, uint32_t curve);
 /** Gives a picture back. */
 SFUMATO_API void sfumato_picture_free(sfumato_picture* picture);
 /** The part that was solved: x, y, width and height, in user units. */

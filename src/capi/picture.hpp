@@ -39,6 +39,9 @@ void note_changes(const Picture& picture, const PictureDelta& delta,
 Status show_change(sfumato_context& context, CurvePlace place, const sfumato_document& document,
                    double seconds, sfumato_picture& handle);
 
+/// Prepares the picture, which is one of what the document is, for a curve to be moved.
+Status expect_drag(sfumato_context& context, CurvePlace place, sfumato_picture& handle);
+
 /// Gathers nodes that wait, of a picture of what the document is. Errors: as
 /// Solution::drag_more().
 Status show_more(sfumato_context& context, double seconds, sfumato_picture& handle);
@@ -63,5 +66,6 @@ struct sfumato_picture {
   sfumato::capi::Revision shown{};                  ///< what it is a picture of
   sfumato::capi::Revision applied{};                ///< what its solution's document is
   std::optional<sfumato::capi::CurvePlace> dragged{};
+  bool has_moved = false;  ///< the curve that is dragged, which may only be expected to be
   std::optional<sfumato::StopPlace> colored{};  ///< the stop that its solution is prepared for
 };

@@ -14,6 +14,7 @@ Status take_hold(sfumato_context& context, CurvePlace place, sfumato_picture& ha
   handle.solution.end_drag();
   handle.dragged.reset();
   handle.colored.reset();
+  handle.has_moved = false;
   handle.drag_workshop = context.workshop;
   Status status = handle.solution.begin_drag(context.workshop->context, place.layer, place.curve);
   if (status) handle.dragged = place;
@@ -29,6 +30,7 @@ Status drag(sfumato_context& context, CurvePlace place, const sfumato_document& 
   DiffuseStats stats;
   Status status = handle.solution.drag(context.workshop->context, curve, &stats, seconds);
   if (!status) return status;
+  handle.has_moved = true;
   handle.stats = stats;
   note_changes(handle.solution.picture(), handle.solution.take_delta(), changed);
   handle.changed = std::move(changed);
@@ -133,10 +135,15 @@ Outcome respond(sfumato_context& context, sfumato_picture* handle,
 
 Status show_change(sfumato_context& context, CurvePlace place, const sfumato_document& document,
                    double seconds, sfumato_picture& handle) {
-  if (handle.dragged == place) return drag(context, place, document, seconds, handle);
+  if (handle.dragged == place && handle.has_moved)
+    return drag(context, place, document, seconds, handle);
   Status status = recolor(context, place, document, handle);
   if (status.code != StatusCode::bad_input) return status;
   return drag(context, place, document, seconds, handle);
+}
+
+Status expect_drag(sfumato_context& context, CurvePlace place, sfumato_picture& handle) {
+  return take_hold(context, place, handle);
 }
 
 Status show_more(sfumato_context& context, double seconds, sfumato_picture& handle) {
@@ -151,6 +158,14 @@ Status show_more(sfumato_context& context, double seconds, sfumato_picture& hand
 }
 
 }  // namespace sfumato::capi
+
+int32_t sfumato_expect_drag(sfumato_context* context, sfumato_picture* picture, uint32_t layer,
+                            uint32_t curve) {
+  return sfumato::capi::call(context, [&](sfumato::capi::Workshop&) -> sfumato::capi::Outcome {
+    if (!picture) return sfumato::capi::bad_usage("NULL given, expected a picture");
+    return sfumato::capi::expect_drag(*context, {layer, curve}, *picture);
+  });
+}
 
 int32_t sfumato_stop_response(sfumato_context* context, sfumato_picture* picture, uint32_t layer,
                               uint32_t curve, uint32_t side, uint32_t attribute, uint32_t index,

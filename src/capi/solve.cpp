@@ -92,7 +92,7 @@ Outcome solve(Workshop& workshop, sfumato_context* context, const sfumato_docume
   if (!solution) return solution.status();
   auto handle =
       std::make_unique<sfumato_picture>(context->workshop, std::move(*solution), settings);
-  if (own.expects_drags) handle->solution.expect_drags();
+  if (own.drag_triangles) handle->solution.expect_drags(*own.drag_triangles);
   Status status = bring_up(workshop.context, &Solution::solve, *handle);
   if (!status) return status;
   handle->shown = handle->applied = document.edits.now();
@@ -141,6 +141,7 @@ Outcome solve_all(Workshop& workshop, const sfumato_document& document, Solve so
   handle.solution.end_drag();
   handle.dragged.reset();
   handle.colored.reset();
+  handle.has_moved = false;
   handle.drag_workshop.reset();
   handle.shown = {};  // until it is brought up
   Status status = follow(workshop.context, document, handle);

@@ -1,4 +1,6 @@
 #include <array>
+#include <cstdint>
+#include <limits>
 
 #include "options/tables.hpp"
 
@@ -9,6 +11,7 @@ namespace {
 
 constexpr std::uint64_t kLargestMemoryMib = std::uint64_t{1} << 24;
 constexpr double kLargestSeconds = 1e9;
+constexpr std::uint64_t kLargestTriangles = 1'000'000'000;
 static_assert(limits::kMemoryBytes >> 20 == 2048 && limits::kSeconds == 60, "the help says so");
 
 constexpr Option<Resources> kResourceOptions[] = {
@@ -45,7 +48,16 @@ static_assert(static_cast<int>(SimdLevel::avx512) == 2, "in the order of the wor
 
 constexpr Option<PictureSettings> kPictureOptions[] = {
     {{.key = "drags", .kind = ValueKind::flag, .calls = kSolve},
-     [](PictureSettings& s, const Value&) { s.expects_drags = true; }},
+     [](PictureSettings& s, const Value&) {
+       if (!s.drag_triangles) s.drag_triangles = std::numeric_limits<std::size_t>::max();
+     }},
+    {{.key = "drag-triangles",
+      .kind = ValueKind::whole,
+      .wholes = {0, kLargestTriangles},
+      .calls = kSolve},
+     [](PictureSettings& s, const Value& v) {
+       s.drag_triangles = static_cast<std::size_t>(v.whole);
+     }},
 };
 
 constexpr Option<LintSettings> kLintOptions[] = {

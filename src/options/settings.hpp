@@ -76,7 +76,7 @@ struct ContextSettings {
 
 /// Of a picture that the C interface keeps solved.
 struct PictureSettings {
-  bool expects_drags = false;  ///< Solution::expect_drags()
+  std::optional<std::size_t> drag_triangles{};  ///< Solution::expect_drags(), if given
 };
 
 /// Of a look for probable mistakes.

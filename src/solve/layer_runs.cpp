@@ -7,6 +7,7 @@
 #include "base/limit_error.hpp"
 #include "base/no_throw.hpp"
 #include "base/parallel.hpp"
+#include "solve/kept_layers.hpp"
 
 namespace sfumato::solve {
 namespace {
@@ -36,12 +37,12 @@ void SharedProgress::add(double done) {
 }
 
 LayerRuns::LayerRuns(Context& context, const Document& document, std::span<const LayerTask> tasks,
-                     const DiffuseOptions& options, bool keeps_refined)
+                     const DiffuseOptions& options, std::optional<std::size_t> most_kept)
     : context_(context),
       document_(document),
       tasks_(tasks),
       options_(options),
-      keeps_refined_(keeps_refined),
+      most_kept_(most_kept),
       progress_(context.progress, total_work()),
       first_failed_(task_count()) {}
 
@@ -59,7 +60,9 @@ double LayerRuns::total_work() const {
 Status LayerRuns::run() {
   Status status = make_tables();
   if (status && context_.thread_count() > 1) status = run_side_by_side();
-  return status && first_failed_ < task_count() ? run_one_by_one() : status;
+  if (status && first_failed_ < task_count()) status = run_one_by_one();
+  give_up_beyond();
+  return status;
 }
 
 Status LayerRuns::make_tables() {
@@ -111,6 +114,7 @@ Status LayerRuns::run_one_by_one() {
     runs_[i] = Run{{}, {}, {}, {}, runs_[i].told, false, false};
   for (std::uint32_t i = first_failed_; i < task_count(); ++i) {
     if (Status status = solve(i, false); !status) return status;
+    give_up_beyond();
   }
   return ok_status();
 }
@@ -131,15 +135,27 @@ Status LayerRuns::solve(std::uint32_t index, bool side_by_side) {
 }
 
 Result<PatchLayer> LayerRuns::solve_layer(std::uint32_t index, DiffuseStats& stats, SolveWay way) {
-  const auto& [layer, sight] = tasks_[index];
+  const auto& [layer, sight, last_drag] = tasks_[index];
   if (sight.viewport.empty() || document_.layers[layer].curves.empty()) return PatchLayer{};
-  const LayerUse use = keeps_refined_ ? LayerUse::drags : LayerUse::patches;
+  const LayerUse use = most_kept_ ? LayerUse::drags : LayerUse::patches;
   Result<PreparedLayer> prepared =
       prepare_layer(context_, document_, layer, sight, options_, &stats, use, way.side_by_side);
   if (!prepared) return prepared.status();
   runs_[index].is_prepared = true;
   LayerSolver solver(context_, std::move(*prepared), options_, &stats, {}, way);
-  return solver.solve(keeps_refined_ ? &runs_[index].refined : nullptr);
+  return solver.solve(most_kept_ ? &runs_[index].refined : nullptr);
+}
+
+/// Of what is kept, while no layer is being solved.
+void LayerRuns::give_up_beyond() {
+  if (!most_kept_) return;
+  std::vector<KeptLayer> kept;
+  for (std::uint32_t i = 0; i < runs_.size(); ++i) {
+    const Run& run = runs_[i];
+    if (run.refined) kept.push_back({i, tasks_[i].last_drag, run.layer.triangle_count()});
+  }
+  for (const std::uint32_t i : layers_beyond(std::move(kept), *most_kept_))
+    runs_[i].refined.reset();
 }
 
 void LayerRuns::add_to(DiffuseStats& stats) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -37,8 +38,9 @@ class SharedProgress {
 
 /// A layer to be solved.
 struct LayerTask {
-  std::uint32_t layer = 0;  ///< index into Document::layers
-  LayerSight sight{};       ///< sight_of_layer()
+  std::uint32_t layer = 0;      ///< index into Document::layers
+  LayerSight sight{};           ///< sight_of_layer()
+  std::uint64_t last_drag = 0;  ///< KeptLayer::last_drag
 };
 
 /// Solves layers of a document that validate() accepts.
@@ -49,10 +51,11 @@ struct LayerTask {
 /// one thread is enough for many. Any other failure is that of the first layer that fails.
 class LayerRuns {
  public:
-  /// tasks          in the order of their layers. What is referred to outlives this.
-  /// keeps_refined  keeps what take_refined() gives, which takes more memory
+  /// tasks      in the order of their layers. What is referred to outlives this.
+  /// most_kept  keeps what take_refined() gives, which takes more memory, of layers of so many
+  ///            triangles: layers_beyond(); on more than one thread of all until the end of run()
   LayerRuns(Context& context, const Document& document, std::span<const LayerTask> tasks,
-            const DiffuseOptions& options, bool keeps_refined = false);
+            const DiffuseOptions& options, std::optional<std::size_t> most_kept = {});
 
   /// Errors: limit, cancelled, out_of_memory.
   Status run();
@@ -89,6 +92,7 @@ class LayerRuns {
   Status run_one_by_one();
   Status solve(std::uint32_t index, bool side_by_side);
   Result<PatchLayer> solve_layer(std::uint32_t index, DiffuseStats& stats, SolveWay way);
+  void give_up_beyond();
   double work_of(std::uint32_t index) const;
   double total_work() const;
   std::uint32_t task_count() const { return static_cast<std::uint32_t>(tasks_.size()); }
@@ -97,7 +101,7 @@ class LayerRuns {
   const Document& document_;
   std::span<const LayerTask> tasks_;
   const DiffuseOptions& options_;
-  bool keeps_refined_;
+  std::optional<std::size_t> most_kept_;
   SharedProgress progress_;
   std::vector<Run> runs_;             ///< per task
   std::vector<std::uint32_t> order_;  ///< of tasks, the largest layer first

@@ -9,6 +9,7 @@
 
 #include "base/public_verb.hpp"
 #include "base/table_memory.hpp"
+#include "solve/kept_layers.hpp"
 #include "solve/layer_rows.hpp"
 #include "solve/rough.hpp"
 #include "solve/solution_state.hpp"
@@ -106,6 +107,8 @@ void Solution::State::carry_over(const Document& old, std::vector<LayerState> ne
     if (const auto same = find_same(old, i)) next[i] = std::exchange(layers[*same], {});
   }
   layers = std::move(next);
+  // Of a layer that is another one now: it is likely the one that is worked at.
+  last_drag.resize(layers.size());
 }
 
 /// Among the layers that are solved: at the same place from the front, from the back, or with the
@@ -133,7 +136,7 @@ Result<std::vector<LayerTask>> Solution::State::tasks(const Context& context, co
     LayerSight& sight = (*sights)[i];
     const bool is_done = goal == SolveGoal::exact ? layers[i].is_exact() : layers[i].is_solved();
     if (is_done && layers[i].sight == sight) continue;
-    tasks.push_back({i, std::move(sight)});
+    tasks.push_back({i, std::move(sight), drag_of(i)});
   }
   return tasks;
 }
@@ -150,7 +153,7 @@ Status Solution::State::solve(Context& context, const DiffuseOptions& wanted, So
   }
   const Box viewport = wanted.viewport.value_or(document.artboard);
   const auto run = [&](bool keeps) { return solve_layers(context, viewport, goal, stats, keeps); };
-  const bool keeps = goal == SolveGoal::exact && expects_drags && &context.budget == budget;
+  const bool keeps = goal == SolveGoal::exact && most_kept && &context.budget == budget;
   Status status = run_with_all_memory(run, keeps);
   const bool is_shown = std::ranges::all_of(
       layers, [](const LayerState& layer) { return layer.in_picture.has_value(); });
@@ -165,11 +168,52 @@ Status Solution::State::solve_layers(Context& context, const Box& viewport, Solv
   if (!to_solve || to_solve->empty()) return to_solve.status();
   for (const LayerTask& task : *to_solve) layers[task.layer].refined.reset();
   const DiffuseOptions how = goal == SolveGoal::exact ? *options : solve::roughly(*options);
-  solve::LayerRuns runs(context, document, *to_solve, how, keeps);
+  solve::LayerRuns runs(context, document, *to_solve, how, keeps ? most_kept : std::nullopt);
   Status status = runs.run();
   if (stats) runs.add_to(*stats);
   Status kept = keep(context, *to_solve, goal, runs);
+  give_up_beyond();
   return status ? kept : status;
+}
+
+/// Solves an exact layer of the picture once more, for what drags begin from.
+Status Solution::State::refine(Context& context, std::uint32_t layer) {
+  const solve::LayerTask task{layer, layers[layer].sight, last_drag[layer]};
+  const auto run = [&](bool keeps) {
+    if (!keeps) return ok_status();
+    solve::LayerRuns runs(context, document, {&task, 1}, *options, most_kept);
+    Status status = runs.run();
+    if (status) layers[layer].refined = runs.take_refined(0);
+    return status;
+  };
+  Status status = run_with_all_memory(run, true);
+  give_up_beyond();
+  return status;
+}
+
+/// The last one. Where there is one layer, it is the one to be dragged in.
+std::uint64_t Solution::State::drag_of(std::uint32_t layer) const {
+  const std::uint64_t least = layers.size() == 1 ? 1 : 0;
+  return std::max(last_drag[layer], least);
+}
+
+void Solution::State::note_drag(std::uint32_t layer) {
+  if (!most_kept) most_kept = kAllTriangles;
+  last_drag[layer] = ++drag_count;
+}
+
+/// What is kept for drags of more layers than are to be.
+void Solution::State::give_up_beyond() {
+  std::vector<solve::KeptLayer> kept;
+  for (std::uint32_t i = 0; i < layers.size(); ++i) {
+    const LayerState& layer = layers[i];
+    if (!layer.refined) continue;
+    const PatchLayer& patches = layer.fresh ? *layer.fresh : picture.layers[*layer.in_picture];
+    kept.push_back({i, drag_of(i), patches.triangle_count()});
+  }
+  const std::size_t most = most_kept.value_or(kAllTriangles);
+  for (const std::uint32_t i : solve::layers_beyond(std::move(kept), most))
+    layers[i].refined.reset();
 }
 
 /// What is kept for drags, or for their next frames. Returns whether there was any.
@@ -284,8 +328,8 @@ Status Solution::solve_roughly(Context& context, const DiffuseOptions& options,
       context, [&] { return state_->solve(context, options, State::SolveGoal::rough, stats); });
 }
 
-void Solution::expect_drags() {
-  state_->expects_drags = true;
+void Solution::expect_drags(std::size_t most_triangles) {
+  state_->most_kept = most_triangles;
 }
 
 Status Solution::begin_drag(Context& context, std::uint32_t layer, std::uint32_t curve) {

@@ -17,7 +17,6 @@ Status no_curve() {
 
 Status Solution::State::begin_drag(Context& context, std::uint32_t layer, std::uint32_t curve) {
   end_drag();
-  expects_drags = true;
   if (layer >= layers.size() || curve >= document.layers[layer].curves.size()) {
     return make_error(StatusCode::bad_input, "there is no such curve to drag");
   }
@@ -25,6 +24,7 @@ Status Solution::State::begin_drag(Context& context, std::uint32_t layer, std::u
   if (!options || !state.in_picture || frame_changed) {
     return make_error(StatusCode::bad_input, "the document is to be solved before a drag");
   }
+  note_drag(layer);
   Drag begun{layer, curve, &context.budget};
   if (!state.sight.views.empty()) {
     Status status = run_with_all_memory([&](bool) { return begin_engine(context, begun); });
@@ -39,7 +39,11 @@ Status Solution::State::begin_drag(Context& context, std::uint32_t layer, std::u
 Status Solution::State::begin_engine(Context& context, Drag& begun) {
   LayerState& layer = layers[begun.layer];
   std::optional<solve::RefinedLayer> none;
-  const bool is_known = &context.budget == budget && layer.refined;
+  const bool is_at_home = &context.budget == budget;
+  if (is_at_home && !layer.refined && layer.is_exact()) {
+    if (Status status = refine(context, begun.layer); !status) return status;
+  }
+  const bool is_known = is_at_home && layer.refined;
   Result<bool> is_costly = false;
   if (is_known) {
     is_costly = solve::LayerDrag::is_costly(context, *layer.refined, begun.curve);
@@ -203,7 +207,6 @@ Status Solution::State::show_frame(Context& context, solve::LayerDrag* maker,
 
 Status Solution::State::begin_color(Context& context, const StopPlace& place) {
   end_drag();
-  expects_drags = true;
   if (place.layer >= layers.size() ||
       !curves::has_stop(document.layers[place.layer].curves, place)) {
     return make_error(StatusCode::bad_input, "there is no such stop to be changed");
@@ -213,6 +216,7 @@ Status Solution::State::begin_color(Context& context, const StopPlace& place) {
     return make_error(StatusCode::bad_input,
                       "the document is to be solved before a colour changes");
   }
+  note_drag(place.layer);
   const bool is_at_home = &context.budget == budget;
   return run_with_all_memory([&](bool) {
     std::optional<solve::RefinedLayer> none;

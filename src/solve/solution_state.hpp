@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -27,6 +28,7 @@ struct Solution::State {
   using Drag = solve::DraggedCurve;
 
   static constexpr std::string_view kPurpose = "the solution of a document";
+  static constexpr std::size_t kAllTriangles = std::numeric_limits<std::size_t>::max();
 
   /// What is known of one of the document's layers.
   struct LayerState {
@@ -50,6 +52,7 @@ struct Solution::State {
       : document(std::move(d)),
         document_bytes(bytes_of(document)),
         layers(document.layers.size()),
+        last_drag(document.layers.size()),
         budget(&context.budget),
         held(context.budget) {}
 
@@ -73,7 +76,8 @@ struct Solution::State {
   PictureDelta delta;
   std::optional<Drag> drag;  ///< there is at most one of this and `coloring`
   std::optional<solve::ColorDrag> coloring;
-  bool expects_drags = false;  ///< solve() keeps what they begin from
+  /// solve() keeps what they begin from, for layers of so many triangles.
+  std::optional<std::size_t> most_kept{};
 
  private:
   /// At the end of its scope no more is charged than is held. While it lives, what was charged for
@@ -98,6 +102,10 @@ struct Solution::State {
   Status run_with_all_memory(const Work& work, bool keeps = false);
   Status solve_layers(Context& context, const Box& viewport, SolveGoal goal, DiffuseStats* stats,
                       bool keeps);
+  Status refine(Context& context, std::uint32_t layer);
+  std::uint64_t drag_of(std::uint32_t layer) const;
+  void note_drag(std::uint32_t layer);
+  void give_up_beyond();
   DiffuseOptions options_of(const LayerState& layer) const;
   Status begin_engine(Context& context, Drag& begun);
   Status begin_roomy(Context& context);
@@ -142,6 +150,8 @@ struct Solution::State {
   }
 
   std::vector<LayerState> layers;
+  std::vector<std::uint64_t> last_drag;  ///< of each layer: KeptLayer
+  std::uint64_t drag_count = 0;
   std::optional<DiffuseOptions> options;  ///< that the layers were solved with
   bool frame_changed = true;              ///< since the picture was made
   const Budget* budget;                   ///< of `held`, and of what is kept for drags

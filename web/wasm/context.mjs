@@ -136,6 +136,14 @@ export class SfumatoContext extends Handle {
   }
 
   /**
+   * Prepares a picture of a document as it is for quick ones in which this curve moves: the first of
+   * them comes as soon as the others.
+   */
+  expectDrag(picture, layer, curve) {
+    this.run("sfumato_expect_drag", picture.address, layer, curve);
+  }
+
+  /**
    * Draws a picture.
    * @param {SfumatoPicture} picture
    * @param {{width: number, height: number, format?: string}} image format: rgb8, rgba8 (that of

@@ -95,7 +95,11 @@ class Solution {
   /// given the Context of create(), which is charged for them: four to five times as much as for
   /// the picture. Where memory is scarce they are not kept, and what of this Solution lacks memory
   /// gives them up first. The first begin_drag() calls this.
-  void expect_drags();
+  ///
+  /// most_triangles   they are kept for layers that have no more in all: those that were dragged
+  ///                  last, then the largest ones; for the one that was dragged last, or is the
+  ///                  only one, in any case. That takes about 1 kB a triangle.
+  void expect_drags(std::size_t most_triangles = SIZE_MAX);
 
   /// Prepares a curve to be dragged: takes it off its layer. The picture stays as it is.
   ///
@@ -105,11 +109,11 @@ class Solution {
   ///
   /// Errors: bad_input (no such curve, or the last picture is not that of the document), limit,
   /// cancelled, out_of_memory. Cost: that of meshing the layer, and a gather of what sees the
-  /// curve, where solve() has kept what drags begin from and this Context is that of create();
-  /// otherwise that of solving the layer, roughly where the picture's layer is not that of solve():
-  /// its mesh is as coarse throughout the drag, then. So it is, too, where a hundredth of the
-  /// layer's mesh or more lies on the curve, as on an outline of many pieces: a frame would take
-  /// long on a fine one.
+  /// curve, where what drags begin from is kept and this Context is that of create(); otherwise
+  /// that of solving the layer besides, after which it is kept; roughly where the picture's layer
+  /// is not that of solve(): its mesh is as coarse throughout the drag, then. So it is, too, where
+  /// a hundredth of the layer's mesh or more lies on the curve, as on an outline of many pieces: a
+  /// frame would take long on a fine one.
   Status begin_drag(Context& context, std::uint32_t layer, std::uint32_t curve);
 
   /// Puts another curve in the place of the one that is dragged, in the document and in the
