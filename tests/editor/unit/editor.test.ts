@@ -1,5 +1,5 @@
 // The editor's state: what gestures show, what undo leads back to, what the engine is told.
-import { beforeEach, describe, expect, it } from "vitest";
+import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { DrawingEditor } from "../../../web/editor/src/app/editor.js";
 import type { Engine, QuickChange } from "../../../web/editor/src/engine/types.js";
 import type { Drawing, Outcome } from "../../../web/editor/src/model/types.js";
@@ -17,12 +17,16 @@ class NotedEngine {
   shown: { text: string; moving: boolean; quick: readonly QuickChange[] | undefined }[] = [];
   index = { serial: -1, curves: [] as Engine["index"]["curves"] };
   onPicture = () => {};
-  onStatus = () => {};
+  onStatus: Engine["onStatus"] = () => {};
   show(shown: string, moving: boolean, quick?: readonly QuickChange[]) {
     this.shown.push({ text: shown, moving, quick });
     return this.shown.length - 1;
   }
   look() {}
+  expected: (string | null)[] = [];
+  expect(place: { layer: number; curve: number } | null) {
+    this.expected.push(place && `${place.layer} ${place.curve}`);
+  }
   colors = async () => new Float32Array();
   free() {}
 
@@ -63,6 +67,41 @@ it("commands that are asked for before there are any are done in their order whe
   expect(done).toEqual(["a", "b"]);
   early.command("a");
   expect(done).toEqual(["a", "b", "a"]);
+});
+
+describe("the engine", () => {
+  const exact = () => engine.onStatus({ kind: "exact", milliseconds: 0 });
+  const rest = () => vi.advanceTimersByTime(200);
+  beforeEach(() => void vi.useFakeTimers());
+  afterEach(() => void vi.useRealTimers());
+
+  it("hears which curve the hand points at, or what is selected, once it rests there", () => {
+    exact();
+    editor.hovered.value = handleOf("a");
+    editor.hovered.value = handleOf("b");
+    expect(engine.expected).toEqual([]);
+    rest();
+    editor.selection.value = [{ handle: handleOf("a"), part: { kind: "whole" } }];
+    rest();
+    editor.hovered.value = null;
+    rest();
+    editor.selection.value = [];
+    rest();
+    expect(engine.expected).toEqual(["0 1", "0 1", "0 0", null]);
+  });
+
+  it("hears of it anew with each exact picture, and not before", () => {
+    editor.hovered.value = handleOf("a");
+    rest();
+    expect(engine.expected).toEqual([]);
+    exact();
+    rest();
+    engine.onStatus({ kind: "refining", milliseconds: 0 });
+    rest();
+    exact();
+    rest();
+    expect(engine.expected).toEqual(["0 0", "0 0"]);
+  });
 });
 
 describe("gestures", () => {

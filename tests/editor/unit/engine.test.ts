@@ -103,21 +103,26 @@ async function expectSolved(page: Page, text: string, width: number) {
   });
 }
 
-/** A host that notes in `exact` by which worker, from 1, each exact picture is made. */
+/** A host that notes by which worker, from 1, each exact picture and each quick one is made. */
 function watchedHost() {
   const host = localHost();
   const exact: number[] = [];
+  const quick: number[] = [];
+  /** Layer and curve of drags that are begun beforehand. */
+  const expected: string[] = [];
   const worker = () => {
     const made = host.worker();
     const number = host.workers;
     const post = made.postMessage.bind(made);
-    made.postMessage = (message: { given: { way?: { kind: string } }[] }) => {
+    made.postMessage = (message: { name: string; given: { way?: { kind: string } }[] }) => {
+      if (message.name === "expect") expected.push(message.given.join(" "));
       if (message.given[0]?.way?.kind === "exact") exact.push(number);
+      if (message.given[0]?.way?.kind === "quick") quick.push(number);
       post(message);
     };
     return made;
   };
-  return { host: { ...host, worker }, exact };
+  return { host: { ...host, worker }, exact, quick, expected };
 }
 
 const ways = [
@@ -156,6 +161,50 @@ describe.skipIf(!hasModule).each(ways)("the engine $way", ({ mostInFront }) => {
     page.show(drawing(90), false, [pointsFor(90)]);
     await page.exact();
     await expectSolved(page, drawing(90), 512);
+  });
+
+  it("goes on with a drag in the worker where it began, after a pause with an exact picture", async () => {
+    const { host, exact, quick } = watchedHost();
+    open(host);
+    page.show(drawing(70), false);
+    await page.exact();
+    await page.until(() => new Set(exact).size === (mostInFront === 0 ? 2 : 1));
+    quick.length = exact.length = 0;
+    page.show(drawing(75), true, [pointsFor(75)]);
+    await page.exact();
+    await expectSolved(page, drawing(75), 512);
+    page.show(drawing(80), true, [pointsFor(80)]);
+    await page.until(() => page.statuses.at(-1)?.kind === "refining" && quick.length > 1);
+    page.show(drawing(90), false, [pointsFor(90)]);
+    await page.exact();
+    await expectSolved(page, drawing(90), 512);
+    expect(new Set(quick).size).toBe(1);
+    if (mostInFront === 0) expect(exact[0]).not.toBe(quick[0]);
+  });
+
+  it("begins the drag that is expected while nothing else is to be done", async () => {
+    const { host, expected } = watchedHost();
+    open(host);
+    page.engine.expect({ layer: 0, curve: 1 });
+    page.show(drawing(70), false);
+    await page.exact();
+    await page.until(() => expected.length === 1);
+    // It is busy with that; the latest one follows.
+    page.engine.expect({ layer: 1, curve: 0 });
+    page.engine.expect({ layer: 0, curve: 0 });
+    await page.until(() => expected.length === 2);
+    const { updates } = page;
+    page.engine.expect({ layer: 9, curve: 9 });
+    await page.until(() => expected.length === 3);
+    page.engine.expect(null);
+    expect(page.updates).toBe(updates);
+    expect(expected).toEqual(["0 1", "0 0", "9 9"]);
+    page.show(drawing(90), true, [pointsFor(90)]);
+    page.engine.expect({ layer: 0, curve: 1 });
+    page.show(drawing(90), false, []);
+    await page.exact();
+    await expectSolved(page, drawing(90), 512);
+    await page.until(() => expected.length === 4);
   });
 
   it("sends nothing of layers that stay, and no stack that is as it was", async () => {

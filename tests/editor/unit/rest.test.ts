@@ -22,4 +22,13 @@ describe("a hand that rests", () => {
     expect(held).toBeGreaterThan(rest.afterChange(false, 100));
     expect(rest.again(true)).toBe(held);
   });
+
+  it("is waited for longer yet where it would be held up", () => {
+    const rest = new Rest();
+    const held = rest.afterChange(true, 1000);
+    const left = rest.left(1000 + held);
+    expect(left).toBeGreaterThan(held);
+    expect(rest.left(1000 + held + left)).toBe(0);
+    expect(rest.left(9000)).toBe(0);
+  });
 });

@@ -16,6 +16,7 @@ import type {
 import type { Patch } from "../source/patch.js";
 import { isWorthTelling } from "../model/lint-worth.js";
 import { united } from "./changes.js";
+import { expectDrags } from "./expected.js";
 import { LiveGesture } from "./gesture.js";
 import { History, type HistoryLog, type Places } from "./history.js";
 import { openSettings } from "./settings.js";
@@ -93,6 +94,7 @@ export class DrawingEditor implements Editor {
     this.navigation = new Navigation(this);
     effect(() => this.#keepFitted());
     effect(() => this.#look());
+    expectDrags(this, (handle) => this.#engineCurves(handle)[0] ?? null);
   }
 
   get drawing(): Drawing {

@@ -11,6 +11,7 @@ import { EngineError } from "./rpc.js";
 import { Seat, type Host } from "./seat.js";
 import type { GivenImage, LintReport, Solved, SolveOptions, Way } from "./session.js";
 import type {
+  CurvePlace,
   Engine,
   EngineCurve,
   EngineStatus,
@@ -28,6 +29,8 @@ const VIEW_REST = 400;
 const MOST_ROUNDS = 120;
 /** Triangles that the front seat solves exactly itself: a hand that goes on waits for it. */
 const MOST_IN_FRONT = 20_000;
+/** The same while a hand only holds still. */
+const MOST_HELD = 3_000;
 
 /** The text that is to be seen. */
 interface Wanted {
@@ -70,6 +73,7 @@ export class WorkerEngine implements Engine {
   /** Told of each picture. */
   #onShown: () => void = () => {};
   readonly #rest = new Rest();
+  #expected: CurvePlace | null = null;
   #seatCount = 0;
   #isFree = false;
 
@@ -166,6 +170,8 @@ export class WorkerEngine implements Engine {
   }
 
   #solve(seat: Seat, way: Way, options: SolveOptions): Promise<Solved> {
+    seat.isExact = way.kind === "exact";
+    seat.expected = null;
     return seat.link.call<Solved>("solve", {
       way,
       options,
@@ -200,18 +206,32 @@ export class WorkerEngine implements Engine {
 
   async #settle(): Promise<void> {
     if (this.#isSettling || !this.#isSettleWanted) return;
+    // A hand that holds still within a drag goes on at any time.
+    const wait = this.#wouldHoldUp ? this.#rest.left() : 0;
+    if (wait > 0) return this.#settleAfter(wait);
     this.#isSettling = true;
     const [seat, options] = [this.#front, this.#options];
-    if (await this.#isLittle(seat, options)) await this.#settleInFront(seat, options);
+    if (await this.#isForFront(seat, options)) await this.#settleInFront(seat, options);
     else await this.#settleInBack();
     this.#isSettling = false;
     if (this.#isSettleWanted) this.#settleAfter(this.#rest.again(this.#wanted.moving));
+    else void this.#prepare();
+  }
+
+  /** Whether a hand that goes on would wait for the exact picture, which no other seat can make soon. */
+  get #wouldHoldUp(): boolean {
+    return this.#wanted.moving && !this.#isBackNeeded && this.#unsettled > MOST_HELD;
+  }
+
+  async #isForFront(seat: Seat, options: SolveOptions): Promise<boolean> {
+    if (!sameOptions(seat.exactFor, options)) return false;
+    // The drag goes on in the front seat from where it began.
+    if (this.#wanted.moving) return !this.#isBackNeeded;
+    return this.#isLittle();
   }
 
   /** Whether the front seat has made exact all but a little, which the first frame of a text tells. */
-  async #isLittle(seat: Seat, options: SolveOptions): Promise<boolean> {
-    // A hand that holds still within a drag goes on at any time.
-    if (this.#wanted.moving || !sameOptions(seat.exactFor, options)) return false;
+  async #isLittle(): Promise<boolean> {
     if (this.#frames && this.#shownSerial !== this.#wanted.serial) {
       const shown = new Promise<void>((resolve) => (this.#onShown = resolve));
       await Promise.race([this.#frames, shown]);
@@ -273,6 +293,15 @@ export class WorkerEngine implements Engine {
       solved = { ...(await this.#solve(seat, { kind: "exact" }, options)), milliseconds };
     }
     if (this.#wanted !== wanted) return;
+    if (wanted.moving && sameOptions(this.#front.exactFor, options)) {
+      seat.exactFor = options;
+      this.#publishExact(solved, wanted, options);
+    } else {
+      this.#exchange(seat, solved, wanted, options);
+    }
+  }
+
+  #exchange(seat: Seat, solved: Solved, wanted: Wanted, options: SolveOptions) {
     this.#back = this.#front;
     this.#front = seat;
     seat.exactFor = options;
@@ -327,6 +356,28 @@ export class WorkerEngine implements Engine {
     seat.end();
     if (seat === this.#back) this.#back = null;
     else this.#front = this.#newSeat();
+  }
+
+  // What is going to be dragged.
+
+  expect(curve: CurvePlace | null): void {
+    this.#expected = curve;
+    void this.#prepare();
+  }
+
+  /** Has the front seat begin the drag while it has nothing else to do. */
+  async #prepare(): Promise<void> {
+    const [seat, curve] = [this.#front, this.#expected];
+    const isIdle = !this.#frames && !this.#isSettling && !this.#isSettleWanted && !seat.link.isBusy;
+    if (!curve || !isIdle || !seat.isExact || samePlace(seat.expected, curve)) return;
+    seat.expected = curve;
+    try {
+      await seat.link.call("expect", curve.layer, curve.curve);
+    } catch {
+      // The drag itself says what is wrong.
+      return;
+    }
+    void this.#prepare();
   }
 
   // Questions about the text that is shown.
@@ -384,6 +435,8 @@ export class WorkerEngine implements Engine {
     this.#back?.end();
   }
 }
+
+const samePlace = (a: CurvePlace | null, b: CurvePlace) => a?.layer === b.layer && a.curve === b.curve;
 
 function sameOptions(a: SolveOptions | null, b: SolveOptions): boolean {
   return JSON.stringify(a) === JSON.stringify(b);

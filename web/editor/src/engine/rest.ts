@@ -3,6 +3,8 @@
 const REST = 120;
 /** While a gesture is not over: a colour picker that is open, a hand that holds still. */
 const HELD = 600;
+/** The same where the exact picture would hold up a hand that goes on. */
+const LONG = 2500;
 /** What comes after so long is a change by itself, and is made exact at once. */
 const ALONE = 600;
 
@@ -14,6 +16,11 @@ export class Rest {
     const isAlone = !moving && now - this.#last > ALONE;
     this.#last = now;
     return isAlone ? 0 : this.again(moving);
+  }
+
+  /** How much of a long rest is left. */
+  left(now = performance.now()): number {
+    return Math.max(0, this.#last + LONG - now);
   }
 
   /** After a picture that was not the last. */

@@ -1,7 +1,7 @@
 // A worker, and what it has of the text.
 import { Link } from "./rpc.js";
 import type { GivenImage, ReadResult, SolveOptions } from "./session.js";
-import type { EngineCurve, QuickChange } from "./types.js";
+import type { CurvePlace, EngineCurve, QuickChange } from "./types.js";
 import { en } from "../strings/en.js";
 
 const words = en.engine;
@@ -45,6 +45,10 @@ export class Seat {
   curves: readonly EngineCurve[] = [];
   /** The options that it has made an exact picture for; null: none. */
   exactFor: SolveOptions | null = null;
+  /** Whether its last picture is exact. */
+  isExact = false;
+  /** The curve whose drag it has begun since. */
+  expected: CurvePlace | null = null;
   #imageCount = 0;
 
   /** @param name tells its stamps from others' */
@@ -78,6 +82,7 @@ export class Seat {
       if (changes.length > 0) await this.link.call("change", changes);
       this.isChanged ||= changes.length > 0;
     } else {
+      this.expected = null;
       const { curves } = await this.link.call<ReadResult>("read", text);
       this.curves = curves;
       this.readSerial = serial;

@@ -18,6 +18,7 @@ export function serve(scope: MessageEndpoint): void {
       const solved = session.solve(wish);
       return new Handed(solved, buffersOf(solved.layers));
     },
+    expect: (layer: number, curve: number) => session.expect(layer, curve),
     colors(layer: number, xy: Float64Array) {
       const colors = session.colors(layer, xy);
       return new Handed(colors, [colors.buffer as ArrayBuffer]);

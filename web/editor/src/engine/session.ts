@@ -22,6 +22,9 @@ import {
 } from "./tables.js";
 import type { EngineCurve, LayerUpdate, QuickChange, RasterWish } from "./types.js";
 
+/** Drags begin at once in layers of so many in all, those that were dragged last: 1 kB each. */
+const DRAG_TRIANGLES = 8_000;
+
 /** An image that a document names or holds: its file's bytes, and its pixels. */
 export interface GivenImage {
   readonly href: string;
@@ -196,7 +199,7 @@ export class Session {
 
   /** A picture to go on from: for a quick one that of an empty drawing, so that all is rough. */
   #begun(way: Way, options: SolveOptions): SfumatoPicture {
-    const solving = { ...options, drags: true };
+    const solving = { ...options, "drag-triangles": DRAG_TRIANGLES };
     if (way.kind === "exact") return this.#context.solve(this.#read(), solving);
     const empty = this.#context.newDocument({ artboard: this.#read().artboard.join(",") });
     try {
@@ -225,6 +228,11 @@ export class Session {
       updates.push(layerUpdate(picture, layer, isWhole, origins));
     }
     return updates;
+  }
+
+  /** The curve that is to be dragged next, of a picture that is exact. */
+  expect(layer: number, curve: number): void {
+    if (this.#shown) this.#context.expectDrag(this.#shown.picture, layer, curve);
   }
 
   #stackOf(picture: SfumatoPicture) {

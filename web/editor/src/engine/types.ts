@@ -11,10 +11,13 @@ export type EngineStatus =
   /** WebAssembly or workers are missing, or memory is out. */
   | { readonly kind: "failed"; readonly reason: string };
 
-/** A curve as the engine counts them. */
-export interface EngineCurve {
+/** Where a curve is, as the engine counts them. */
+export interface CurvePlace {
   readonly layer: number;
   readonly curve: number;
+}
+
+export interface EngineCurve extends CurvePlace {
   /** Where its element's `<` stands in the text, UTF-16 units; which of its subpaths. */
   readonly offset: number;
   readonly subpath: number;
@@ -73,6 +76,8 @@ export interface Engine {
   show(text: string, moving: boolean, quick?: readonly QuickChange[]): number;
   /** CSS pixels times the device's ratio to an artboard unit, and what is seen: how fine is enough. */
   look(pixelsPerUnit: number, seen: Box, artboard: Box): void;
+  /** The curve that the hand is about to move, as `index` has it: the first frame of its drag comes sooner. */
+  expect(curve: CurvePlace | null): void;
   /** Of the library; "" until it has started. */
   readonly version: string;
   /** The last text that was read: its number, and its curves; changes of curves since leave both. */
