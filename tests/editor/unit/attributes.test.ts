@@ -212,6 +212,9 @@ test("the radius of a local curve is set, and does not go", () => {
   expect(attributes(d, setRadius(d, h, numbers(1, 14, 3)))).toBe(
     'sf:left="red" sf:radius="1, 14 50%, 3"',
   );
+  expect(attributes(d, setRadius(d, h, numbers(0, 2)))).toBe('sf:left="red" sf:radius="0, 2"');
+  // Without any radius the whole drawing could not be read.
+  expect(attributes(d, setRadius(d, h, numbers(0, 0)))).toMatch(/^sf:left="red" sf:radius="\.001, \.001"$/);
   expect(setRadius(d, h, OPEN)).toBeNull();
   const of = curve("");
   expect(setRadius(of.d, of.h, numbers(1))).toBeNull();

@@ -17,6 +17,10 @@ import { stageFromArtboard, type Navigation } from "../app/view.js";
 /** Nodes are shown of so many selected curves at most: more would hide the picture. */
 const MOST_WITH_NODES = 24;
 
+/** Coordinates that are larger no reader of ours takes (docs/limits.md, kCoordinate): half of them, artboard units. */
+const MOST = 5e6;
+const held = (value: number) => Math.min(Math.max(value, -MOST), MOST);
+
 export class Canvas {
   readonly sketch: Signal<Sketch> = signal(NO_SKETCH);
   readonly marks: ReadonlySignal<readonly Mark[]>;
@@ -44,9 +48,11 @@ export class Canvas {
     return mapped(this.stageFromArtboard(), point);
   }
 
+  /** Where the hand is, as far out as a file may say. */
   toArtboard(point: Point): Point {
     const back = inverted(this.stageFromArtboard());
-    return back ? mapped(back, point) : point;
+    const [x, y] = back ? mapped(back, point) : point;
+    return [held(x), held(y)];
   }
 
   /** A vector of the artboard in an item's coordinates. */

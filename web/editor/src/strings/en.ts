@@ -412,7 +412,7 @@ const panels = {
   setBlend: "change blend mode",
   visible: "Visible",
   locked: "Locked",
-  neverExported: "The photo is exported only if you ask for it.",
+  neverExported: "Exported only if you ask for it.",
   showOrHide: "show or hide",
   lockOrUnlock: "lock or unlock",
   sampling: "Taking colours",

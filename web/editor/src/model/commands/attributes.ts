@@ -5,6 +5,7 @@ import type { Edit } from "../../source/patch.js";
 import { COLORS, RADII, readSide, SHARES, sideText } from "../../source/stops.js";
 import type { Notation } from "../../source/stops.js";
 import type { CurveItem, Drawing, Handle, Outcome, Side, SideValue } from "../types.js";
+import { finestStep } from "./mapping.js";
 import { outcomeOf, together } from "./together.js";
 
 function curveOf(d: Drawing, handle: Handle): CurveItem | null {
@@ -130,11 +131,14 @@ export function setBoth(
   return outcomeOf(edits);
 }
 
-/** Radii of influence of a local curve; it has some. */
+/** Radii of influence of a local curve; it has some: with none the drawing could not be read. */
 export function setRadius(d: Drawing, h: Handle, to: SideValue<number>): Outcome | null {
   const item = curveOf(d, h);
   if (item?.kind !== "stroke" || to.kind !== "stops") return null;
-  return outcomeOf(write(d, item, "radius", to, item.radius, RADII, tidyNumber));
+  const least = 100 * finestStep(d);
+  const isSomewhere = to.stops.some(({ value }) => value >= least);
+  const held = isSomewhere ? to : { ...to, stops: to.stops.map((stop) => ({ ...stop, value: least })) };
+  return outcomeOf(write(d, item, "radius", held, item.radius, RADII, tidyNumber));
 }
 
 /** sf:alpha of local curves, sf:weight of diffusion curves; null takes it away. */

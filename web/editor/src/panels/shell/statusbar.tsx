@@ -25,6 +25,9 @@ function ToolHint() {
 function HintsButton() {
   const { editor } = useShell();
   const count = editor.hints.value.length;
+  const isUnread = editor.status.value.kind === "problem" || editor.status.value.kind === "failed";
+  // Nobody has looked for hints in what cannot be drawn.
+  if (count === 0 && isUnread) return null;
   return (
     <button
       type="button"
