@@ -173,6 +173,7 @@ describe.skipIf(!hasModule).each(ways)("the engine $way", ({ mostInFront }) => {
     page.show(drawing(75), true, [pointsFor(75)]);
     await page.exact();
     await expectSolved(page, drawing(75), 512);
+    expect(page.engine.index.serial, "curves are counted as when the hand began").toBe(0);
     page.show(drawing(80), true, [pointsFor(80)]);
     await page.until(() => page.statuses.at(-1)?.kind === "refining" && quick.length > 1);
     page.show(drawing(90), false, [pointsFor(90)]);

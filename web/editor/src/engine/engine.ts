@@ -261,7 +261,9 @@ export class WorkerEngine implements Engine {
   async #settleFront(seat: Seat, wanted: Wanted, options: SolveOptions): Promise<void> {
     try {
       // Numbers of its curves are asked for by the text that rests.
-      if (seat.readSerial !== wanted.serial || seat.isChanged) await this.#bring(seat, wanted, null);
+      if (seat.readSerial !== wanted.serial || seat.isChanged) {
+        await seat.bring(wanted.text, wanted.serial, null, this.#images, wanted.moving);
+      }
       const solved = await this.#solve(seat, { kind: "exact" }, options);
       if (this.#wanted === wanted) this.#publishExact(solved, wanted, options);
     } catch (error) {

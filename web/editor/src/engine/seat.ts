@@ -65,7 +65,8 @@ export class Seat {
   }
 
   /**
-   * Makes its document that of a text, by changes where these are known.
+   * Makes its document that of a text, by changes where these are known. After changes of curves alone
+   * the text of a hand that moves has its curves in the same order: they are counted as before.
    * @throws EngineError; the document is as before then
    */
   async bring(
@@ -73,6 +74,7 @@ export class Seat {
     serial: number,
     changes: readonly QuickChange[] | null,
     images: readonly GivenImage[],
+    moving = false,
   ): Promise<void> {
     if (this.#imageCount < images.length) {
       await this.link.call("addImages", images.slice(this.#imageCount));
@@ -84,8 +86,10 @@ export class Seat {
     } else {
       this.expected = null;
       const { curves } = await this.link.call<ReadResult>("read", text);
-      this.curves = curves;
-      this.readSerial = serial;
+      if (!(moving && this.isChanged)) {
+        this.curves = curves;
+        this.readSerial = serial;
+      }
       this.isChanged = false;
     }
     this.serial = serial;
