@@ -247,7 +247,10 @@ describe.skipIf(!hasModule).each(ways)("the engine $way", ({ mostInFront }) => {
     await page.exact();
     await page.until(() => host.living === (mostInFront === 0 ? 2 : 1));
     await page.engine.lint();
-    await new Promise((resolve) => setTimeout(resolve, 400));
+    await page.engine.lint();
+    expect(host.workers, "one for both looks").toBeLessThan(4);
+    expect(host.living).toBe(2);
+    await new Promise((resolve) => setTimeout(resolve, 5000));
     expect(host.living).toBe(mostInFront === 0 ? 2 : 1);
     page.show(drawing(80), false);
     await page.exact();

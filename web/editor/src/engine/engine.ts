@@ -25,6 +25,8 @@ import type {
 const FRAME_SECONDS = 0.004;
 /** How long the view must rest before finer chords are, milliseconds. */
 const VIEW_REST = 400;
+/** How long a seat that has looked for hints stays for the next look: it is long to start, milliseconds. */
+const SPARE = 4000;
 /** Frames that go on with what waits, one after another. */
 const MOST_ROUNDS = 120;
 /** Triangles that the front seat solves exactly itself: a hand that goes on waits for it. */
@@ -66,6 +68,7 @@ export class WorkerEngine implements Engine {
   /** Whether the exact picture waits for the frames to end. */
   #isExactReady = false;
   #timer = 0;
+  #dismissal = 0;
   /** As the front seat's last answer had it. */
   #unsettled = Infinity;
   /** As the last exact picture had it. */
@@ -331,6 +334,10 @@ export class WorkerEngine implements Engine {
     this.#back = null;
   }
 
+  #dismissSpare() {
+    if (!this.#isSettling && !this.#isBackNeeded) this.#dismissBack();
+  }
+
   /** Has the back seat make once what its next exact pictures differ from by an edit alone. */
   async #warm(seat: Seat, wanted: Wanted, options: SolveOptions): Promise<void> {
     await seat.ready;
@@ -420,7 +427,8 @@ export class WorkerEngine implements Engine {
     await seat.ready;
     if (seat.serial !== wanted.serial || seat.isChanged) await this.#bring(seat, wanted, null);
     const report = await seat.link.call<LintReport>("lint");
-    if (seat === this.#back && !this.#isSettling && !this.#isBackNeeded) this.#dismissBack();
+    clearTimeout(this.#dismissal);
+    this.#dismissal = setTimeout(() => this.#dismissSpare(), SPARE) as never;
     return this.#wanted === wanted ? hintsOf(report, seat.curves) : null;
   }
 
@@ -433,6 +441,7 @@ export class WorkerEngine implements Engine {
   free(): void {
     this.#isFree = true;
     clearTimeout(this.#timer);
+    clearTimeout(this.#dismissal);
     this.#front.end();
     this.#back?.end();
   }
