@@ -4,6 +4,7 @@
 // twice the memory.
 import type { Box } from "../geometry/affine.js";
 import { detailFor, type Detail } from "./detail.js";
+import { Expected } from "./expected.js";
 import { hintsOf } from "./hints.js";
 import { Pending } from "./pending.js";
 import { Rest } from "./rest.js";
@@ -76,7 +77,7 @@ export class WorkerEngine implements Engine {
   /** Told of each picture. */
   #onShown: () => void = () => {};
   readonly #rest = new Rest();
-  #expected: CurvePlace | null = null;
+  readonly #expected = new Expected(() => this.#idleSeat);
   #seatCount = 0;
   #isFree = false;
 
@@ -218,7 +219,7 @@ export class WorkerEngine implements Engine {
     else await this.#settleInBack();
     this.#isSettling = false;
     if (this.#isSettleWanted) this.#settleAfter(this.#rest.again(this.#wanted.moving));
-    else void this.#prepare();
+    else void this.#expected.prepare();
   }
 
   /** Whether a hand that goes on would wait for the exact picture, which no other seat can make soon. */
@@ -370,23 +371,14 @@ export class WorkerEngine implements Engine {
   // What is going to be dragged.
 
   expect(curve: CurvePlace | null): void {
-    this.#expected = curve;
-    void this.#prepare();
+    this.#expected.set(curve);
   }
 
-  /** Has the front seat begin the drag while it has nothing else to do. */
-  async #prepare(): Promise<void> {
-    const [seat, curve] = [this.#front, this.#expected];
-    const isIdle = !this.#frames && !this.#isSettling && !this.#isSettleWanted && !seat.link.isBusy;
-    if (!curve || !isIdle || !seat.isExact || samePlace(seat.expected, curve)) return;
-    seat.expected = curve;
-    try {
-      await seat.link.call("expect", curve.layer, curve.curve);
-    } catch {
-      // The drag itself says what is wrong.
-      return;
-    }
-    void this.#prepare();
+  /** The front seat, if it can prepare for what comes. */
+  get #idleSeat(): Seat | null {
+    const seat = this.#front;
+    const isBusy = this.#frames !== null || this.#isSettling || this.#isSettleWanted || seat.link.isBusy;
+    return isBusy || !seat.isExact ? null : seat;
   }
 
   // Questions about the text that is shown.
@@ -446,8 +438,6 @@ export class WorkerEngine implements Engine {
     this.#back?.end();
   }
 }
-
-const samePlace = (a: CurvePlace | null, b: CurvePlace) => a?.layer === b.layer && a.curve === b.curve;
 
 function sameOptions(a: SolveOptions | null, b: SolveOptions): boolean {
   return JSON.stringify(a) === JSON.stringify(b);
