@@ -29,6 +29,6 @@ describe("a hand that rests", () => {
     const left = rest.left(1000 + held);
     expect(left).toBeGreaterThan(held);
     expect(rest.left(1000 + held + left)).toBe(0);
-    expect(rest.left(9000)).toBe(0);
+    expect(rest.left(20_000)).toBe(0);
   });
 });

@@ -4,7 +4,7 @@ const REST = 120;
 /** While a gesture is not over: a colour picker that is open, a hand that holds still. */
 const HELD = 600;
 /** The same where the exact picture would hold up a hand that goes on. */
-const LONG = 2500;
+const LONG = 10_000;
 /** What comes after so long is a change by itself, and is made exact at once. */
 const ALONE = 600;
 
