@@ -31,7 +31,7 @@ const DRAWINGS: Readonly<Record<string, string>> = {
   empty: open("", 'viewBox="0 0 100 100"'),
   "one pixel": open(curves(0.01), 'width="1" height="1" viewBox="0 0 1 1"'),
   tiny: open(curves(1e-8), 'viewBox="0 0 1e-6 1e-6"'),
-  large: open(curves(1e3), 'viewBox="0 0 1e5 1e5"'),
+  large: open(curves(1e4), 'viewBox="0 0 1e6 1e6"'),
   "far away": open(`<g transform="translate(1000000 -2000000)">${curves(1)}</g>`, 'viewBox="1000000 -2000000 100 100"'),
   "of another system": `\ufeff<?xml version="1.0"?>\r\n${open(`\r\n\t<!-- x -->\r\n\t${curves(1)}\r\n`, 'viewBox="0 0 100 100"')}\r\n`,
   "of uses of uses": open(
@@ -102,7 +102,7 @@ class Hand {
     const { random, canvas } = this;
     const marks = canvas.marks.peek();
     if (marks.length > 0 && random.chance(0.4)) return random.pick(marks).at;
-    return random.chance(0.05) ? random.point(3000) : [random.between(0, WIDTH), random.between(0, HEIGHT)];
+    return random.chance(0.05) ? random.point(1e5) : [random.between(0, WIDTH), random.between(0, HEIGHT)];
   }
 
   private moment(at: Point, keys: Pick<StagePointer, "shift" | "alt" | "ctrl">, more: Partial<StagePointer> = {}): StagePointer {

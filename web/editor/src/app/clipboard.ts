@@ -1,5 +1,6 @@
 // Copy and paste as SVG text: by the browser's own events, which need no permission, and by menus.
 import { copyItems, deleteItems, paste } from "../model/commands/index.js";
+import type { Handle } from "../model/types.js";
 import { SourceError } from "../source/tree.js";
 import { en } from "../strings/en.js";
 import type { DrawingEditor } from "./editor.js";
@@ -24,12 +25,20 @@ export function cutSelection(editor: DrawingEditor): string {
 
 export function pasteText(editor: DrawingEditor, text: string): void {
   try {
-    const into = editor.activeLayer?.handle ?? null;
-    if (!editor.run(en.commands.paste, paste(editor.drawing, text, into))) editor.say(en.commands.nothingToPaste);
+    if (!pasteInto(editor, text, editor.activeLayer?.handle ?? null)) editor.say(en.commands.nothingToPaste);
   } catch (error) {
     if (!(error instanceof SourceError)) throw error;
     editor.say(en.commands.nothingToPaste);
   }
+}
+
+/** What may not be there, as an instance within what it copies, is put on top of all. Returns whether there is any. */
+function pasteInto(editor: DrawingEditor, text: string, layer: Handle | null): boolean {
+  const outcome = paste(editor.drawing, text, layer);
+  if (!outcome) return false;
+  if (editor.run(en.commands.paste, outcome) || layer === null) return true;
+  if (editor.run(en.commands.paste, paste(editor.drawing, text, null))) editor.toast.value = null;
+  return true;
 }
 
 /** For menus and keys: the clipboard may be asked for by the browser, or refused. */

@@ -13,7 +13,9 @@ import type {
   Part,
   Selection,
 } from "../model/types.js";
-import type { Patch } from "../source/patch.js";
+import { faultOf } from "../model/faults.js";
+import { inverse, type Patch } from "../source/patch.js";
+import { en } from "../strings/en.js";
 import { isWorthTelling } from "../model/lint-worth.js";
 import { united } from "./changes.js";
 import { expectDrags } from "./expected.js";
@@ -147,8 +149,24 @@ export class DrawingEditor implements Editor {
     this.#endGesture();
     const before = this.#places();
     const change = this.#drawing.apply(outcome.patch);
+    if (this.#refuses(change, outcome.patch)) return false;
     this.#record(label, outcome, before, merge);
     this.#changed(change, false);
+    return true;
+  }
+
+  /** Takes an edit back after which nobody could draw the drawing, and says why; whether it was one. */
+  #refuses(change: Change, patch: Patch): boolean {
+    const fault = faultOf(this.#drawing, change);
+    if (fault === null) return false;
+    const back = this.#drawing.apply(inverse(patch));
+    if (faultOf(this.#drawing, back) !== null) {
+      // So it was before.
+      this.#drawing.apply(patch);
+      return false;
+    }
+    this.say(en.commands.faults[fault]);
+    this.#changed(united([change, back]), false);
     return true;
   }
 
@@ -180,8 +198,8 @@ export class DrawingEditor implements Editor {
       drawing: this.#drawing,
       apply: (patch: Patch) => this.#drawing.apply(patch),
       changed: (changes, moving) => this.#changed(united(changes), moving),
-      keep: (outcome) => {
-        if (!this.#mayEdit()) return;
+      keep: (outcome, change) => {
+        if (!this.#mayEdit() || this.#refuses(change, outcome.patch)) return;
         this.#record(label, outcome, before, "");
         this.#changed({ isStructural: false, touched: new Map() }, false);
       },

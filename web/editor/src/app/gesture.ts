@@ -9,13 +9,13 @@ export interface GestureHost {
   apply(patch: Patch): Change;
   /** Shows what changed: between two looks, and whether the hand still moves. */
   changed(changes: readonly Change[], moving: boolean): void;
-  /** Keeps the patch as one step of undo. */
-  keep(outcome: Outcome): void;
+  /** Keeps the patch, which made this change, as one step of undo. */
+  keep(outcome: Outcome, change: Change): void;
 }
 
 export class LiveGesture implements Gesture {
   #host: GestureHost;
-  #outcome: Outcome | null = null;
+  #shown: { readonly outcome: Outcome; readonly change: Change } | null = null;
   isOver = false;
 
   constructor(host: GestureHost) {
@@ -27,8 +27,9 @@ export class LiveGesture implements Gesture {
     const changes = this.#takeBack();
     const outcome = make(this.#host.drawing);
     if (outcome && outcome.patch.length > 0) {
-      changes.push(this.#host.apply(outcome.patch));
-      this.#outcome = outcome;
+      const change = this.#host.apply(outcome.patch);
+      changes.push(change);
+      this.#shown = { outcome, change };
     }
     this.#host.changed(changes, true);
   }
@@ -36,7 +37,7 @@ export class LiveGesture implements Gesture {
   keep(): void {
     if (this.isOver) return;
     this.isOver = true;
-    if (this.#outcome) this.#host.keep(this.#outcome);
+    if (this.#shown) this.#host.keep(this.#shown.outcome, this.#shown.change);
     else this.#host.changed([], false);
   }
 
@@ -47,9 +48,9 @@ export class LiveGesture implements Gesture {
   }
 
   #takeBack(): Change[] {
-    if (!this.#outcome) return [];
-    const change = this.#host.apply(inverse(this.#outcome.patch));
-    this.#outcome = null;
+    if (!this.#shown) return [];
+    const change = this.#host.apply(inverse(this.#shown.outcome.patch));
+    this.#shown = null;
     return [change];
   }
 }

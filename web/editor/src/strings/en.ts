@@ -12,6 +12,12 @@ const commands = {
   deleteStop: "Delete stop",
   deleted: (count: number) => (count === 1 ? "1 thing deleted" : `${count} things deleted`),
   duplicate: "Duplicate",
+  /** Why an edit is not done. */
+  faults: {
+    far: "That would reach too far out to be drawn.",
+    "colorless stroke": "A stroke needs a colour: delete the stroke instead.",
+    "circle of instances": "An instance cannot be within what it copies.",
+  },
   flip: "Flip",
   group: "Group",
   join: "Join the ends",
