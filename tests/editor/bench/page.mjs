@@ -125,8 +125,11 @@ async function dragNode(editor, browser) {
   await editor.settled();
   const watch = () => editor.page.evaluate(() => window.watchedWorkers.splice(0));
   // A hand that has found a node has given the engine the time to begin.
-  await editor.page.waitForFunction(() => window.watchedWorkers.at(-1)?.name === "expect");
-  const before = (await watch()).at(-1);
+  await editor.page.waitForFunction(() => {
+    const begun = window.watchedWorkers.findLast(({ name }) => name === "expect");
+    return begun && performance.now() - begun.end > 400;
+  });
+  const before = (await watch()).findLast(({ name }) => name === "expect");
   await editor.page.mouse.move(...place);
   await editor.page.mouse.down();
   const script = await scriptOfSteps(editor, browser, moves(editor, place, 15));
