@@ -63,6 +63,7 @@ Result<Change> Solution::State::apply(Context& context, Change change) {
   std::vector<LayerState> next;
   if (const auto* whole = std::get_if<ReplaceDocument>(&change)) {
     next.resize(whole->value.layers.size());
+    last_drag.reserve(next.size());
   }
   Result<Change> inverse = apply_change(context, document, std::move(change));
   if (inverse) count_bytes(*inverse);

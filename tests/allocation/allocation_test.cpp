@@ -27,6 +27,7 @@
 #include "sfumato/raster/rasterize.hpp"
 #include "sfumato/solve/diffuse.hpp"
 #include "sfumato/solve/solution.hpp"
+#include "support/same_document.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace sfumato::test {
@@ -302,28 +303,33 @@ TEST(AllocationOf, a_solution_that_goes_on) {
   const Document document = document_of(small_documents().front().text);
   ASSERT_FALSE(document.layers.empty());
   const Curve curve = document.layers[0].curves.at(0);
+  Document larger = document;
+  larger.layers.resize(document.layers.size() + 20);
   std::size_t changed = 0, refused = 0;
+  const auto go_on = [&](std::size_t k, Refusal refusal, const Change& next) {
+    Context context;
+    Solution solution = std::move(*Solution::create(context, document));
+    EXPECT_TRUE(solution.solve(context, {}).ok());
+    bool was_changed = false, was_refused = false;
+    {
+      const RefusedAllocations refused_allocations(k, refusal);
+      was_changed = no_throw([&] { return solution.apply(context, next); }).ok();
+      const Status status = solution.solve(context, {});
+      was_refused = RefusedAllocations::requests() > k;
+      was_changed ? ++changed : ++refused;
+      EXPECT_TRUE(status.ok() || status.code == StatusCode::out_of_memory) << to_string(status);
+    }
+    EXPECT_TRUE(was_changed || same_document(solution.document(), document));
+    EXPECT_TRUE(solution.solve(context, {}).ok());
+    EXPECT_TRUE(digest(solution) == digest(picture_of(solution.document())));
+    EXPECT_EQ(context.budget.used(), bytes_of(solution.document()) + bytes_of(solution.picture()));
+    return was_refused && !testing::Test::HasFailure();
+  };
   for (const Refusal refusal : {Refusal::one, Refusal::all_from}) {
-    bool was_refused = true;
-    for (std::size_t k = 0; was_refused; k += 1 + k / 64) {
-      SCOPED_TRACE(k);
-      Context context;
-      Solution solution = std::move(*Solution::create(context, document));
-      ASSERT_TRUE(solution.solve(context, {}).ok());
-      {
-        const RefusedAllocations refused_allocations(k, refusal);
-        const auto change = no_throw([&] {
-          return solution.apply(context, InsertCurve{0, 0, curve});
-        });
-        const Status status = solution.solve(context, {});
-        was_refused = RefusedAllocations::requests() > k;
-        change ? ++changed : ++refused;
-        ASSERT_TRUE(status.ok() || status.code == StatusCode::out_of_memory) << to_string(status);
+    for (const Change& next : {Change(InsertCurve{0, 0, curve}), Change(ReplaceDocument{larger})}) {
+      SCOPED_TRACE(next.index());
+      for (std::size_t k = 0; go_on(k, refusal, next); k += 1 + k / 64) {
       }
-      ASSERT_TRUE(solution.solve(context, {}).ok());
-      ASSERT_TRUE(digest(solution) == digest(picture_of(solution.document())));
-      ASSERT_EQ(context.budget.used(),
-                bytes_of(solution.document()) + bytes_of(solution.picture()));
     }
   }
   EXPECT_GT(changed, 0u);
