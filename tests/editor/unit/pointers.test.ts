@@ -53,6 +53,18 @@ beforeEach(() => {
   pointers = new Pointers(canvas, () => tool);
 });
 
+test("the hand is where a file may have something, and anywhere on the artboard", () => {
+  const at = (x: number, y: number, zoom: number) => {
+    editor.view.value = { x, y, zoom };
+    return canvas.toArtboard([editor.stage.value.width / 2, editor.stage.value.height / 2]);
+  };
+  expect(at(120, -3e6, 1)).toEqual([120, -3e6]);
+  expect(at(9e9, -9e9, 1e-6)).toEqual([5e6, -5e6]);
+  // Metres on a map.
+  editor.drawing.artboard = [500_000, 5_300_000, 500_100, 5_300_100];
+  expect(at(500_050, 5_300_070, 4)).toEqual([500_050, 5_300_070]);
+});
+
 const key = (name: string, more = {}) => ({
   key: name,
   shift: false,

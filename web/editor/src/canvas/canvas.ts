@@ -17,9 +17,13 @@ import { stageFromArtboard, type Navigation } from "../app/view.js";
 /** Nodes are shown of so many selected curves at most: more would hide the picture. */
 const MOST_WITH_NODES = 24;
 
-/** Coordinates that are larger no reader of ours takes (docs/limits.md, kCoordinate): half of them, artboard units. */
+/**
+ * Coordinates that are larger no reader of ours takes (docs/limits.md, kCoordinate): half of them, artboard
+ * units, but all of the artboard.
+ */
 const MOST = 5e6;
-const held = (value: number) => Math.min(Math.max(value, -MOST), MOST);
+const held = (value: number, low: number, high: number) =>
+  Math.min(Math.max(value, Math.min(low, -MOST)), Math.max(high, MOST));
 
 export class Canvas {
   readonly sketch: Signal<Sketch> = signal(NO_SKETCH);
@@ -52,7 +56,8 @@ export class Canvas {
   toArtboard(point: Point): Point {
     const back = inverted(this.stageFromArtboard());
     const [x, y] = back ? mapped(back, point) : point;
-    return [held(x), held(y)];
+    const [x0, y0, x1, y1] = this.editor.drawing.artboard;
+    return [held(x, x0, x1), held(y, y0, y1)];
   }
 
   /** A vector of the artboard in an item's coordinates. */
