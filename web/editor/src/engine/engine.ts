@@ -107,6 +107,8 @@ export class WorkerEngine implements Engine {
 
   show(text: string, moving: boolean, quick?: readonly QuickChange[]): number {
     this.#pending.add(quick);
+    // Its number may be another's now.
+    if (!quick) this.#expected.set(null);
     this.#wanted = { text, moving, serial: this.#wanted.serial + 1 };
     this.onStatus({ kind: "refining", milliseconds: 0 });
     this.#follow();
