@@ -213,6 +213,30 @@ describe.skipIf(!hasModule).each(ways)("the engine $way", ({ mostInFront }) => {
     expect(expected.length).toBe(4);
   });
 
+  it("counts curves anew after a pause in which one has no length", async () => {
+    open();
+    page.show(drawing(70), false);
+    await page.exact();
+    const points = (x: number, y: number): QuickChange => ({
+      kind: "points",
+      layer: 0,
+      curve: 0,
+      xy: Float64Array.of(0, 100, x, y, x, y, x, y),
+    });
+    const text = (x: number, y: number) =>
+      drawing(70).replace("M0 100 C60 70 140 130 200 90", `M0 100 C${x} ${y} ${x} ${y} ${x} ${y}`);
+    page.show(text(9, 99), true, [points(9, 99)]);
+    page.show(text(0, 100), true, [points(0, 100)]);
+    await page.exact();
+    // The one that goes on with the drag has it still, where another made the exact picture.
+    const { curves } = page.engine.index;
+    expect(curves.map(({ layer }) => layer)).toEqual(mostInFront === 0 ? [0, 0, 1] : [0, 1]);
+    page.show(text(40, 60), true);
+    page.show(text(50, 60), false, [points(50, 60)]);
+    await page.exact();
+    await expectSolved(page, text(50, 60), 512);
+  });
+
   it("sends nothing of layers that stay, and no stack that is as it was", async () => {
     open();
     page.show(drawing(70), false);

@@ -66,7 +66,8 @@ export class Seat {
 
   /**
    * Makes its document that of a text, by changes where these are known. After changes of curves alone
-   * the text of a hand that moves has its curves in the same order: they are counted as before.
+   * the text of a hand that moves has its curves in the same order, unless one has come to nothing and is
+   * left out: they are counted as before.
    * @throws EngineError; the document is as before then
    */
   async bring(
@@ -86,7 +87,7 @@ export class Seat {
     } else {
       this.expected = null;
       const { curves } = await this.link.call<ReadResult>("read", text);
-      if (!(moving && this.isChanged)) {
+      if (!moving || !this.isChanged || curves.length !== this.curves.length) {
         this.curves = curves;
         this.readSerial = serial;
       }
