@@ -16,6 +16,10 @@ const svg = (inner: string) =>
 const layer = '<g id="l" sf:diffuse="true"><path id="c" d="M1 1L9 9" sf:left="red"/></g>';
 const stroke = '<path id="s" d="M1 1L9 9" sf:radius="3" sf:left="red"/>';
 
+/** Instances of instances, the last of which is one of what has that id. */
+const chainTo = (id: string, count: number) =>
+  Array.from({ length: count }, (_, k) => `<use id="u${k}" href="#${k + 1 < count ? `u${k + 1}` : id}"/>`).join("");
+
 const edited = (text: string) => new DrawingEditor(deaf as unknown as Engine, new Map(), text);
 
 /** Writes an attribute of the element with an id. */
@@ -40,8 +44,16 @@ const TEXTS: readonly (readonly [string, string | null])[] = [
   [svg('<g sf:diffuse="true"><path d="" sf:left="red"/><rect width="0" height="9" sf:left="red"/></g>'), null],
 ];
 
+const faultIn = (text: string) => faultOf(openDrawing(text), { isStructural: true, touched: new Map() });
+
 it.each(TEXTS)("of %s", (text, fault) => {
-  expect(faultOf(openDrawing(text), { isStructural: true, touched: new Map() })).toBe(fault);
+  expect(faultIn(text)).toBe(fault);
+});
+
+it("of instances of instances, however many", () => {
+  const chain = chainTo("g", 9000);
+  expect(faultIn(svg(`<g id="g">${layer}</g>${chain}`))).toBe(null);
+  expect(faultIn(svg(`<g id="g">${layer}<use href="#u0"/></g>${chain}`))).toBe("circle of instances");
 });
 
 describe("an edit", () => {

@@ -1,5 +1,6 @@
 // What an edit must not leave behind: a text that the library would refuse as a whole.
-import { mapped, type Point } from "../geometry/affine.js";
+import { mapped, type Affine, type Point } from "../geometry/affine.js";
+import type { CubicPath } from "../geometry/cubic.js";
 import { geometryAttributes } from "../geometry/path.js";
 import { valueOf } from "../source/attributes.js";
 import { LARGEST } from "../source/lengths.js";
@@ -14,9 +15,25 @@ const NUMBER = /(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?/g;
 const isTooLarge = (text = "") => (text.match(NUMBER) ?? []).some((one) => Number(one) > LARGEST);
 const isIn = ([x, y]: Point) => Math.abs(x) <= LARGEST && Math.abs(y) <= LARGEST;
 
+/** The largest coordinate. */
+function reachOf(paths: readonly CubicPath[]): number {
+  let reach = 0;
+  for (const { points } of paths) {
+    for (const [x, y] of points) reach = Math.max(reach, Math.abs(x), Math.abs(y));
+  }
+  return reach;
+}
+
+function isFar(paths: readonly CubicPath[], map: Affine): boolean {
+  // All curves are looked at after some edits: most are near for certain.
+  const reach = reachOf(paths);
+  const [a, b, c, d, e, f] = map.map(Math.abs);
+  if (Math.max(reach, (a + c) * reach + e, (b + d) * reach + f) <= LARGEST) return false;
+  return paths.some(({ points }) => points.some((point) => !isIn(point) || !isIn(mapped(map, point))));
+}
+
 function faultOfCurve({ kind, element, paths, artboardFromItem, left, right }: CurveItem): Fault | null {
-  const isFar = (point: Point) => !isIn(point) || !isIn(mapped(artboardFromItem, point));
-  if (paths.some(({ points }) => points.some(isFar))) return "far";
+  if (isFar(paths, artboardFromItem)) return "far";
   // Numbers that are too large are none, and draw nothing.
   const isUnread = geometryAttributes(element.local).some((name) => isTooLarge(valueOf(element, name)));
   if (paths.length === 0 && isUnread) return "far";
@@ -39,8 +56,8 @@ function firstFault(items: Iterable<Item | undefined>): Fault | null {
   return null;
 }
 
-/** Whether an instance is within what it copies, itself or by way of others. */
-function hasCircle(drawing: Drawing): boolean {
+/** Of each element, what is copied by instances within it. */
+function copiedWithin(drawing: Drawing): Map<ElementNode, Set<ElementNode>> {
   const copied = new Map<ElementNode, Set<ElementNode>>();
   for (const { kind, element } of drawing.all()) {
     const target = kind === "use" ? referredElement(element, drawing.ids) : undefined;
@@ -48,17 +65,30 @@ function hasCircle(drawing: Drawing): boolean {
     for (let around: ElementNode | null = element; around; around = around.parent)
       copied.set(around, (copied.get(around) ?? new Set()).add(target));
   }
+  return copied;
+}
+
+/** Whether an instance is within what it copies, itself or by way of others, of which there may be any number. */
+function hasCircle(drawing: Drawing): boolean {
+  const copied = copiedWithin(drawing);
+  const way = new Set<ElementNode>();
   const done = new Set<ElementNode>();
-  const goesRound = (element: ElementNode, way: Set<ElementNode>): boolean => {
-    if (way.has(element)) return true;
-    if (done.has(element)) return false;
+  const waiting = [...copied.keys()];
+  for (let element = waiting.at(-1); element; element = waiting.at(-1)) {
+    if (way.has(element) || done.has(element)) {
+      // All that it leads to was looked at.
+      way.delete(element);
+      done.add(element);
+      waiting.pop();
+      continue;
+    }
     way.add(element);
-    const isRound = [...(copied.get(element) ?? [])].some((next) => goesRound(next, way));
-    way.delete(element);
-    done.add(element);
-    return isRound;
-  };
-  return [...copied.keys()].some((element) => goesRound(element, new Set()));
+    for (const target of copied.get(element) ?? []) {
+      if (way.has(target)) return true;
+      if (!done.has(target)) waiting.push(target);
+    }
+  }
+  return false;
 }
 
 /** What is wrong with what changed, or null. */
