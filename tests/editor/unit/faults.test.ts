@@ -3,11 +3,11 @@ import { describe, expect, it } from "vitest";
 import { pasteText } from "../../../web/editor/src/app/clipboard.js";
 import { DrawingEditor } from "../../../web/editor/src/app/editor.js";
 import type { Engine } from "../../../web/editor/src/engine/types.js";
-import { copyItems, deleteItems } from "../../../web/editor/src/model/commands/index.js";
+import { copyItems, deleteItems, moveInto } from "../../../web/editor/src/model/commands/index.js";
 import { openDrawing } from "../../../web/editor/src/model/drawing.js";
 import { faultOf } from "../../../web/editor/src/model/faults.js";
-import type { Outcome } from "../../../web/editor/src/model/types.js";
-import { setAttribute, sf } from "../../../web/editor/src/source/attributes.js";
+import type { Drawing, Outcome } from "../../../web/editor/src/model/types.js";
+import { setAttribute, sf, valueOf } from "../../../web/editor/src/source/attributes.js";
 import { en } from "../../../web/editor/src/strings/en.js";
 
 const deaf = { index: { serial: -1, curves: [] }, show: () => 0, look: () => {}, expect: () => {} };
@@ -77,6 +77,24 @@ describe("an edit", () => {
     expect(editor.drawing.text).toBe(text);
     expect(editor.undoLabel.value).toBe(null);
     expect(editor.toast.value?.text).toBe(en.commands.faults.far);
+  });
+
+  it("that moves something leaves it selected", () => {
+    const editor = edited(svg(`<g id="g">${layer}</g><use id="u" href="#g"/>`));
+    const { text } = editor.drawing;
+    const idsOfSelection = () =>
+      editor.selection.value.map(({ handle }) => valueOf(editor.drawing.item(handle)!.element, "id"));
+    const handleOf = (id: string) => editor.drawing.itemAt(editor.drawing.ids.get(id)!.range.start)!.handle;
+    const intoCopied = (drawing: Drawing) => moveInto(drawing, [handleOf("u")], handleOf("g"), 0);
+    editor.selection.value = [{ handle: handleOf("u"), part: { kind: "whole" } }];
+    expect(editor.run("move", intoCopied(editor.drawing))).toBe(false);
+    expect(idsOfSelection()).toEqual(["u"]);
+    const gesture = editor.gesture("move");
+    gesture.show(intoCopied);
+    gesture.keep();
+    expect(idsOfSelection()).toEqual(["u"]);
+    expect(editor.drawing.text).toBe(text);
+    expect(editor.file.value.isChanged).toBe(false);
   });
 
   it("leaves a stroke its colour", () => {

@@ -149,14 +149,14 @@ export class DrawingEditor implements Editor {
     this.#endGesture();
     const before = this.#places();
     const change = this.#drawing.apply(outcome.patch);
-    if (this.#refuses(change, outcome.patch)) return false;
+    if (this.#refuses(change, outcome.patch, before)) return false;
     this.#record(label, outcome, before, merge);
     this.#changed(change, false);
     return true;
   }
 
   /** Takes an edit back after which nobody could draw the drawing, and says why; whether it was one. */
-  #refuses(change: Change, patch: Patch): boolean {
+  #refuses(change: Change, patch: Patch, before: Places): boolean {
     const fault = faultOf(this.#drawing, change);
     if (fault === null) return false;
     const back = this.#drawing.apply(inverse(patch));
@@ -166,7 +166,11 @@ export class DrawingEditor implements Editor {
       return false;
     }
     this.say(en.commands.faults[fault]);
-    this.#changed(united([change, back]), false);
+    batch(() => {
+      this.#changed(united([change, back]), false);
+      // What was moved there and back is another item now.
+      this.#select(before);
+    });
     return true;
   }
 
@@ -199,7 +203,7 @@ export class DrawingEditor implements Editor {
       apply: (patch: Patch) => this.#drawing.apply(patch),
       changed: (changes, moving) => this.#changed(united(changes), moving),
       keep: (outcome, change) => {
-        if (!this.#mayEdit() || this.#refuses(change, outcome.patch)) return;
+        if (!this.#mayEdit() || this.#refuses(change, outcome.patch, before)) return;
         this.#record(label, outcome, before, "");
         this.#changed({ isStructural: false, touched: new Map() }, false);
       },
