@@ -35,8 +35,8 @@ function isFar(paths: readonly CubicPath[], map: Affine): boolean {
 function faultOfCurve({ kind, element, paths, artboardFromItem, left, right }: CurveItem): Fault | null {
   if (isFar(paths, artboardFromItem)) return "far";
   // Numbers that are too large are none, and draw nothing.
-  const isUnread = geometryAttributes(element.local).some((name) => isTooLarge(valueOf(element, name)));
-  if (paths.length === 0 && isUnread) return "far";
+  const isUnread = () => geometryAttributes(element.local).some((name) => isTooLarge(valueOf(element, name)));
+  if (paths.length === 0 && isUnread()) return "far";
   const isColorless = left.color.kind === "open" && right.color.kind === "open";
   return kind === "stroke" && isColorless ? "colorless stroke" : null;
 }
