@@ -21,6 +21,14 @@ Status take_hold(sfumato_context& context, CurvePlace place, sfumato_picture& ha
   return status;
 }
 
+/// After a change of one curve.
+/// is_same   the solution's document has what that has, to the last bit
+void note_shown(const sfumato_document& document, bool is_same, sfumato_picture& handle) {
+  const bool was_same = handle.applied == handle.shown;  // of the other curves, too
+  handle.shown = document.edits.now();
+  handle.applied = was_same && is_same ? handle.shown : Revision{};
+}
+
 /// The picture with one curve where it is now.
 Status drag(sfumato_context& context, CurvePlace place, const sfumato_document& document,
             double seconds, sfumato_picture& handle) {
@@ -34,7 +42,7 @@ Status drag(sfumato_context& context, CurvePlace place, const sfumato_document& 
   handle.stats = stats;
   note_changes(handle.solution.picture(), handle.solution.take_delta(), changed);
   handle.changed = std::move(changed);
-  handle.shown = handle.applied = document.edits.now();
+  note_shown(document, true, handle);
   return status;
 }
 
@@ -83,8 +91,7 @@ Status recolor(sfumato_context& context, CurvePlace place, const sfumato_documen
   if (!change) return make_error(StatusCode::bad_input, "more than a stop has changed");
   Status status = set_stop(context, *change, handle);
   if (!status) return status;
-  handle.shown = document.edits.now();
-  handle.applied = from == to ? handle.shown : Revision{};  // of a whole side but for rounding
+  note_shown(document, from == to, handle);  // a whole side but for rounding
   return status;
 }
 

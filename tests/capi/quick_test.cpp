@@ -430,6 +430,31 @@ TEST_F(CQuickColors, take_a_side_whose_stops_change_alike_for_one) {
   EXPECT_TRUE(is_exact());
 }
 
+/// The side's values are summed up in the picture, whose last bits are not those of the document.
+TEST_F(CQuickColors, of_a_side_are_those_of_the_document_after_another_curve_has_moved) {
+  for (int i = 1; i <= 12; ++i) {
+    const double by = i / 19.0;
+    set_colors({0, 0.07, 0.2, 0.33, 1, 0.25, 0.12, 0.18});
+    ASSERT_EQ(again(0), SFUMATO_OK);
+    set_colors({0, 0.07 + by, 0.2, 0.33 + by, 1, 0.25 + by, 0.12, 0.18 + by});
+    ASSERT_EQ(again(1), SFUMATO_OK);
+    move(0.5);
+    ASSERT_EQ(again(1), SFUMATO_OK);
+    ASSERT_EQ(again(0), SFUMATO_OK);
+    ASSERT_TRUE(is_exact()) << i;
+  }
+}
+
+TEST_F(CQuickColors, of_a_curve_whose_drag_is_expected_change_values_alone) {
+  ASSERT_EQ(sfumato_expect_drag(c, picture.get(), 0, 1), SFUMATO_OK);
+  for (const double green : {0.25, 0.5}) {
+    set_colors({0, 1, 0, 0, 1, 0, green, 1});
+    ASSERT_EQ(again(1), SFUMATO_OK) << sfumato_error_text(c);
+    EXPECT_LT(mean_miss(), 0.25);
+  }
+  EXPECT_EQ(new_tables(0), Tables{SFUMATO_COLOR_VALUES});
+}
+
 TEST_F(CQuickColors, of_several_stops_are_those_of_a_curve_that_moves) {
   set_colors({0, 0, 0.25, 0, 1, 1, 0.5, 1});
   ASSERT_EQ(again(1), SFUMATO_OK) << sfumato_error_text(c);
