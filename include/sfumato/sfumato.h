@@ -340,7 +340,7 @@ SFUMATO_API int32_t sfumato_solve_within(sfumato_context* context, const sfumato
  * soon as the others: when a pointer is above the curve, say. The picture stays as it is. Where
  * what they begin from was not kept, its layer is solved once more. What is prepared holds memory
  * of this context until another curve is, or the picture is solved again. Fails with
- * SFUMATO_BAD_INPUT where there is no such curve. */
+ * SFUMATO_BAD_INPUT where there is no such curve, or its layer was not solved since it changed. */
 SFUMATO_API int32_t sfumato_expect_drag(sfumato_context* context, sfumato_picture* picture,
                                         uint32_t layer, uint32_t curve);
 /** Gives a picture back. */

@@ -228,6 +228,24 @@ TEST_F(CQuick, other_changes_than_the_drag_that_is_expected_are_shown_too) {
   EXPECT_TRUE(is_exact());
 }
 
+TEST_F(CQuick, drags_are_shown_whatever_failed_before) {
+  sfumato_cancel(c);
+  EXPECT_EQ(sfumato_expect_drag(c, picture.get(), 0, 0), SFUMATO_CANCELLED);
+  sfumato_resume(c);
+  for (int i = 0; i < 2; ++i) ASSERT_EQ(sfumato_expect_drag(c, picture.get(), 0, 0), SFUMATO_OK);
+  EXPECT_TRUE(is_exact());
+  move(2);
+  sfumato_cancel(c);
+  EXPECT_EQ(again(0), SFUMATO_CANCELLED);
+  sfumato_resume(c);
+  EXPECT_EQ(sfumato_expect_drag(c, picture.get(), 0, 0), SFUMATO_OK) << "the picture is there";
+  move(2);
+  ASSERT_EQ(again(1), SFUMATO_OK);
+  EXPECT_LT(mean_miss(), 0.5);
+  ASSERT_EQ(again(0), SFUMATO_OK);
+  EXPECT_TRUE(is_exact());
+}
+
 TEST_F(CQuick, drags_of_no_curve_are_not_expected) {
   EXPECT_EQ(sfumato_expect_drag(c, picture.get(), 0, 99), SFUMATO_BAD_INPUT);
   EXPECT_EQ(sfumato_expect_drag(c, picture.get(), 99, 0), SFUMATO_BAD_INPUT);
