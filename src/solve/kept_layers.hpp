@@ -13,9 +13,10 @@ struct KeptLayer {
   std::size_t triangle_count = 0;  ///< memory grows with it
 };
 
-/// The indices of those to be given up so that the others have no more triangles than that: first
-/// those that were dragged longest ago or never, and of these the smallest, which are soon solved
-/// again. The one that was dragged last stays in any case.
+/// The indices of those to be given up so that the others have no more triangles than that. They
+/// are asked in the order of their last drags, the latest first, and of those without one the
+/// largest first, since small ones are soon solved again: each stays for which there is room left,
+/// and the one that was dragged last in any case.
 std::vector<std::uint32_t> layers_beyond(std::vector<KeptLayer> layers, std::size_t most_triangles);
 
 }  // namespace sfumato::solve

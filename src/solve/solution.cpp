@@ -108,7 +108,7 @@ void Solution::State::carry_over(const Document& old, std::vector<LayerState> ne
     if (const auto same = find_same(old, i)) next[i] = std::exchange(layers[*same], {});
   }
   layers = std::move(next);
-  // Of a layer that is another one now: it is likely the one that is worked at.
+  // By their places: where layers came or went, others may be kept for drags until the next one.
   last_drag.resize(layers.size());
 }
 

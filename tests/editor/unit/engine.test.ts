@@ -1,7 +1,7 @@
 // The engine and its workers: what the page has after any edits is what the library solves of the
 // text, and what comes late does not undo what came later.
 import { afterEach, describe, expect, it } from "vitest";
-import { loadSfumato, Table } from "../../../web/wasm/sfumato.mjs";
+import { loadSfumato, Status, Table } from "../../../web/wasm/sfumato.mjs";
 import { WorkerEngine } from "../../../web/editor/src/engine/engine.js";
 import { LayerMirror, type MirroredLayer } from "../../../web/editor/src/engine/mirror.js";
 import type { Host } from "../../../web/editor/src/engine/seat.js";
@@ -405,4 +405,47 @@ it("goes on with the rough picture while a large one is made exact", async () =>
   await page.exact();
   expect(page.updates - before).toBeGreaterThan(20);
   page.engine.free();
+});
+
+describe.skipIf(!hasModule)("a module that fails while it prepares a drag", () => {
+  /** A host of whose workers the first that is asked to prepare one says this instead. */
+  const failing = (code: number) => {
+    const host = localHost();
+    let hasFailed = false;
+    const worker = () => {
+      const made = host.worker();
+      const post = made.postMessage.bind(made);
+      made.postMessage = (message: { id: number; name: string }) => {
+        if (hasFailed || message.name !== "expect") return post(message);
+        hasFailed = true;
+        const failure = { message: "no", reason: "no", code, line: 0, column: 0 };
+        setTimeout(() => made.onmessage?.({ data: { id: message.id, failure } } as MessageEvent));
+      };
+      return made;
+    };
+    return { host, page: new Page(new WorkerEngine({ ...host, worker })) };
+  };
+  const expectAfter = async (code: number) => {
+    const { host, page } = failing(code);
+    look(page.engine);
+    page.show(drawing(70), false);
+    await page.exact();
+    const { workers } = host;
+    page.engine.expect({ layer: 0, curve: 1 });
+    await new Promise((resolve) => setTimeout(resolve, 50));
+    const started = host.workers - workers;
+    page.show(drawing(90), false);
+    await page.exact();
+    await expectSolved(page, drawing(90), 512);
+    page.engine.free();
+    return started;
+  };
+
+  it("is replaced where it has trapped, and the next text is drawn", async () => {
+    expect(await expectAfter(0)).toBe(1);
+  });
+
+  it("stays where the text is to blame", async () => {
+    expect(await expectAfter(Status.badInput)).toBe(0);
+  });
 });

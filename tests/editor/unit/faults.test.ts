@@ -34,7 +34,10 @@ const TEXTS: readonly (readonly [string, string | null])[] = [
   [svg(layer.replace("9 9", "9 1e8")), "far"],
   [svg(layer.replace("M1 1L9 9", "M9e6 0l9e6 0")), "far"],
   [svg(`<g transform="translate(2e7)">${layer}</g>`), "far"],
-  [svg(`<g transform="scale(2e6)">${layer}</g>`), "far"],
+  [svg(`<g transform="scale(2e6)">${layer}</g>`), null],
+  [svg(layer.replace('id="c"', 'transform="scale(2e6)"')), "far"],
+  [svg(`<g transform="translate(9e6)"><g transform="translate(9e6)">${layer}</g></g>`), "far"],
+  [svg(`${layer}<use href="#l" x="2e7"/>`), "far"],
   [svg(stroke.replace(' sf:left="red"', "")), "colorless stroke"],
   [svg(stroke.replace("left", "right")), null],
   [svg(`<g id="g">${layer}<use href="#g"/></g>`), "circle of instances"],
@@ -61,7 +64,7 @@ describe("an edit", () => {
     const editor = edited(svg(layer));
     const { text } = editor.drawing;
     expect(editor.run("move", written(editor, "c", "transform", "translate(0 1e8)"))).toBe(false);
-    expect(editor.run("move", written(editor, "l", "transform", "scale(1e7)"))).toBe(false);
+    expect(editor.run("move", written(editor, "l", "transform", "scale(2e7)"))).toBe(false);
     expect(editor.drawing.text).toBe(text);
     expect(editor.undoLabel.value).toBe(null);
     expect(editor.toast.value?.text).toBe(en.commands.faults.far);
@@ -95,6 +98,16 @@ describe("an edit", () => {
     expect(idsOfSelection()).toEqual(["u"]);
     expect(editor.drawing.text).toBe(text);
     expect(editor.file.value.isChanged).toBe(false);
+  });
+
+  it("by a gesture is none where the drawing may not be edited", () => {
+    const editor = edited(`<!DOCTYPE svg [<!ENTITY a "b">]>${svg(layer)}`);
+    const { text } = editor.drawing;
+    const gesture = editor.gesture("move");
+    gesture.show(() => written(editor, "c", "d", "M1 1L2 9"));
+    gesture.keep();
+    expect(editor.drawing.text).toBe(text);
+    expect(editor.toast.value?.text).toBe(editor.drawing.readOnly);
   });
 
   it("leaves a stroke its colour", () => {

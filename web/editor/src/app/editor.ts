@@ -203,11 +203,12 @@ export class DrawingEditor implements Editor {
       apply: (patch: Patch) => this.#drawing.apply(patch),
       changed: (changes, moving) => this.#changed(united(changes), moving),
       keep: (outcome, change) => {
-        if (!this.#mayEdit() || this.#refuses(change, outcome.patch, before)) return;
+        if (this.#refuses(change, outcome.patch, before)) return;
         this.#record(label, outcome, before, "");
         this.#changed({ isStructural: false, touched: new Map() }, false);
       },
     });
+    if (!this.#mayEdit()) this.#gesture.isOver = true;
     return this.#gesture;
   }
 

@@ -77,7 +77,12 @@ export class WorkerEngine implements Engine {
   /** Told of each picture. */
   #onShown: () => void = () => {};
   readonly #rest = new Rest();
-  readonly #expected = new Expected(() => this.#idleSeat);
+  readonly #expected = new Expected(
+    () => this.#idleSeat,
+    (seat) => {
+      if (!this.#isFree && seat === this.#front) this.#replace(seat);
+    },
+  );
   #seatCount = 0;
   #isFree = false;
 

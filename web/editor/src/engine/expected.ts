@@ -1,4 +1,5 @@
 // The drag that the hand is about to begin, which the front seat begins while it has nothing else to do.
+import { EngineError } from "./rpc.js";
 import type { Seat } from "./seat.js";
 import type { CurvePlace } from "./types.js";
 
@@ -6,11 +7,16 @@ const isSame = (a: CurvePlace | null, b: CurvePlace) => a?.layer === b.layer && 
 
 export class Expected {
   readonly #idle: () => Seat | null;
+  readonly #lose: (seat: Seat) => void;
   #curve: CurvePlace | null = null;
 
-  /** @param idle the seat, with an exact picture of the text, or null while it is to do something else */
-  constructor(idle: () => Seat | null) {
+  /**
+   * @param idle the seat, with an exact picture of the text, or null while it is to do something else
+   * @param lose told of a seat whose module is of no more use
+   */
+  constructor(idle: () => Seat | null, lose: (seat: Seat) => void) {
     this.#idle = idle;
+    this.#lose = lose;
   }
 
   set(curve: CurvePlace | null): void {
@@ -24,8 +30,9 @@ export class Expected {
     seat.expected = curve;
     try {
       await seat.link.call("expect", curve.layer, curve.curve);
-    } catch {
-      // The drag itself says what is wrong.
+    } catch (error) {
+      // Of the text the drag itself says what is wrong.
+      if (!EngineError.of(error).isOfText) this.#lose(seat);
       return;
     }
     void this.prepare();

@@ -32,8 +32,9 @@ function isFar(paths: readonly CubicPath[], map: Affine): boolean {
   return paths.some(({ points }) => points.some((point) => !isIn(point) || !isIn(mapped(map, point))));
 }
 
-function faultOfCurve({ kind, element, paths, artboardFromItem, left, right }: CurveItem): Fault | null {
-  if (isFar(paths, artboardFromItem)) return "far";
+function faultOfCurve(item: CurveItem): Fault | null {
+  const { kind, element, paths, layerFromItem, artboardFromItem, left, right } = item;
+  if (isFar(paths, layerFromItem) || !artboardFromItem.every((n) => Math.abs(n) <= LARGEST)) return "far";
   // Numbers that are too large are none, and draw nothing.
   const isUnread = () => geometryAttributes(element.local).some((name) => isTooLarge(valueOf(element, name)));
   if (paths.length === 0 && isUnread()) return "far";
@@ -41,9 +42,12 @@ function faultOfCurve({ kind, element, paths, artboardFromItem, left, right }: C
   return kind === "stroke" && isColorless ? "colorless stroke" : null;
 }
 
+/** Where an element moves what is in it. */
+const MOVES = ["transform", "x", "y"];
+
 /** Of an item and what is in it. */
 function faultOfItem(item: Item): Fault | null {
-  if (isTooLarge(valueOf(item.element, "transform"))) return "far";
+  if (MOVES.some((name) => isTooLarge(valueOf(item.element, name)))) return "far";
   if (item.kind === "curve" || item.kind === "stroke") return faultOfCurve(item);
   return firstFault(item.children);
 }
