@@ -180,15 +180,17 @@ export class WorkerEngine implements Engine {
     await seat.bring(text, serial, changes, this.#images);
   }
 
-  #solve(seat: Seat, way: Way, options: SolveOptions): Promise<Solved> {
-    seat.isExact = way.kind === "exact";
+  async #solve(seat: Seat, way: Way, options: SolveOptions): Promise<Solved> {
+    seat.isExact = false;
     seat.expected = null;
-    return seat.link.call<Solved>("solve", {
+    const solved = await seat.link.call<Solved>("solve", {
       way,
       options,
       have: this.#shown,
       haveStack: this.#shownStack,
     });
+    seat.isExact = way.kind === "exact";
+    return solved;
   }
 
   #publish(solved: Solved, wanted: Wanted, isExact: boolean) {
@@ -423,12 +425,15 @@ export class WorkerEngine implements Engine {
     if (this.#isSettling || this.#isSettleWanted || this.#wanted.serial < 0) return null;
     const seat = (this.#back ??= this.#newSeat());
     const wanted = this.#wanted;
-    await seat.ready;
-    if (seat.serial !== wanted.serial || seat.isChanged) await this.#bring(seat, wanted, null);
-    const report = await seat.link.call<LintReport>("lint");
-    clearTimeout(this.#dismissal);
-    this.#dismissal = setTimeout(() => this.#dismissSpare(), SPARE) as never;
-    return this.#wanted === wanted ? hintsOf(report, seat.curves) : null;
+    try {
+      await seat.ready;
+      if (seat.serial !== wanted.serial || seat.isChanged) await this.#bring(seat, wanted, null);
+      const report = await seat.link.call<LintReport>("lint");
+      return this.#wanted === wanted ? hintsOf(report, seat.curves) : null;
+    } finally {
+      clearTimeout(this.#dismissal);
+      if (!this.#isFree) this.#dismissal = setTimeout(() => this.#dismissSpare(), SPARE) as never;
+    }
   }
 
   async convert(text: string): Promise<string> {

@@ -1,5 +1,5 @@
-// A table, which may be longer than other files: all words that the editor shows stand in one file, so that
-// whoever translates them has one to copy. Each part of the editor has its own object.
+// All words that the editor shows: whoever translates them has one file to copy, in which each part of the
+// editor has its own object. A table.
 
 const commands = {
   align: "Align",
