@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/table_memory.hpp"
+#include "curves/attributes.hpp"
+#include "mesh/triangle_mesh.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
+#include "sfumato/base/vec2.hpp"
+
+namespace sfumato::gather {
+
+/// Where on a stop list one side of an edge lies. Its value is linear from `from` to `to`, which
+/// are 0 at the stop `column` and 1 at the one after it.
+struct RowSide {
+  std::uint32_t column = 0;  ///< index of a stop in the list of all stops of all sides
+  float from = 0;            ///< at the end at which the moment of a term counts 0
+  float to = 0;              ///< at the other end
+  std::int32_t shader = -1;  ///< SegmentSide::shader of an image-domain side, which has no stops
+  bool has_value = false;    ///< false: there is no such side (the other takes all)
+};
+
+/// What rows are made of: one direction of an edge with curves, as points on its `front` see it, or
+/// one side of a free end.
+struct RowSource {
+  RowSide front, back;
+  std::uint32_t curve = 0;  ///< whose radius of blur it has
+  float blur_from = 0;      ///< radius, user units; 0: sharp
+  float blur_to = 0;
+};
+
+/// What a point takes of one source. With β = front_share(distance, radius at `moment`), 1 where
+/// the source has no back, the share 1/2 + lean (β - 1/2) of the weight is the front's and the rest
+/// the back's.
+struct RowTerm {
+  std::uint32_t source;
+  float weight;    ///< of the point's whole weight: the terms of a point add up to 1
+  float moment;    ///< mean place of the weight on the edge, from 0 to 1
+  float distance;  ///< of the point from the line of the edge, user units
+  float lean;      ///< 1 for edges; |sin(φ/2)| of a free end
+};
+
+/// The linear map from stops to values at points (paper eq. 2–11), before blur: radii may change
+/// without another search for what a point sees. An edge on which the radius varies is seen in
+/// several terms, on each of which it hardly does.
+struct Rows {
+  std::vector<RowSource> source;
+  std::vector<RowTerm> term;
+  std::vector<std::uint32_t> begin;  ///< per point, and one more: into `term`
+  TableMemory memory{"rows of the gather"};
+};
+
+struct RowOptions {
+  /// Terms below this share of a point's weight may be left out; the others are scaled up.
+  float negligible = 0;
+};
+
+/// Rows of one attribute of a layer at points, closed form over the exact visible set.
+///
+/// mesh     the visibility mesh
+/// places   curves::sample_stop_places() of the attribute
+/// points   layer frame; one outside the mesh, or that sees nothing, has no terms
+/// Errors   limit (memory, 32-bit indices), cancelled
+/// Cost     some microseconds a point; runs on the pool; the same bits for any thread count and
+///          instruction set. Points that follow each other should be near each other.
+Result<Rows> gather_rows(Context& context, const mesh::TriangleMesh& mesh,
+                         const curves::SegmentAttributes& places, std::span<const Vec2> points,
+                         const RowOptions& options = {});
+
+}  // namespace sfumato::gather
