@@ -1,12 +1,22 @@
 #include "curves/attributes.hpp"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
+#include "base/limit_error.hpp"
 #include "curves/stop_parameters.hpp"
 
 namespace sfumato::curves {
 namespace {
+
+/// Where a segment lies among the stops of a list: at fractions of the way from one to the next,
+/// which are 0 before the first stop and behind the last.
+struct StopInterval {
+  std::size_t index = 0;  ///< of the first of the two
+  float start = 0;
+  float end = 0;
+};
 
 /// A stop list laid along the flattened curve; asked for segments in ascending order.
 template <class Value>
@@ -18,27 +28,33 @@ class StopSampler {
     if (list.space == StopSpace::arc_length) measure_stops(curve_index);
   }
 
-  /// Precondition: the list is not empty.
-  SegmentValues<Value> values(std::uint32_t segment) {
+  /// Precondition of both: the list is not empty.
+  StopInterval interval(std::uint32_t segment) {
     const double start = flat_.parameter[segment], end = flat_.parameter[segment + 1];
     // The middle decides between which stops the segment lies: its ends may stand on a step.
     const double middle = 0.5 * (start + end);
     while (next_ < parameters_.size() && parameters_[next_] <= middle) ++next_;
-    if (next_ == 0) return {list_.stops.front().value, list_.stops.front().value};
-    if (next_ == parameters_.size()) return {list_.stops.back().value, list_.stops.back().value};
+    if (next_ == 0) return {};
+    if (next_ == parameters_.size()) return {.index = next_ - 1};
     if (list_.space == StopSpace::parameter) return between(parameters_, start, end);
     return between(lengths_, flat_.arc_length[segment], flat_.arc_length[segment + 1]);
   }
 
+  SegmentValues<Value> values(std::uint32_t segment) {
+    const auto [index, start, end] = interval(segment);
+    const Value& from = list_.stops[index].value;
+    if (start == 0 && end == 0) return {from, from};
+    const Value& to = list_.stops[index + 1].value;
+    return {lerp(from, to, start), lerp(from, to, end)};
+  }
+
  private:
-  SegmentValues<Value> between(const std::vector<double>& position, double start, double end) {
+  StopInterval between(const std::vector<double>& position, double start, double end) const {
     const double low = position[next_ - 1], high = position[next_];
     const auto at = [&](double x) {
-      const double fraction = high > low ? std::clamp((x - low) / (high - low), 0.0, 1.0) : 0.0;
-      return lerp(list_.stops[next_ - 1].value, list_.stops[next_].value,
-                  static_cast<float>(fraction));
+      return high > low ? static_cast<float>(std::clamp((x - low) / (high - low), 0.0, 1.0)) : 0.0f;
     };
-    return {at(start), at(end)};
+    return {next_ - 1, at(start), at(end)};
   }
 
   /// Lengths along the polyline at the stops, which are vertices of it.
@@ -60,18 +76,54 @@ class StopSampler {
   std::size_t next_ = 0;
 };
 
+/// What a side gets for a segment: what its stops give there.
 template <class Value>
-SegmentValues<FieldValue> as_values(const SegmentValues<Value>& values) {
-  return {FieldValue(values.start), FieldValue(values.end)};
+struct GiveValues {
+  SegmentValues<FieldValue> operator()(StopSampler<Value>& stops, std::uint32_t segment) const {
+    const SegmentValues<Value> values = stops.values(segment);
+    return {FieldValue(values.start), FieldValue(values.end)};
+  }
+  SegmentValues<FieldValue> without_stops(std::uint32_t) const { return {}; }
+  void end_side(const StopList<Value>&) {}
+};
+
+/// Or where it lies among them: see sample_stop_places().
+template <class Value>
+struct GivePlaces {
+  std::span<const std::uint32_t> vertex_curve;
+  std::size_t column = 0;  ///< of the side's first stop
+
+  SegmentValues<FieldValue> operator()(StopSampler<Value>& stops, std::uint32_t segment) const {
+    const StopInterval interval = stops.interval(segment);
+    const auto place = [&](float fraction) {
+      return FieldValue(Rgb{fraction, static_cast<float>(column + interval.index),
+                            static_cast<float>(vertex_curve[segment])});
+    };
+    return {place(interval.start), place(interval.end)};
+  }
+  SegmentValues<FieldValue> without_stops(std::uint32_t segment) const {
+    const FieldValue place(Rgb{0, 0, static_cast<float>(vertex_curve[segment])});
+    return {place, place};
+  }
+  void end_side(const StopList<Value>& list) { column += list.stops.size(); }
+};
+
+const SideShader<Rgb>& color_of(const Side& side) {
+  return side.color;
+}
+const SideShader<float>& opacity_of(const Side& side) {
+  return side.opacity;
 }
 
 /// Samples one attribute, which `shader_of` finds on a side.
-template <class Value, class ShaderOf>
+template <class Value, class Give = GiveValues<Value>>
 class AttributeSampler {
  public:
-  AttributeSampler(const FlatCurves& flat, std::span<const Curve> curves, ShaderOf shader_of,
-                   InterpolationSpace space)
-      : flat_(flat), curves_(curves), shader_of_(shader_of) {
+  using ShaderOf = const SideShader<Value>&(const Side& side);
+
+  AttributeSampler(const FlatCurves& flat, std::span<const Curve> curves, ShaderOf* shader_of,
+                   InterpolationSpace space, Give give = {})
+      : flat_(flat), curves_(curves), shader_of_(shader_of), give_(give) {
     attributes_.space = space;
   }
 
@@ -104,9 +156,11 @@ class AttributeSampler {
     for (std::uint32_t v = flat_.curve_begin[index]; v + 1 < flat_.curve_begin[index + 1]; ++v) {
       out[v].kind = shader.kind;
       out[v].shader = slot;
-      if (shader.kind == ShaderKind::curve_domain) out[v].value = as_values(values.values(v));
+      out[v].value =
+          shader.kind == ShaderKind::curve_domain ? give_(values, v) : give_.without_stops(v);
       if (!side.blur_radius.empty()) out[v].blur_radius = radii.values(v);
     }
+    if (shader.kind == ShaderKind::curve_domain) give_.end_side(stops);
   }
 
   std::uint32_t slot_of(std::uint32_t shader) {
@@ -119,7 +173,8 @@ class AttributeSampler {
 
   const FlatCurves& flat_;
   std::span<const Curve> curves_;
-  ShaderOf shader_of_;
+  ShaderOf* shader_of_;
+  Give give_;
   SegmentAttributes attributes_;
 };
 
@@ -128,19 +183,43 @@ class AttributeSampler {
 Result<SegmentAttributes> sample_colors(const Context& context, const FlatCurves& flat,
                                         std::span<const Curve> curves, InterpolationSpace space,
                                         TableMemory& memory) {
-  const auto color_of = [](const Side& side) -> const SideShader<Rgb>& { return side.color; };
-  AttributeSampler<Rgb, decltype(color_of)> sampler(flat, curves, color_of, space);
-  return sampler.run(context, memory);
+  return AttributeSampler<Rgb>(flat, curves, color_of, space).run(context, memory);
 }
 
 Result<SegmentAttributes> sample_opacities(const Context& context, const FlatCurves& flat,
                                            std::span<const Curve> curves, TableMemory& memory) {
-  const auto opacity_of = [](const Side& side) -> const SideShader<float>& { return side.opacity; };
-  AttributeSampler<float, decltype(opacity_of)> sampler(flat, curves, opacity_of,
-                                                        InterpolationSpace::srgb);
-  Result<SegmentAttributes> attributes = sampler.run(context, memory);
+  Result<SegmentAttributes> attributes =
+      AttributeSampler<float>(flat, curves, opacity_of, InterpolationSpace::srgb)
+          .run(context, memory);
   if (attributes) attributes->base_channels = 1;
   return attributes;
+}
+
+std::size_t stop_count(std::span<const Curve> curves, StopAttribute attribute) {
+  const auto of_side = [&](const Side& side) {
+    const auto of_shader = [](const auto& shader) {
+      return shader.kind == ShaderKind::curve_domain ? shader.stops.stops.size() : std::size_t{0};
+    };
+    return attribute == StopAttribute::color ? of_shader(side.color) : of_shader(side.opacity);
+  };
+  std::size_t count = 0;
+  for (const Curve& curve : curves) count += of_side(curve.left) + of_side(curve.right);
+  return count;
+}
+
+Result<SegmentAttributes> sample_stop_places(const Context& context, const FlatCurves& flat,
+                                             std::span<const Curve> curves, StopAttribute attribute,
+                                             TableMemory& memory) {
+  if (stop_count(curves, attribute) > kMostStopPlaces || curves.size() > kMostStopPlaces) {
+    return make_limit_error(
+        &Limits::stops, "places are told of at most " + std::to_string(kMostStopPlaces) + " stops");
+  }
+  const auto sample = [&]<class Value>(const SideShader<Value>& (*shader_of)(const Side&)) {
+    return AttributeSampler<Value, GivePlaces<Value>>(flat, curves, shader_of,
+                                                      InterpolationSpace::srgb, {flat.vertex_curve})
+        .run(context, memory);
+  };
+  return attribute == StopAttribute::color ? sample(color_of) : sample(opacity_of);
 }
 
 bool opacity_goes_with_color(std::span<const Curve> curves) {

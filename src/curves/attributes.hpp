@@ -8,6 +8,7 @@
 #include "curves/flatten.hpp"
 #include "sfumato/base/color.hpp"
 #include "sfumato/base/color_space.hpp"
+#include "sfumato/document/stop_place.hpp"
 
 namespace sfumato::curves {
 
@@ -76,6 +77,26 @@ Result<SegmentAttributes> sample_colors(const Context& context, const FlatCurves
 /// The same for opacities.
 Result<SegmentAttributes> sample_opacities(const Context& context, const FlatCurves& flat,
                                            std::span<const Curve> curves, TableMemory& memory);
+
+/// How many stops the sides of the curves have of one attribute: those of a side that is not
+/// curve_domain do not count.
+std::size_t stop_count(std::span<const Curve> curves, StopAttribute attribute);
+
+/// So many stops, and curves, have a number that is exact in a float.
+inline constexpr std::size_t kMostStopPlaces = std::size_t{1} << 24;
+
+/// In place of values: where each segment lies among the stops of an attribute. Channels:
+///
+///   0   the fraction of the way from a stop to the next one of its side; a segment lies between
+///       two. 0 before the first stop and behind the last.
+///   1   the column of that stop: its index among those that stop_count() counts, curve by curve,
+///       on the left then the right, stop by stop
+///   2   the index of the curve, also on sides without stops
+///
+/// Errors: limit (memory, kMostStopPlaces), cancelled.
+Result<SegmentAttributes> sample_stop_places(const Context& context, const FlatCurves& flat,
+                                             std::span<const Curve> curves, StopAttribute attribute,
+                                             TableMemory& memory);
 
 /// Whether each side of each curve has a colour where it has an opacity, none of them
 /// image-domain: the rays of both attributes are the same then.

@@ -43,17 +43,12 @@ bool have_the_same_term(const FreeEnd& a, float unit_a, const FreeEnd& b, float 
          about(double{a.weight} * unit_a, double{b.weight} * unit_b);
 }
 
-/// The share τ of the positive side in z_e, at d from the end, unbent.
-double positive_share(const FreeEnd& end, Vec2 d) {
-  const double r = length(d);
-  const double across = cross(end.direction, d), ahead = dot(end.direction, d);
-  // sin(φ/2), each form where nothing cancels in it.
-  const double half_sine = ahead > 0 ? across / std::sqrt(2 * r * (r + ahead))
-                                     : std::copysign(std::sqrt(0.5 * (1 - ahead / r)), across);
-  const float radius = across > 0 ? end.blur_positive : end.blur_negative;
+/// The share τ of the positive side in z_e.
+double positive_share(const FreeEnd& end, const EndShare& share) {
+  const float radius = share.is_positive() ? end.blur_positive : end.blur_negative;
   // β at the distance from the line of the curve's last segment.
-  const double front = curves::front_share(std::fabs(across), double{radius});
-  return 0.5 + 0.5 * half_sine * (2 * front - 1);
+  const double front = curves::front_share(std::fabs(share.across), double{radius});
+  return 0.5 + 0.5 * share.half_sine * (2 * front - 1);
 }
 
 }  // namespace
@@ -62,6 +57,20 @@ Vec2 FreeEnd::unbent(Vec2 d) const {
   const double sine = bend * length(d);
   const double cosine = std::sqrt(std::max(0.0, 1 - sine * sine));
   return {cosine * d.x + sine * d.y, cosine * d.y - sine * d.x};
+}
+
+EndShare end_share(const FreeEnd& end, Vec2 d) {
+  const double r_squared = length_squared(d);
+  const double x = r_squared / (end.reach * end.reach);
+  if (!(x < 1) || !(r_squared > 0)) return {};
+  const Vec2 u = end.unbent(d);
+  const double r = length(u);
+  const double across = cross(end.direction, u), ahead = dot(end.direction, u);
+  // sin(φ/2), each form where nothing cancels in it.
+  const double half_sine = ahead > 0 ? across / std::sqrt(2 * r * (r + ahead))
+                                     : std::copysign(std::sqrt(0.5 * (1 - ahead / r)), across);
+  return {kWeight * end.weight / r_squared * ((1 - x) * (1 - x) / (1 + kEndKnee * x)), half_sine,
+          across};
 }
 
 Result<FreeEnds> FreeEnds::create(Context& context, const mesh::TriangleMesh& mesh,
@@ -376,15 +385,11 @@ bool FreeEnds::add(Vec2 p, float weight, std::span<float> value) const {
   bool any = false;
   visit_leaves_at(p, [&](std::uint32_t leaf) {
     for (const FreeEnd& end : of_leaf(leaf)) {
-      const Vec2 d = p - end.position;
-      const double r_squared = length_squared(d);
-      const double x = r_squared / (end.reach * end.reach);
-      if (!(x < 1) || !(r_squared > 0)) continue;
-      const double more =
-          kWeight * end.weight / r_squared * ((1 - x) * (1 - x) / (1 + kEndKnee * x));
-      sum += more;
-      const auto mixed = static_cast<float>(more / sum);
-      const auto turned = static_cast<float>(positive_share(end, end.unbent(d)));
+      const EndShare share = end_share(end, p - end.position);
+      if (!(share.weight > 0)) continue;
+      sum += share.weight;
+      const auto mixed = static_cast<float>(share.weight / sum);
+      const auto turned = static_cast<float>(positive_share(end, share));
       const auto z = lerp(end.negative, end.positive, turned);
       for (std::size_t c = 0; c < value.size(); ++c) {
         const bool is_base = c < static_cast<std::size_t>(base_channels_);

@@ -35,6 +35,19 @@ struct FreeEnd {
   Vec2 unbent(Vec2 d) const;
 };
 
+/// What a point takes of a free end (docs/mathematics.md), before blur: of the weight, the share
+/// 1/2 + sin(φ/2) (β - 1/2) is the positive side's. β: curves::front_share() of |across|, with the
+/// radius of the side on which the point lies.
+struct EndShare {
+  double weight = 0;     ///< 0 from the reach on, and on the end itself
+  double half_sine = 0;  ///< sin(φ/2)
+  double across = 0;     ///< of the curve's line, user units; positive on the positive side
+
+  bool is_positive() const { return across > 0; }
+};
+/// d   from the end to the point
+EndShare end_share(const FreeEnd& end, Vec2 d);
+
 /// What a search for free ends knows of a mesh. An edge is named by the lower of its half-edges.
 struct EndTables {
   /// The edges with curves that meet at a vertex.
@@ -104,6 +117,10 @@ class FreeEnds {
   Result<FreeEnds> fresh(Context& context) const { return part(context, fresh_); }
 
   bool empty() const { return end_.empty(); }
+
+  /// The ends, in the order of the terms of view(); of no reach: taken away. Positions are relative
+  /// to the origin, weights in units.
+  std::span<const FreeEnd> all() const { return end_; }
 
   /// The terms as the exact gather's kernels read them, as long as this lives.
   EndTree view() const;

@@ -6,6 +6,7 @@
 
 #include "base/table_memory.hpp"
 #include "curves/attributes.hpp"
+#include "curves/front_share.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
@@ -21,16 +22,28 @@ struct RowSide {
   float to = 0;              ///< at the other end
   std::int32_t shader = -1;  ///< SegmentSide::shader of an image-domain side, which has no stops
   bool has_value = false;    ///< false: there is no such side (the other takes all)
+
+  friend bool operator==(const RowSide&, const RowSide&) = default;
 };
 
 /// What rows are made of: one direction of an edge with curves, as points on its `front` see it, or
 /// one side of a free end.
+///
+/// Free ends whose two sides have the same value are none for other gathers (find_free_ends); here
+/// no two sides are the same, and every free end has its term.
 struct RowSource {
   RowSide front, back;
   std::uint32_t curve = 0;  ///< whose radius of blur it has
   float blur_from = 0;      ///< radius, user units; 0: sharp
   float blur_to = 0;
+
+  friend bool operator==(const RowSource&, const RowSource&) = default;
 };
+
+/// The radius of blur with which a source was made, at a place from 0 to 1 on it.
+inline double radius_at(const RowSource& source, double moment) {
+  return source.blur_from + moment * (double{source.blur_to} - source.blur_from);
+}
 
 /// What a point takes of one source. With β = front_share(distance, radius at `moment`), 1 where
 /// the source has no back, the share 1/2 + lean (β - 1/2) of the weight is the front's and the rest
@@ -41,7 +54,32 @@ struct RowTerm {
   float moment;    ///< mean place of the weight on the edge, from 0 to 1
   float distance;  ///< of the point from the line of the edge, user units
   float lean;      ///< 1 for edges; |sin(φ/2)| of a free end
+
+  friend bool operator==(const RowTerm&, const RowTerm&) = default;
 };
+
+/// Calls sink(side, weight) for the sides between which a term's weight is divided, where the blur
+/// has this radius.
+template <class Sink>
+void for_each_side(const RowSource& source, const RowTerm& term, double radius, Sink&& sink) {
+  const double beta =
+      source.back.has_value ? curves::front_share(double{term.distance}, radius) : 1;
+  const double front = 0.5 + term.lean * (beta - 0.5);
+  if (front > 0) sink(source.front, front * term.weight);
+  if (front < 1) sink(source.back, (1 - front) * term.weight);
+}
+
+/// Calls sink(column, weight) for the stops from which a term takes its value: what the point's row
+/// has in these columns, one or several times each. Sides with image-domain shaders have none.
+template <class Sink>
+void for_each_entry(const RowSource& source, const RowTerm& term, double radius, Sink&& sink) {
+  for_each_side(source, term, radius, [&](const RowSide& side, double weight) {
+    if (side.shader >= 0) return;
+    const double next = side.from + term.moment * (double{side.to} - side.from);
+    if (next < 1) sink(side.column, (1 - next) * weight);
+    if (next > 0) sink(side.column + 1, next * weight);
+  });
+}
 
 /// The linear map from stops to values at points (paper eq. 2–11), before blur: radii may change
 /// without another search for what a point sees. An edge on which the radius varies is seen in

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 namespace sfumato::curves {
@@ -76,6 +77,72 @@ TEST(Attributes, the_weight_of_a_curve_is_on_all_its_segments) {
   const Sampled s = sampled(curve);
   EXPECT_EQ(s.attributes.weight[0], 2.5f);
   EXPECT_EQ(s.attributes.weight[1], 2.5f);
+}
+
+using Place = std::array<float, 3>;
+
+Place place(const FieldValue& value) {
+  return {value.channel[0], value.channel[1], value.channel[2]};
+}
+
+TEST(StopPlaces, are_fractions_between_stops_that_are_counted_curve_by_curve_left_then_right) {
+  Curve first = line_with_left(StopSpace::parameter, {{0.25, {}}, {0.75, {}}});
+  first.right.color = {ShaderKind::curve_domain, {StopSpace::arc_length, {{0, {}}, {1, {}}}}, 0};
+  first.right.opacity = {ShaderKind::curve_domain, {StopSpace::parameter, {{0, 1.0f}}}, 0};
+  Curve second = line_with_left(StopSpace::parameter, {{0, {}}});
+  second.right.color = {ShaderKind::image_domain, {}, 7};
+  const std::vector<Curve> curves{first, second};
+  EXPECT_EQ(stop_count(curves, StopAttribute::color), 5u);
+  EXPECT_EQ(stop_count(curves, StopAttribute::opacity), 1u);
+  Context context;
+  const FlatCurves flat = *flatten(context, curves, {});
+  TableMemory memory("a test");
+  const SegmentAttributes places =
+      *sample_stop_places(context, flat, curves, StopAttribute::color, memory);
+  EXPECT_EQ(context.budget.used(),
+            capacity_bytes(places.left, places.right, places.weight, places.vertex, places.curve));
+  // Before its first stop, between the two, behind the last.
+  EXPECT_EQ(place(places.left[0].value.start), (Place{0, 0, 0}));
+  EXPECT_EQ(place(places.left[0].value.end), (Place{0, 0, 0}));
+  EXPECT_EQ(place(places.left[1].value.start), (Place{0, 0, 0}));
+  EXPECT_EQ(place(places.left[1].value.end), (Place{1, 0, 0}));
+  EXPECT_EQ(place(places.left[2].value.start), (Place{0, 1, 0}));
+  EXPECT_EQ(place(places.left[2].value.end), (Place{0, 1, 0}));
+  EXPECT_EQ(place(places.right[1].value.start), (Place{0.25f, 2, 0}));
+  EXPECT_EQ(place(places.right[1].value.end), (Place{0.75f, 2, 0}));
+  const std::uint32_t s = flat.curve_begin[1];
+  EXPECT_EQ(place(places.left[s].value.end), (Place{0, 4, 1}));
+  EXPECT_EQ(places.right[s].kind, ShaderKind::image_domain);
+  EXPECT_EQ(place(places.right[s].value.start), (Place{0, 0, 1}));
+  EXPECT_EQ(places.shader, std::vector<std::uint32_t>{7});
+}
+
+TEST(StopPlaces, with_a_step_lie_on_the_side_of_it_where_the_segment_is) {
+  const std::vector<Curve> curves{
+      line_with_left(StopSpace::parameter, {{0, {}}, {0.5, {}}, {0.5, {}}, {1, {}}})};
+  Context context;
+  const FlatCurves flat = *flatten(context, curves, {});
+  TableMemory memory("a test");
+  const SegmentAttributes places =
+      *sample_stop_places(context, flat, curves, StopAttribute::color, memory);
+  EXPECT_EQ(place(places.left[0].value.end), (Place{1, 0, 0}));
+  EXPECT_EQ(place(places.left[1].value.start), (Place{0, 2, 0}));
+}
+
+TEST(StopPlaces, of_more_stops_than_a_float_can_count_are_a_limit_error) {
+  Curve curve = line_with_left(StopSpace::parameter, {{0, {}}});
+  std::vector<Curve> curves{curve};
+  Context context;
+  const FlatCurves flat = *flatten(context, curves, {});
+  curves[0].left.opacity.kind = ShaderKind::curve_domain;
+  curves[0].left.opacity.stops.stops.resize(kMostStopPlaces + 1);
+  TableMemory memory("a test");
+  const Result<SegmentAttributes> places =
+      sample_stop_places(context, flat, curves, StopAttribute::opacity, memory);
+  ASSERT_FALSE(places.ok());
+  EXPECT_EQ(places.status().code, StatusCode::limit);
+  EXPECT_EQ(places.status().limit, "stops");
+  EXPECT_TRUE(sample_stop_places(context, flat, curves, StopAttribute::color, memory).ok());
 }
 
 }  // namespace
