@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <vector>
 
-#include "base/limit_error.hpp"
 #include "base/parallel.hpp"
-#include "base/table_memory.hpp"
 #include "gather/gather.hpp"
 #include "gather/kernels/kernel_entry.hpp"
+#include "gather/packet_stack.hpp"
 #include "gather/weight_class.hpp"
 
 namespace sfumato::gather {
@@ -18,30 +17,6 @@ constexpr std::size_t kPacketsPerTask = 16;
 /// A packet may walk through every triangle of the mesh, in some 30 ns each: as many between two
 /// looks at the cancel flag.
 constexpr std::size_t kTrianglesPerPoll = 500'000;
-
-/// Windows that wait during a walk: a few dozen on drawings, hundreds among thousands of short
-/// curves, as many as a ray crosses triangles on adversarial input.
-class GrowingStack {
- public:
-  explicit GrowingStack(Context& context) : context_(context) {}
-
-  PacketStack view() {
-    if (!heap_.empty()) return {heap_.data(), static_cast<int>(heap_.size())};
-    return {own_, kPacketStackLeast};
-  }
-
-  Status grow() {
-    const std::size_t capacity = 4 * static_cast<std::size_t>(view().capacity);
-    memory_.free(heap_);
-    return memory_.resize(context_, heap_, capacity);
-  }
-
- private:
-  Context& context_;
-  StackSlot own_[kPacketStackLeast];
-  std::vector<StackSlot> heap_;
-  TableMemory memory_{"the gather's stack"};
-};
 
 /// One shader's weights of a packet, on a register's boundary.
 struct alignas(64) SharesOfPacket {
@@ -76,7 +51,7 @@ class ExactGather {
     const auto shader_count = static_cast<std::size_t>(scene_.shader_count);
     std::vector<SharesOfPacket> shares(kPacketsPerTask * shader_count);
     for (std::size_t i = begin; i < end; ++i) {
-      input[i - begin] = packet_input(packing_.packet[i]);
+      input[i - begin] = packet_input(packing_, packing_.packet[i], located_);
       result[i - begin].shader_share =
           shares.empty() ? nullptr : shares[(i - begin) * shader_count].lane;
     }
@@ -92,37 +67,15 @@ class ExactGather {
     return ok_status();
   }
 
-  /// How far the stack gets depends on the threads: the error does not say it.
   Status walk(const PacketBatch& batch, GrowingStack& stack) {
     while (!kernel_(scene_, batch, stack.view())) {
-      const Status status = stack.grow();
-      if (status) continue;
-      if (status.limit != "memory") return status;
-      return make_limit_error("memory",
-                              "memory limit reached: the gather's stack on this mesh needs more");
+      if (Status status = stack.grow(); !status) return status;
     }
     return ok_status();
   }
 
-  PacketInput packet_input(const Packet& packet) const {
-    PacketInput input;
-    input.triangle = packing_.triangle.data() + packet.first_triangle;
-    input.triangle_count = packet.triangle_count;
-    int lane = 0;
-    for_each_point(packet, [&](int used_lane, std::uint32_t point) {
-      input.x[used_lane] = located_.x[point];
-      input.y[used_lane] = located_.y[point];
-      lane = used_lane;
-    });
-    for (int i = lane + 1; i < kPacketLanes; ++i) {
-      input.x[i] = input.x[lane];
-      input.y[i] = input.y[lane];
-    }
-    return input;
-  }
-
   void store(const Packet& packet, const PacketResult& result) {
-    for_each_point(packet, [&](int lane, std::uint32_t point) {
+    for_each_point(packing_, packet, [&](int lane, std::uint32_t point) {
       const std::size_t slot = points_.slot(point);
       float* out = output_.out.data() + slot * channel_count_;
       for (int c = 0; c < base_channels_; ++c) *out++ = result.value[c][lane];
@@ -139,17 +92,6 @@ class ExactGather {
     SceneView view = scene.view();
     view.ends = ends.view();
     return view;
-  }
-
-  template <class Body>
-  void for_each_point(const Packet& packet, Body body) const {
-    for (int i = 0; i < packet.triangle_count; ++i) {
-      const PacketTriangle& t =
-          packing_.triangle[packet.first_triangle + static_cast<std::size_t>(i)];
-      for (int lane = t.lane_begin; lane < t.lane_end; ++lane) {
-        body(lane, packing_.point[t.first_point + static_cast<std::uint32_t>(lane - t.lane_begin)]);
-      }
-    }
   }
 
   Context& context_;

@@ -106,6 +106,24 @@ class Packer {
 
 }  // namespace
 
+PacketInput packet_input(const Packing& packing, const Packet& packet,
+                         const LocatedPoints& points) {
+  PacketInput input;
+  input.triangle = packing.triangle.data() + packet.first_triangle;
+  input.triangle_count = packet.triangle_count;
+  int lane = 0;
+  for_each_point(packing, packet, [&](int used_lane, std::uint32_t point) {
+    input.x[used_lane] = points.x[point];
+    input.y[used_lane] = points.y[point];
+    lane = used_lane;
+  });
+  for (int i = lane + 1; i < kPacketLanes; ++i) {
+    input.x[i] = input.x[lane];
+    input.y[i] = input.y[lane];
+  }
+  return input;
+}
+
 Result<Packing> pack(Context& context, const Scene& scene, const LocatedPoints& points) {
   Packing packing;
   Status status = Packer(context, scene, points, packing).pack();

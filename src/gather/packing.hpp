@@ -24,6 +24,20 @@ struct Packing {
   TableMemory memory{"packets of points"};
 };
 
+/// Calls body(lane, index of the point) for the lanes of a packet that are used.
+template <class Body>
+void for_each_point(const Packing& packing, const Packet& packet, Body body) {
+  for (int i = 0; i < packet.triangle_count; ++i) {
+    const PacketTriangle& t = packing.triangle[packet.first_triangle + static_cast<std::size_t>(i)];
+    for (int lane = t.lane_begin; lane < t.lane_end; ++lane) {
+      body(lane, packing.point[t.first_point + static_cast<std::uint32_t>(lane - t.lane_begin)]);
+    }
+  }
+}
+
+/// A packet as the kernels read it, as long as `packing` lives.
+PacketInput packet_input(const Packing& packing, const Packet& packet, const LocatedPoints& points);
+
 /// Fills packets triangle by triangle. A packet that is not full grows breadth-first over edges
 /// that rays pass in both directions, to at most kPacketTriangles triangles. Errors: limit.
 Result<Packing> pack(Context& context, const Scene& scene, const LocatedPoints& points);

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "base/poll.hpp"
-#include "gather/scene.hpp"
 
 namespace sfumato::gather {
 namespace {
@@ -49,36 +48,40 @@ RowSource source_of(const FieldValue& front, const FieldValue& back, float blur)
   return {row_side(front), row_side(back), curve_of(front), blur, blur};
 }
 
+RowEdge edge_of(const mesh::TriangleMesh& mesh, std::uint32_t half_edge) {
+  const Vec2 from = mesh.vertex_position[mesh.origin(half_edge)];
+  const Vec2 along = mesh.vertex_position[mesh.target(half_edge)] - from;
+  return {from, along, 1 / length(along)};
+}
+
 Status add_edges(const Context& context, const mesh::TriangleMesh& mesh,
-                 const curves::SegmentAttributes& places, RowSources& sources) {
-  const auto half_edges = static_cast<std::uint32_t>(mesh.triangle_vertex.size());
-  Status status = sources.memory.resize(context, sources.at_half_edge, half_edges, kNoSource);
+                 const curves::SegmentAttributes& places, const Scene& scene, RowSources& sources) {
+  const std::size_t count = scene.hit_edge.size();
+  Status status = sources.memory.resize(context, sources.edge, count);
+  if (status) status = sources.memory.resize(context, sources.source, count);
   RarePoll<4096> poll(context);
-  for (std::uint32_t h = 0; status && h < half_edges; ++h) {
+  for (std::size_t t = 0; status && t < scene.triangle.size(); ++t) {
     if (poll.cancelled()) return context.cancel_status();
-    if (mesh.half_edge_constraint[h] == mesh::kNone) continue;
-    const Facing front = facing_side(mesh, places, h);
-    if (front.kind == ShaderKind::barrier) sources.at_half_edge[h] = kBarrierSource;
-    if (!front.has_value()) continue;
-    sources.at_half_edge[h] = static_cast<std::int32_t>(sources.source.size());
-    status = sources.memory.push_back(context, sources.source,
-                                      source_of(front, back_side(mesh, places, h)));
-    if (status) status = sources.memory.push_back(context, sources.weight, front.weight);
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const EdgeCode code = scene.triangle[t].edge[k];
+      if (!is_hit(code)) continue;
+      const std::uint32_t h = 3 * scene.source[t] + k;
+      sources.edge[hit_index(code)] = edge_of(mesh, h);
+      sources.source[hit_index(code)] =
+          source_of(facing_side(mesh, places, h), back_side(mesh, places, h));
+    }
   }
   return status;
 }
 
 Status add_ends(const Context& context, RowSources& sources) {
-  sources.first_end = static_cast<std::uint32_t>(sources.source.size());
-  Status status;
-  for (const FreeEnd& end : sources.ends.all()) {
-    status = sources.memory.push_back(context, sources.source,
-                                      source_of(end.positive, end.negative, end.blur_positive));
-    if (status) {
-      status = sources.memory.push_back(context, sources.source,
-                                        source_of(end.negative, end.positive, end.blur_negative));
-    }
-    if (!status) return status;
+  const std::span<const FreeEnd> ends = sources.ends.all();
+  const std::size_t count = sources.edge.size() + 2 * ends.size();
+  Status status = sources.memory.reserve(context, sources.source, count);
+  if (!status) return status;
+  for (const FreeEnd& end : ends) {
+    sources.source.push_back(source_of(end.positive, end.negative, end.blur_positive));
+    sources.source.push_back(source_of(end.negative, end.positive, end.blur_negative));
   }
   return context.check();
 }
@@ -86,11 +89,11 @@ Status add_ends(const Context& context, RowSources& sources) {
 }  // namespace
 
 Result<RowSources> find_row_sources(Context& context, const mesh::TriangleMesh& mesh,
-                                    const curves::SegmentAttributes& places) {
+                                    const curves::SegmentAttributes& places, const Scene& scene) {
   RowSources sources;
-  Status status = add_edges(context, mesh, places, sources);
+  Status status = add_edges(context, mesh, places, scene, sources);
   if (!status) return status;
-  Result<FreeEnds> ends = FreeEnds::create(context, mesh, places, {}, 1);
+  Result<FreeEnds> ends = FreeEnds::create(context, mesh, places, {}, scene.weight_unit);
   if (!ends) return ends.status();
   sources.ends = std::move(*ends);
   status = add_ends(context, sources);

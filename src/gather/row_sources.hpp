@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -7,34 +8,40 @@
 #include "curves/attributes.hpp"
 #include "gather/free_ends.hpp"
 #include "gather/rows.hpp"
+#include "gather/scene.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
+#include "sfumato/base/vec2.hpp"
 
 namespace sfumato::gather {
 
-/// In place of a source, at a half-edge of the mesh.
-inline constexpr std::int32_t kNoSource = -1;  ///< rays pass
-inline constexpr std::int32_t kBarrierSource = -2;
+/// Where the source of an edge lies. Its triangle is where cross(along, p - from) is positive.
+struct RowEdge {
+  Vec2 from;
+  Vec2 along;
+  double inverse_length = 0;
 
-/// The sources of a mesh's rows, and where they lie.
+  double distance(Vec2 p) const { return std::max(cross(along, p - from) * inverse_length, 0.0); }
+};
+
+/// The sources of a mesh's rows: those of edges, then for each free end that of points on its
+/// positive side and that of the others.
 struct RowSources {
   std::vector<RowSource> source;
-  std::vector<float> weight;               ///< k, per source of an edge
-  std::vector<std::int32_t> at_half_edge;  ///< a source, or one of the above
-  FreeEnds ends;                           ///< positions in the layer frame, weights as they are
-  std::uint32_t first_end = 0;  ///< behind the edges' sources come, for each of ends.all(), that of
-                                ///< points on its positive side, then that of the others
+  std::vector<RowEdge> edge;  ///< per hit edge of the scene, whose index is that of its source
+  FreeEnds ends;              ///< positions in the layer frame, weights in the scene's unit
   TableMemory memory{"rows of the gather"};
 
   std::uint32_t of_end(std::size_t end, bool is_positive) const {
-    return first_end + 2 * static_cast<std::uint32_t>(end) + (is_positive ? 0 : 1);
+    return static_cast<std::uint32_t>(edge.size() + 2 * end + (is_positive ? 0 : 1));
   }
 };
 
-/// places   curves::sample_stop_places() on the curves of `mesh`. Errors: limit (memory),
-/// cancelled.
+/// places   curves::sample_stop_places() on the curves of `mesh`
+/// scene    of both
+/// Errors   limit (memory), cancelled
 Result<RowSources> find_row_sources(Context& context, const mesh::TriangleMesh& mesh,
-                                    const curves::SegmentAttributes& places);
+                                    const curves::SegmentAttributes& places, const Scene& scene);
 
 }  // namespace sfumato::gather

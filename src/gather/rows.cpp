@@ -2,139 +2,256 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "base/limit_error.hpp"
 #include "base/parallel.hpp"
+#include "gather/kernels/row_kernel_entry.hpp"
 #include "gather/locate.hpp"
+#include "gather/packet_stack.hpp"
+#include "gather/packing.hpp"
+#include "gather/point_terms.hpp"
 #include "gather/row_sources.hpp"
-#include "gather/row_walk.hpp"
 #include "gather/scene.hpp"
 
 namespace sfumato::gather {
 namespace {
 
-constexpr std::size_t kPointsPerBlock = 256;
-/// Blocks are gathered side by side, then their terms appended in order: so few wait at a time.
-constexpr std::size_t kBlocksPerWave = 64;
+/// Points are packed and gathered in waves of so many, so that few terms wait to be put in order.
+constexpr std::size_t kPointsPerWave = 16384;
+constexpr std::size_t kPacketsPerTask = 16;
+
+/// The terms of the points of one packet after another.
+class PacketTerms {
+ public:
+  PacketTerms(const Scene& scene, const RowSources& sources, float negligible)
+      : scene_(scene),
+        sources_(sources),
+        negligible_(negligible),
+        lane_(kPacketLanes, PointTerms(sources)) {}
+
+  /// points   in double precision, one for each lane
+  void begin(const std::array<Vec2, kPacketLanes>& points) {
+    for (std::size_t i = 0; i < kPacketLanes; ++i) lane_[i].begin(points[i]);
+  }
+
+  PointTerms& lane(int i) { return lane_[static_cast<std::size_t>(i)]; }
+
+  /// To be called between begin() and what lane() is asked for.
+  RowTaker taker() {
+    const auto take = [](void* self, const RowView* view, int count) {
+      for (int i = 0; i < count; ++i) static_cast<PacketTerms*>(self)->add(view[i]);
+    };
+    return {this, take, negligible_};
+  }
+
+  std::size_t capacity_bytes() const {
+    std::size_t bytes = 0;
+    for (const PointTerms& terms : lane_) bytes += terms.capacity_bytes();
+    return bytes;
+  }
+
+ private:
+  void add(const RowView& view) {
+    const double k = scene_.hit_edge[view.hit].weight;
+    const RowSource& source = sources_.source[view.hit];
+    const bool varies = source.blur_from != source.blur_to && source.back.has_value;
+    for (std::uint32_t lanes = view.lanes; lanes != 0; lanes &= lanes - 1) {
+      const int i = std::countr_zero(lanes);
+      const double weight = k * view.weight[i];
+      const PartMoment part{weight, 0.5 * (weight + k * view.lean[i])};
+      PointTerms& terms = lane(view.first_lane + i);
+      if (varies) {
+        terms.add_varied(view.hit, k, view.from[i], view.to[i], part);
+      } else {
+        terms.add(view.hit, part);
+      }
+    }
+  }
+
+  const Scene& scene_;
+  const RowSources& sources_;
+  float negligible_;
+  std::vector<PointTerms> lane_;
+};
 
 class RowGather {
  public:
   RowGather(Context& context, const mesh::TriangleMesh& mesh, std::span<const Vec2> points,
             const RowOptions& options)
-      : context_(context), mesh_(mesh), points_(points), options_(options) {}
+      : context_(context),
+        kernel_(row_kernel(context.simd)),
+        mesh_(mesh),
+        points_(points),
+        options_(options) {}
 
   Result<Rows> run(const curves::SegmentAttributes& places) {
     Status status = prepare(places);
-    for (std::size_t i = 0; status && i < points_.size(); i += kBlocksPerWave * kPointsPerBlock)
-      status = add_wave(i, std::min(i + kBlocksPerWave * kPointsPerBlock, points_.size()));
+    for (std::size_t i = 0; status && i < points_.size(); i += kPointsPerWave)
+      status = add_wave(points_.subspan(i, std::min(kPointsPerWave, points_.size() - i)));
     if (!status) return status;
     rows_.source = std::move(sources_.source);
-    sources_.memory.free(sources_.weight);
-    sources_.memory.free(sources_.at_half_edge);
+    sources_.memory.free(sources_.edge);
     rows_.memory.take(std::move(sources_.memory));
     return std::move(rows_);
   }
 
  private:
-  struct Block {
+  /// What a task found.
+  struct Found {
     std::vector<RowTerm> term;
-    std::vector<std::uint32_t> end;  ///< per point: of its terms
     std::size_t known_bytes = 0;
     TableMemory memory{"rows of the gather"};
   };
+  /// Where the terms of a point are among them.
+  struct Place {
+    std::uint32_t task = 0, begin = 0, end = 0;
+  };
+  /// Points that are gathered together.
+  struct Wave {
+    std::span<const Vec2> points;
+    const LocatedPoints& located;
+    const Packing& packing;
+  };
 
   Status prepare(const curves::SegmentAttributes& places) {
-    Result<RowSources> sources = find_row_sources(context_, mesh_, places);
+    Result<Scene> scene = build_scene(context_, mesh_, places);
+    if (!scene) return scene.status();
+    scene_ = std::move(*scene);
+    Result<RowSources> sources = find_row_sources(context_, mesh_, places, scene_);
     if (!sources) return sources.status();
     sources_ = std::move(*sources);
-    Status status = locate(places);
-    if (status) status = rows_.memory.reserve(context_, rows_.begin, points_.size() + 1);
+    if (!scene_.triangle.empty()) {
+      Result<Locator> locator = Locator::create(context_, scene_);
+      if (!locator) return locator.status();
+      locator_.emplace(std::move(*locator));
+    }
+    Status status = rows_.memory.reserve(context_, rows_.begin, points_.size() + 1);
     if (status) rows_.begin.push_back(0);
     return status;
   }
 
-  /// In single precision, up to which a point is near the triangle that it gets.
-  Status locate(const curves::SegmentAttributes& places) {
-    if (mesh_.triangle_count() == 0) return ok_status();
-    const Result<Scene> scene = build_scene(context_, mesh_, places, {.will_be_extended = true});
-    if (!scene) return scene.status();
-    const Result<Locator> locator = Locator::create(context_, *scene);
-    if (!locator) return locator.status();
-    Result<LocatedPoints> located = locator->locate(context_, points_);
+  Status add_wave(std::span<const Vec2> points) {
+    if (!locator_) {
+      rows_.begin.resize(rows_.begin.size() + points.size(), 0);
+      return context_.check();
+    }
+    const Result<LocatedPoints> located = locator_->locate(context_, points);
     if (!located) return located.status();
-    triangle_ = std::move(located->triangle);
-    memory_.take(std::move(located->memory));
-    for (std::uint32_t& t : triangle_) t = scene->source[t];
-    return context_.check();
-  }
-
-  Status add_wave(std::size_t first, std::size_t last) {
-    const Status status = try_parallel_for(
-        context_, last - first, kPointsPerBlock, [&](std::size_t begin, std::size_t end) {
-          return gather(first + begin, first + end, block_[begin / kPointsPerBlock]);
+    const Result<Packing> packing = pack(context_, scene_, *located);
+    if (!packing) return packing.status();
+    const Wave wave{points, *located, *packing};
+    const std::size_t packets = packing->packet.size();
+    const std::size_t tasks = (packets + kPacketsPerTask - 1) / kPacketsPerTask;
+    if (found_.size() < tasks) found_.resize(tasks);
+    Status status = memory_.resize(context_, place_, points.size());
+    if (!status) return status;
+    status = try_parallel_for(
+        context_, packets, kPacketsPerTask, [&](std::size_t begin, std::size_t end) {
+          return gather(wave, begin, end, static_cast<std::uint32_t>(begin / kPacketsPerTask));
         });
-    return status ? append(first, last) : status;
+    return status ? append(points.size()) : status;
   }
 
-  Status gather(std::size_t begin, std::size_t end, Block& block) const {
-    RowWalk walk(context_, mesh_, sources_, options_);
-    std::size_t known_walk_bytes = 0;
-    TableMemory memory("the walk of rows");
-    block.term.clear();
-    block.end.clear();
+  /// One task: packets [begin, end).
+  Status gather(const Wave& wave, std::size_t begin, std::size_t end, std::uint32_t task) {
+    GrowingStack stack(context_);
+    PacketTerms terms(scene_, sources_, options_.negligible);
+    TableMemory memory("rows of the gather");
+    std::size_t known_bytes = 0;
+    Found& found = found_[task];
+    found.term.clear();
     for (std::size_t i = begin; i < end; ++i) {
-      if (!triangle_.empty()) walk.add(points_[i], triangle_[i], block.term);
-      block.end.push_back(static_cast<std::uint32_t>(block.term.size()));
-      if (walk.cancelled()) return context_.cancel_status();
-      Status status = memory.settle(context_, walk.bytes(), known_walk_bytes);
+      if (context_.cancelled()) return context_.cancel_status();
+      Status status = walk(wave, wave.packing.packet[i], stack, terms);
+      if (!status) return status;
+      for_each_point(wave.packing, wave.packing.packet[i], [&](int lane, std::uint32_t point) {
+        const auto first = static_cast<std::uint32_t>(found.term.size());
+        if (is_inside(wave, point)) {
+          terms.lane(lane).add_ends();
+          terms.lane(lane).store(options_.negligible, found.term);
+        }
+        place_[point] = {task, first, static_cast<std::uint32_t>(found.term.size())};
+      });
+      status = memory.settle(context_, terms.capacity_bytes(), known_bytes);
       if (status) {
-        const std::size_t bytes = capacity_bytes(block.term, block.end);
-        status = block.memory.settle(context_, bytes, block.known_bytes);
+        status = found.memory.settle(context_, capacity_bytes(found.term), found.known_bytes);
       }
       if (!status) return status;
     }
     return ok_status();
   }
 
-  /// The terms of a wave's blocks.
-  Status append(std::size_t first, std::size_t last) {
+  Status walk(const Wave& wave, const Packet& packet, GrowingStack& stack,
+              PacketTerms& terms) const {
+    std::array<Vec2, kPacketLanes> points{};
+    for_each_point(wave.packing, packet, [&](int lane, std::uint32_t point) {
+      points[static_cast<std::size_t>(lane)] = wave.points[point];
+    });
+    const PacketInput input = packet_input(wave.packing, packet, wave.located);
+    for (;;) {
+      terms.begin(points);
+      if (kernel_(scene_.view(), input, terms.taker(), stack.view())) return ok_status();
+      if (Status status = stack.grow(); !status) return status;
+    }
+  }
+
+  /// A point outside has got a triangle at the hull, which is convex.
+  bool is_inside(const Wave& wave, std::uint32_t point) const {
+    const std::uint32_t t = wave.located.triangle[point];
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      if (scene_.triangle[t].twin[k] >= 0) continue;
+      const std::uint32_t h = 3 * scene_.source[t] + k;
+      const Vec2 a = mesh_.vertex_position[mesh_.origin(h)];
+      if (cross(mesh_.vertex_position[mesh_.target(h)] - a, wave.points[point] - a) < 0)
+        return false;
+    }
+    return true;
+  }
+
+  /// The terms of the next points, in their order.
+  Status append(std::size_t points) {
     std::size_t count = rows_.term.size();
-    const std::size_t blocks = (last - first + kPointsPerBlock - 1) / kPointsPerBlock;
-    for (std::size_t b = 0; b < blocks; ++b) count += block_[b].term.size();
+    for (const Place& place : place_) count += place.end - place.begin;
     if (count > std::numeric_limits<std::uint32_t>::max()) {
       return make_limit_error("memory", "rows have too many terms: 4 billion are the most");
     }
-    Status status = make_room(count, last);
-    for (std::size_t b = 0; status && b < blocks; ++b) {
-      const auto base = static_cast<std::uint32_t>(rows_.term.size());
-      for (const std::uint32_t end : block_[b].end) rows_.begin.push_back(base + end);
-      status = rows_.memory.append(context_, block_[b].term, rows_.term);
+    Status status = make_room(count, rows_.begin.size() - 1 + points);
+    if (!status) return status;
+    for (const Place& place : place_) {
+      const auto first = found_[place.task].term.begin();
+      rows_.term.insert(rows_.term.end(), first + place.begin, first + place.end);
+      rows_.begin.push_back(static_cast<std::uint32_t>(rows_.term.size()));
     }
-    return status;
+    return context_.check();
   }
 
-  /// For so many terms of the points before `last`, and for the others if these have as many each:
-  /// a table that grows is twice in memory.
-  Status make_room(std::size_t count, std::size_t last) {
+  /// For so many terms of so many points, and for the others if these have as many each: a table
+  /// that grows is twice in memory.
+  Status make_room(std::size_t count, std::size_t points) {
     if (count <= rows_.term.capacity()) return ok_status();
-    const double points = static_cast<double>(points_.size()) / static_cast<double>(last);
-    const double expected = 1.05 * static_cast<double>(count) * points;
+    const double expected = 1.05 * static_cast<double>(count) *
+                            (static_cast<double>(points_.size()) / static_cast<double>(points));
     if (rows_.memory.reserve(context_, rows_.term, static_cast<std::size_t>(expected)))
       return ok_status();
     return rows_.memory.reserve(context_, rows_.term, count);
   }
 
   Context& context_;
+  RowKernel* kernel_;
   const mesh::TriangleMesh& mesh_;
   std::span<const Vec2> points_;
   RowOptions options_;
+  Scene scene_;
   RowSources sources_;
-  std::vector<std::uint32_t> triangle_;  ///< of the mesh, per point; empty where it has none
-  std::array<Block, kBlocksPerWave> block_;
+  std::optional<Locator> locator_;  ///< empty where the mesh has no triangle
+  std::vector<Found> found_;        ///< per task of a wave
+  std::vector<Place> place_;        ///< per point of a wave
   Rows rows_;
-  TableMemory memory_{"the points to gather at"};
+  TableMemory memory_{"rows of the gather"};
 };
 
 }  // namespace

@@ -102,8 +102,12 @@ struct RowOptions {
 /// places   curves::sample_stop_places() of the attribute
 /// points   layer frame; one outside the mesh, or that sees nothing, has no terms
 /// Errors   limit (memory, 32-bit indices), cancelled
-/// Cost     some microseconds a point; runs on the pool; the same bits for any thread count and
-///          instruction set. Points that follow each other should be near each other.
+/// Cost     1.5 to 4 microseconds of CPU a point; runs on the pool; the same bits for any thread
+///          count and instruction set. Points that follow each other should be near each other.
+///          Memory: 20 bytes a term, of which drawings have 20 to 60 a point.
+///
+/// In single precision: a row differs from that of rows_reference() by 2e-6 of its sum on average,
+/// and by 5e-5 nearer than a hundredth of a unit to a curve.
 Result<Rows> gather_rows(Context& context, const mesh::TriangleMesh& mesh,
                          const curves::SegmentAttributes& places, std::span<const Vec2> points,
                          const RowOptions& options = {});

@@ -1,0 +1,14 @@
+#if defined(__x86_64__)
+
+#include "gather/kernels/row_kernel.hpp"
+
+namespace sfumato::gather {
+
+bool find_rows_avx2(const SceneView& scene, const PacketInput& packet, const RowTaker& taker,
+                    const PacketStack& stack) {
+  return find_rows<8>(scene, packet, taker, stack);
+}
+
+}  // namespace sfumato::gather
+
+#endif
