@@ -9,6 +9,7 @@
 
 #include "base/limit_error.hpp"
 #include "base/parallel.hpp"
+#include "base/poll.hpp"
 #include "gather/kernels/row_kernel_entry.hpp"
 #include "gather/locate.hpp"
 #include "gather/packet_stack.hpp"
@@ -24,11 +25,15 @@ namespace {
 constexpr std::size_t kPointsPerWave = 16384;
 constexpr std::size_t kPacketsPerTask = 16;
 
-/// The terms of the points of one packet after another.
+/// The terms of the points of one packet after another. Errors: limit (memory), cancelled; what is
+/// found after one is left out.
 class PacketTerms {
  public:
-  PacketTerms(const Scene& scene, const RowSources& sources, float negligible)
-      : scene_(scene),
+  PacketTerms(const Context& context, const Scene& scene, const RowSources& sources,
+              float negligible)
+      : context_(context),
+        poll_(context),
+        scene_(scene),
         sources_(sources),
         negligible_(negligible),
         lane_(kPacketLanes, PointTerms(sources)) {}
@@ -43,9 +48,19 @@ class PacketTerms {
   /// To be called between begin() and what lane() is asked for.
   RowTaker taker() {
     const auto take = [](void* self, const RowView* view, int count) {
-      for (int i = 0; i < count; ++i) static_cast<PacketTerms*>(self)->add(view[i]);
+      static_cast<PacketTerms*>(self)->take({view, static_cast<std::size_t>(count)});
     };
     return {this, take, negligible_};
+  }
+
+  const Status& status() const { return status_; }
+
+ private:
+  void take(std::span<const RowView> views) {
+    if (status_ && poll_.cancelled()) status_ = context_.cancel_status();
+    if (!status_) return;
+    for (const RowView& view : views) add(view);
+    status_ = memory_.settle(context_, capacity_bytes(), known_bytes_);
   }
 
   std::size_t capacity_bytes() const {
@@ -54,7 +69,6 @@ class PacketTerms {
     return bytes;
   }
 
- private:
   void add(const RowView& view) {
     const double k = scene_.hit_edge[view.hit].weight;
     const RowSource& source = sources_.source[view.hit];
@@ -72,10 +86,15 @@ class PacketTerms {
     }
   }
 
+  const Context& context_;
+  RarePoll<64> poll_;
   const Scene& scene_;
   const RowSources& sources_;
   float negligible_;
   std::vector<PointTerms> lane_;
+  std::size_t known_bytes_ = 0;
+  Status status_;
+  TableMemory memory_{"rows of the gather"};
 };
 
 class RowGather {
@@ -121,6 +140,7 @@ class RowGather {
     Result<Scene> scene = build_scene(context_, mesh_, places);
     if (!scene) return scene.status();
     scene_ = std::move(*scene);
+    view_ = scene_.view();
     Result<RowSources> sources = find_row_sources(context_, mesh_, places, scene_);
     if (!sources) return sources.status();
     sources_ = std::move(*sources);
@@ -159,27 +179,16 @@ class RowGather {
   /// One task: packets [begin, end).
   Status gather(const Wave& wave, std::size_t begin, std::size_t end, std::uint32_t task) {
     GrowingStack stack(context_);
-    PacketTerms terms(scene_, sources_, options_.negligible);
-    TableMemory memory("rows of the gather");
-    std::size_t known_bytes = 0;
+    PacketTerms terms(context_, scene_, sources_, options_.negligible);
     Found& found = found_[task];
     found.term.clear();
     for (std::size_t i = begin; i < end; ++i) {
-      if (context_.cancelled()) return context_.cancel_status();
-      Status status = walk(wave, wave.packing.packet[i], stack, terms);
-      if (!status) return status;
-      for_each_point(wave.packing, wave.packing.packet[i], [&](int lane, std::uint32_t point) {
-        const auto first = static_cast<std::uint32_t>(found.term.size());
-        if (is_inside(wave, point)) {
-          terms.lane(lane).add_ends();
-          terms.lane(lane).store(options_.negligible, found.term);
-        }
-        place_[point] = {task, first, static_cast<std::uint32_t>(found.term.size())};
+      const Packet& packet = wave.packing.packet[i];
+      Status status = walk(wave, packet, stack, terms);
+      for_each_point(wave.packing, packet, [&](int lane, std::uint32_t point) {
+        if (status) status = store(wave, point, terms.lane(lane), found);
+        if (status) place_[point].task = task;
       });
-      status = memory.settle(context_, terms.capacity_bytes(), known_bytes);
-      if (status) {
-        status = found.memory.settle(context_, capacity_bytes(found.term), found.known_bytes);
-      }
       if (!status) return status;
     }
     return ok_status();
@@ -194,9 +203,20 @@ class RowGather {
     const PacketInput input = packet_input(wave.packing, packet, wave.located);
     for (;;) {
       terms.begin(points);
-      if (kernel_(scene_.view(), input, terms.taker(), stack.view())) return ok_status();
+      if (kernel_(view_, input, terms.taker(), stack.view())) return terms.status();
       if (Status status = stack.grow(); !status) return status;
     }
+  }
+
+  Status store(const Wave& wave, std::uint32_t point, PointTerms& terms, Found& found) {
+    if (context_.cancelled()) return context_.cancel_status();
+    place_[point].begin = static_cast<std::uint32_t>(found.term.size());
+    if (is_inside(wave, point)) {
+      terms.add_ends();
+      terms.store(options_.negligible, found.term);
+    }
+    place_[point].end = static_cast<std::uint32_t>(found.term.size());
+    return found.memory.settle(context_, capacity_bytes(found.term), found.known_bytes);
   }
 
   /// A point outside has got a triangle at the hull, which is convex.
@@ -246,6 +266,7 @@ class RowGather {
   std::span<const Vec2> points_;
   RowOptions options_;
   Scene scene_;
+  SceneView view_{};
   RowSources sources_;
   std::optional<Locator> locator_;  ///< empty where the mesh has no triangle
   std::vector<Found> found_;        ///< per task of a wave
