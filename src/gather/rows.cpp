@@ -24,6 +24,8 @@ namespace {
 /// Points are packed and gathered in waves of so many, so that few terms wait to be put in order.
 constexpr std::size_t kPointsPerWave = 16384;
 constexpr std::size_t kPacketsPerTask = 16;
+/// Terms are put in order by so many points at a time.
+constexpr std::size_t kPointsPerCopy = 512;
 
 /// The terms of the points of one packet after another. Errors: limit (memory), cancelled; what is
 /// found after one is left out.
@@ -234,19 +236,25 @@ class RowGather {
 
   /// The terms of the next points, in their order.
   Status append(std::size_t points) {
+    const std::size_t first = rows_.begin.size() - 1;
     std::size_t count = rows_.term.size();
-    for (const Place& place : place_) count += place.end - place.begin;
+    for (const Place& place : place_) {
+      count += place.end - place.begin;
+      rows_.begin.push_back(static_cast<std::uint32_t>(count));
+    }
     if (count > std::numeric_limits<std::uint32_t>::max()) {
       return make_limit_error("memory", "rows have too many terms: 4 billion are the most");
     }
-    Status status = make_room(count, rows_.begin.size() - 1 + points);
+    Status status = make_room(count, first + points);
     if (!status) return status;
-    for (const Place& place : place_) {
-      const auto first = found_[place.task].term.begin();
-      rows_.term.insert(rows_.term.end(), first + place.begin, first + place.end);
-      rows_.begin.push_back(static_cast<std::uint32_t>(rows_.term.size()));
-    }
-    return context_.check();
+    rows_.term.resize(count);
+    return parallel_for(context_, points, kPointsPerCopy, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const Place& place = place_[i];
+        const RowTerm* const from = found_[place.task].term.data();
+        std::copy(from + place.begin, from + place.end, rows_.term.data() + rows_.begin[first + i]);
+      }
+    });
   }
 
   /// For so many terms of so many points, and for the others if these have as many each: a table

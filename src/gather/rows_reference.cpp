@@ -112,12 +112,14 @@ Result<Rows> rows_reference(Context& context, const TriangleMesh& mesh,
   if (!sources) return sources.status();
   RowReference reference(context, mesh, *scene, *sources);
   Rows rows;
+  std::vector<RowTerm> terms;
   rows.begin.push_back(0);
   for (const Vec2 p : points) {
-    Status status = reference.add(p, options.negligible, rows.term);
+    Status status = reference.add(p, options.negligible, terms);
     if (!status) return status;
-    rows.begin.push_back(static_cast<std::uint32_t>(rows.term.size()));
+    rows.begin.push_back(static_cast<std::uint32_t>(terms.size()));
   }
+  rows.term.assign(terms.begin(), terms.end());
   rows.source = std::move(sources->source);
   rows.memory.take(std::move(sources->memory));
   return rows;
