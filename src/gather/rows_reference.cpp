@@ -24,12 +24,7 @@ class RowReference {
  public:
   RowReference(Context& context, const TriangleMesh& mesh, const Scene& scene,
                const RowSources& sources)
-      : context_(context),
-        poll_(context),
-        mesh_(mesh),
-        scene_(scene),
-        sources_(sources),
-        terms_(sources) {
+      : context_(context), poll_(context), mesh_(mesh), scene_(scene), terms_(sources) {
     code_.resize(mesh.triangle_vertex.size());
     for (std::size_t t = 0; t < scene.triangle.size(); ++t)
       std::ranges::copy(scene.triangle[t].edge, code_.begin() + 3 * scene.source[t]);
@@ -94,7 +89,6 @@ class RowReference {
   RarePoll<4096> poll_;
   const TriangleMesh& mesh_;
   const Scene& scene_;
-  const RowSources& sources_;
   std::vector<EdgeCode> code_;  ///< per half-edge of the mesh
   Vec2 p_;
   std::vector<Window> waiting_;
