@@ -81,10 +81,8 @@ Rows rows_of(Context& context, const Mapped& m, std::span<const Vec2> points,
   return rows ? std::move(*rows) : Rows{};
 }
 
-Rows reference_rows_of(const Mapped& m, std::span<const Vec2> points,
-                       const RowOptions& options = {}) {
-  Context context;
-  Result<Rows> rows = rows_reference(context, m.mesh, m.places, points, options);
+Rows reference_rows_of(Context& context, const Mapped& m, std::span<const Vec2> points) {
+  Result<Rows> rows = rows_reference(context, m.mesh, m.places, points);
   EXPECT_TRUE(rows.ok()) << rows.status().message;
   return rows ? std::move(*rows) : Rows{};
 }
@@ -225,7 +223,8 @@ TEST(Rows, times_colours_are_the_gather) {
     const Drawing drawing = draw(random_lines(seed, 80, 0.1, 0.1));
     const Mapped m = mapped(drawing);
     const std::vector<Vec2> points = points_of(drawing, seed);
-    const Rows expected = reference_rows_of(m, points);
+    Context context;
+    const Rows expected = reference_rows_of(context, m, points);
     EXPECT_LE(difference(m, expected, points), 1e-6);
     expect_about_the_same(m, points, expected);
   }
@@ -237,7 +236,8 @@ TEST(Rows, take_blur_of_any_radius_and_shaders_as_the_gather_does) {
         draw(two_kinds_of_radius(with_blends(random_lines(seed, 60, 0.1, 0.1), seed, 25, 4)));
     const Mapped m = mapped(drawing);
     const std::vector<Vec2> points = points_of(drawing, seed);
-    const Rows expected = reference_rows_of(m, points);
+    Context context;
+    const Rows expected = reference_rows_of(context, m, points);
     EXPECT_LE(difference(m, expected, points), 1e-6);
     expect_about_the_same(m, points, expected);
   }
@@ -270,7 +270,8 @@ TEST(Rows, of_the_examples_times_their_stops_are_the_gather) {
     ASSERT_TRUE(document) << name;
     const Mapped m = mapped(*document);
     const std::vector<Vec2> points = grid_of(m, 20);
-    const Rows expected = reference_rows_of(m, points);
+    Context context;
+    const Rows expected = reference_rows_of(context, m, points);
     EXPECT_LE(difference(m, expected, points), 1e-6) << name;
     expect_about_the_same(m, points, expected);
   }
@@ -352,7 +353,8 @@ TEST(Rows, of_curves_that_cross_and_lie_on_each_other_are_the_gather) {
   const Drawing drawing = draw({first, on_it, across, wall});
   const Mapped m = mapped(drawing);
   const std::vector<Vec2> points = random_points(drawing, 30, 500, 1e-3);
-  const Rows expected = reference_rows_of(m, points);
+  Context context;
+  const Rows expected = reference_rows_of(context, m, points);
   EXPECT_LE(difference(m, expected, points), 1e-6);
   expect_about_the_same(m, points, expected);
 }
@@ -409,7 +411,8 @@ TEST(Rows, among_thousands_of_specks_are_the_same) {
   const Drawing drawing = draw(specks(26, 3000));
   const Mapped m = mapped(drawing);
   const std::vector<Vec2> points = random_points(drawing, 26, 40, 0.05);
-  expect_about_the_same(m, points, reference_rows_of(m, points));
+  Context context;
+  expect_about_the_same(m, points, reference_rows_of(context, m, points));
 }
 
 TEST(Rows, are_empty_outside_the_mesh_and_where_nothing_is_seen) {
