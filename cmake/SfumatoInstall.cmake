@@ -4,7 +4,7 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-set(library_folders base document codecs curves formats picture import mesh gather raster solve display
+set(library_folders base document codecs curves formats picture import mesh gather trace raster solve display
     export gpu api lint options output capi)
 add_library(sfumato_library STATIC)
 add_library(sfumato::sfumato ALIAS sfumato_library)

@@ -48,11 +48,14 @@ class TraceWatch {
 
 /// How to trace(). The defaults suit photos.
 struct TraceOptions {
+  /// The largest smooth_px.
+  static constexpr double kMostSmooth = 32;
+
   /// Control points at most, with those of the frame; 0: 2,000 for a picture of 640 × 480, and in
   /// proportion to the square root of the number of pixels for others.
   int points = 0;
-  int max_curves = 0;   ///< curves at most, with the frame; 0: no limit
-  double psnr_db = 0;   ///< ends as soon as this is reached; 0: never
+  int max_curves = 0;      ///< curves at most, with the frame; 0: no limit
+  double psnr_db = 0;      ///< ends as soon as this is reached; 0: never
   double max_seconds = 0;  ///< begins no further round after this time; 0: no limit
   TraceBlur blur = TraceBlur::fitted;
   TraceStops stops = TraceStops::normal;
@@ -65,16 +68,16 @@ struct TraceOptions {
   std::uint64_t seed = 0;   ///< of the choice of pixels that colours are fitted to
   bool edges_only = false;  ///< ends after round 0: a draft
   bool has_opacity = true;  ///< transparent pictures become drawings with opacity; else as on white
-  bool has_texture = false;  ///< what remains after the curves becomes an image-domain shader
+  bool has_texture = false;     ///< what remains after the curves becomes an image-domain shader
   TraceWatch* watch = nullptr;  ///< null: nobody is told
 };
 
 /// How a trace went.
 struct TraceStats {
-  std::vector<TraceState> rounds;    ///< after each round, and last as returned
-  double scale = 1;                  ///< pixels looked at per pixel of the picture
-  double noise = 0;                  ///< standard deviation of the picture's noise, OKLab L
-  double median_length_px = 0;       ///< of the curves, without the frame, pixels of the picture
+  std::vector<TraceState> rounds;  ///< after each round, and last as returned
+  double scale = 1;                ///< pixels looked at per pixel of the picture
+  double noise = 0;                ///< standard deviation of the picture's noise, OKLab L
+  double median_length_px = 0;     ///< of the curves, without the frame, pixels of the picture
   /// How many curves, those of most benefit first, bear 9/10 of the benefit.
   std::size_t curves_of_nine_tenths = 0;
 };

@@ -1,0 +1,167 @@
+#include "trace/bounded_solve.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace sfumato::tracing {
+namespace {
+
+constexpr int kSteps = 60;
+/// The search ends where the residual has fallen to this share.
+constexpr double kTolerance = 1e-4;
+/// How often unknowns outside their bounds are held and the rest is solved again.
+constexpr int kRounds = 3;
+
+using FourDoubles = std::array<double, 4>;
+
+class BoundedSolver {
+ public:
+  BoundedSolver(Context& context, const BoundedProblem& problem, std::span<FourFloats> x)
+      : context_(context), problem_(problem), x_(x), start_(x.begin(), x.end()) {}
+
+  Status run() {
+    const std::size_t count = x_.size();
+    is_free_.assign(count, {1, 1, 1, 1});
+    for (auto* table : {&residual_, &direction_, &image_, &scaled_}) table->resize(count);
+    find_diagonal();
+    for (int round = 0; round < kRounds; ++round) {
+      Status status = descend();
+      if (!status) return status;
+      if (!hold_outside()) break;
+    }
+    return ok_status();
+  }
+
+ private:
+  void find_diagonal() {
+    const SparseMatrix& normal = problem_.normal;
+    diagonal_.resize(x_.size());
+    for (std::uint32_t i = 0; i < normal.row_count(); ++i) {
+      float own = problem_.pull[i];
+      for (std::uint32_t k = normal.begin[i]; k < normal.begin[i + 1]; ++k) {
+        if (normal.column[k] == i) own += normal.value[k];
+      }
+      if (problem_.has_next[i]) own += problem_.even;
+      if (i > 0 && problem_.has_next[i - 1]) own += problem_.even;
+      diagonal_[i] = own;
+    }
+  }
+
+  /// image = (N + diag(pull) + even D) v.
+  Status apply(std::span<const FourFloats> v) {
+    Status status = multiply(context_, problem_.normal, v, image_);
+    if (!status) return status;
+    for (std::size_t i = 0; i < v.size(); ++i) {
+      for (std::size_t c = 0; c < 4; ++c) {
+        image_[i][c] += problem_.pull[i] * v[i][c];
+        if (!problem_.has_next[i]) continue;
+        const float step = problem_.even * (v[i][c] - v[i + 1][c]);
+        image_[i][c] += step;
+        image_[i + 1][c] -= step;
+      }
+    }
+    return status;
+  }
+
+  /// Σ a b over what is free, per channel.
+  FourDoubles inner(std::span<const FourFloats> a, std::span<const FourFloats> b) const {
+    FourDoubles sum{};
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      for (std::size_t c = 0; c < 4; ++c) sum[c] += double{a[i][c]} * b[i][c];
+    }
+    return sum;
+  }
+
+  void keep_free(std::span<FourFloats> v) const {
+    for (std::size_t i = 0; i < v.size(); ++i) {
+      for (std::size_t c = 0; c < 4; ++c) v[i][c] *= is_free_[i][c];
+    }
+  }
+
+  void scale_residual() {
+    for (std::size_t i = 0; i < x_.size(); ++i) {
+      for (std::size_t c = 0; c < 4; ++c) scaled_[i][c] = residual_[i][c] / diagonal_[i];
+    }
+  }
+
+  /// Conjugate gradients in all channels at once, over what is free.
+  Status descend() {
+    Status status = apply(x_);
+    if (!status) return status;
+    for (std::size_t i = 0; i < x_.size(); ++i) {
+      for (std::size_t c = 0; c < 4; ++c) {
+        residual_[i][c] =
+            problem_.right_side[i][c] + problem_.pull[i] * start_[i][c] - image_[i][c];
+      }
+    }
+    keep_free(residual_);
+    scale_residual();
+    direction_ = scaled_;
+    FourDoubles slope = inner(residual_, scaled_);
+    const FourDoubles first = slope;
+    for (int step = 0; step < kSteps; ++step) {
+      bool is_done = true;
+      for (std::size_t c = 0; c < 4; ++c) {
+        is_done = is_done && slope[c] <= kTolerance * kTolerance * first[c];
+      }
+      if (is_done) break;
+      status = apply(direction_);
+      if (!status) return status;
+      keep_free(image_);
+      const FourDoubles bend = inner(direction_, image_);
+      FourFloats go{};
+      for (std::size_t c = 0; c < 4; ++c) {
+        go[c] = bend[c] > 0 ? static_cast<float>(slope[c] / bend[c]) : 0.0f;
+      }
+      for (std::size_t i = 0; i < x_.size(); ++i) {
+        for (std::size_t c = 0; c < 4; ++c) {
+          x_[i][c] += go[c] * direction_[i][c];
+          residual_[i][c] -= go[c] * image_[i][c];
+        }
+      }
+      scale_residual();
+      const FourDoubles next = inner(residual_, scaled_);
+      for (std::size_t i = 0; i < x_.size(); ++i) {
+        for (std::size_t c = 0; c < 4; ++c) {
+          const auto turn = static_cast<float>(slope[c] > 0 ? next[c] / slope[c] : 0.0);
+          direction_[i][c] = scaled_[i][c] + turn * direction_[i][c];
+        }
+      }
+      slope = next;
+    }
+    return ok_status();
+  }
+
+  /// Moves unknowns outside their bounds onto these and holds them; whether there were any.
+  bool hold_outside() {
+    bool any = false;
+    for (std::size_t i = 0; i < x_.size(); ++i) {
+      for (std::size_t c = 0; c < 4; ++c) {
+        const float inside = std::clamp(x_[i][c], problem_.low[i][c], problem_.high[i][c]);
+        if (inside == x_[i][c]) continue;
+        x_[i][c] = inside;
+        is_free_[i][c] = 0;
+        any = true;
+      }
+    }
+    return any;
+  }
+
+  Context& context_;
+  const BoundedProblem& problem_;
+  std::span<FourFloats> x_;
+  std::vector<FourFloats> start_;
+  std::vector<FourFloats> is_free_;  ///< 1 or 0
+  std::vector<float> diagonal_;
+  std::vector<FourFloats> residual_, direction_, image_, scaled_;
+};
+
+}  // namespace
+
+Status solve_bounded(Context& context, const BoundedProblem& problem, std::span<FourFloats> x) {
+  return BoundedSolver(context, problem, x).run();
+}
+
+}  // namespace sfumato::tracing

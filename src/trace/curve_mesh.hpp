@@ -1,0 +1,58 @@
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "base/table_memory.hpp"
+#include "curves/attributes.hpp"
+#include "gather/rows.hpp"
+#include "mesh/triangle_mesh.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
+#include "trace/sample_pixels.hpp"
+#include "trace/sparse.hpp"
+#include "trace/traced_curve.hpp"
+
+namespace sfumato::tracing {
+
+/// Pixels with what the points in them see.
+struct PixelRows {
+  SamplePixels pixels;
+  gather::Rows rows;
+};
+
+/// Curves as the gather sees them. Only their shapes and the places of their stops count.
+class CurveMesh {
+ public:
+  /// width, height   of the picture, pixels
+  /// Errors          limit, cancelled
+  static Result<CurveMesh> build(Context& context, std::span<const TracedCurve> curves, int width,
+                                 int height);
+
+  /// Errors: limit, cancelled.
+  Result<PixelRows> gather(Context& context, SamplePixels pixels) const;
+
+ private:
+  CurveMesh() = default;
+
+  mesh::TriangleMesh mesh_;
+  curves::SegmentAttributes places_;
+  TableMemory memory_{"the mesh of a trace"};
+};
+
+/// The values of pixels as sums of those of stops, in the order of curves, sides and stops: a row
+/// for each pixel. Radii are those that the curves have. Errors: limit (memory), cancelled.
+Result<SparseMatrix> value_rows(Context& context, const PixelRows& seen,
+                                std::span<const TracedCurve> curves);
+
+/// How pixels change with the radii of curves: three rows for each pixel, one a channel, and a
+/// column for each curve. Errors: limit (memory), cancelled.
+/// weight   per pixel, by which its rows are multiplied; empty: 1
+Result<SparseMatrix> radius_rows(Context& context, const PixelRows& seen,
+                                 std::span<const TracedCurve> curves,
+                                 std::span<const float> weight);
+
+/// The values of all stops, in their order.
+std::vector<FourFloats> values_of(std::span<const TracedCurve> curves);
+
+}  // namespace sfumato::tracing

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
+#include "sfumato/document/document.hpp"
+#include "trace/traced_curve.hpp"
+
+namespace sfumato::tracing {
+
+/// Curves as a document has them, with coordinates and radii times `unit_per_pixel`.
+std::vector<Curve> document_curves(std::span<const TracedCurve> curves, double unit_per_pixel,
+                                   bool has_opacity);
+
+/// The drawing of a picture of this size in user units.
+Document drawing_of(std::span<const TracedCurve> curves, Vec2 size, double unit_per_pixel,
+                    bool has_opacity);
+
+}  // namespace sfumato::tracing

@@ -1,0 +1,238 @@
+#include "trace/drawing_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "trace/bounded_solve.hpp"
+#include "trace/local_range.hpp"
+#include "trace/prune.hpp"
+#include "trace/stop_map.hpp"
+
+namespace sfumato::tracing {
+namespace {
+
+/// Weights of the two regularisers of colours.
+constexpr float kPull = 0.3f;
+constexpr float kEven = 0.3f;
+/// Added to the diagonal of the equations of radii, in shares of it and in all.
+constexpr float kRadiusDamping = 0.3f;
+constexpr float kRadiusPull = 1e-3f;
+constexpr double kLeastRadius = 0.4;
+constexpr double kLargestRadius = 24;
+/// A step changes a radius by at most this, or by half of it.
+constexpr double kRadiusStep = 0.7;
+/// No bound.
+constexpr float kAny = 1e3f;
+/// Rows of the picture for which is found at once what is missing.
+constexpr int kBandRows = 64;
+/// Where nothing is seen of a pixel, its colour still counts a little.
+constexpr float kLeastWeight = 1e-3f;
+
+double mean_square(std::span<const FourFloats> residual, std::span<const float> stands_for,
+                   std::span<const float> weight) {
+  double sum = 0, count = 0;
+  for (std::size_t i = 0; i < residual.size(); ++i) {
+    double square = 0;
+    for (std::size_t c = 0; c < 3; ++c) square += double{residual[i][c]} * residual[i][c];
+    sum += square * stands_for[i] * (weight.empty() ? 1.0 : double{weight[i]});
+    count += 3.0 * stands_for[i];
+  }
+  return count > 0 ? sum / count : 0.0;
+}
+
+double decibels(double square) {
+  constexpr double kMost = 100;
+  return square > 0 ? std::min(-10 * std::log10(square), kMost) : kMost;
+}
+
+std::vector<float> diagonal_of(const SparseMatrix& matrix) {
+  std::vector<float> diagonal(matrix.row_count());
+  for (std::uint32_t i = 0; i < matrix.row_count(); ++i) {
+    for (std::uint32_t k = matrix.begin[i]; k < matrix.begin[i + 1]; ++k) {
+      if (matrix.column[k] == i) diagonal[i] = matrix.value[k];
+    }
+  }
+  return diagonal;
+}
+
+}  // namespace
+
+Status DrawingFit::prepare(std::span<const TracedCurve> curves, double one_in, std::uint64_t seed) {
+  // What was gathered before goes first: the most that is taken at once counts.
+  seen_.reset();
+  matrix_.reset();
+  const int width = picture_.width(), height = picture_.height();
+  Result<SharpPixels> sharp = SharpPixels::mark(context_, width, height, curves);
+  if (!sharp) return sharp.status();
+  sharp_ = std::move(*sharp);
+  Result<SamplePixels> pixels = sharp_->choose(context_, {one_in, seed, 0, height});
+  if (!pixels) return pixels.status();
+  mesh_.reset();
+  Result<CurveMesh> mesh = CurveMesh::build(context_, curves, width, height);
+  if (!mesh) return mesh.status();
+  mesh_ = std::move(*mesh);
+  Result<PixelRows> seen = mesh_->gather(context_, std::move(*pixels));
+  if (!seen) return seen.status();
+  seen_ = std::move(*seen);
+  list_neighbours(curves);
+  list_targets();
+  return context_.check();
+}
+
+void DrawingFit::list_neighbours(std::span<const TracedCurve> curves) {
+  has_next_.clear();
+  for (const TracedCurve& curve : curves) {
+    for (const SideStops& side : curve.side) {
+      for (std::size_t i = 0; i < side.place.size(); ++i) {
+        has_next_.push_back(i + 1 < side.place.size());
+      }
+    }
+  }
+}
+
+void DrawingFit::list_targets() {
+  target_.clear();
+  weight_.clear();
+  for (const std::uint32_t i : seen_->pixels.pixel) {
+    FourFloats value{};
+    for (std::size_t c = 0; c < 3; ++c) value[c] = picture_.code[c].value[i];
+    value[3] = picture_.opacity ? picture_.opacity->value[i] : 1.0f;
+    target_.push_back(value);
+    if (picture_.opacity) weight_.push_back(std::max(value[3] * value[3], kLeastWeight));
+  }
+}
+
+Status DrawingFit::solve(std::span<const TracedCurve> curves, std::span<const float> weight,
+                         std::vector<FourFloats>& x) {
+  const Result<SparseMatrix> transpose = transposed(context_, *matrix_);
+  if (!transpose) return transpose.status();
+  const Result<SparseMatrix> normal = normal_matrix(context_, *matrix_, *transpose, weight);
+  if (!normal) return normal.status();
+  std::vector<FourFloats> weighted = target_;
+  for (std::size_t i = 0; i < weight.size(); ++i) {
+    for (float& value : weighted[i]) value *= weight[i];
+  }
+  std::vector<FourFloats> right_side(x.size());
+  Status status = multiply(context_, *transpose, weighted, right_side);
+  if (!status) return status;
+  const Result<ValueBounds> bounds = bounds_near(context_, picture_, curves);
+  if (!bounds) return bounds.status();
+  const std::vector<float> pull(x.size(), kPull);
+  stop_weight_ = diagonal_of(*normal);
+  return solve_bounded(context_,
+                       {*normal, right_side, has_next_, bounds->low, bounds->high, pull, kEven}, x);
+}
+
+Status DrawingFit::fit_values(std::span<TracedCurve> curves) {
+  matrix_.reset();
+  Result<SparseMatrix> matrix = value_rows(context_, *seen_, curves);
+  if (!matrix) return matrix.status();
+  matrix_ = std::move(*matrix);
+  std::vector<FourFloats> x = values_of(curves);
+  Status status;
+  if (picture_.opacity) {
+    std::vector<FourFloats> opacities = x;
+    status = solve(curves, {}, opacities);
+    if (status) status = solve(curves, weight_, x);
+    for (std::size_t i = 0; i < x.size(); ++i) x[i][3] = opacities[i][3];
+  } else {
+    status = solve(curves, {}, x);
+  }
+  if (!status) return status;
+  std::size_t at = 0;
+  for (TracedCurve& curve : curves) {
+    for (SideStops& side : curve.side) {
+      for (SideValue& value : side.value) value = x[at++];
+    }
+  }
+  return find_residual(x);
+}
+
+Status DrawingFit::find_residual(std::span<const FourFloats> x) {
+  residual_.resize(target_.size());
+  Status status = multiply(context_, *matrix_, x, residual_);
+  if (!status) return status;
+  for (std::size_t i = 0; i < residual_.size(); ++i) {
+    for (std::size_t c = 0; c < 4; ++c) residual_[i][c] = target_[i][c] - residual_[i][c];
+  }
+  psnr_db_ = decibels(mean_square(residual_, seen_->pixels.stands_for, weight_));
+  return status;
+}
+
+Status DrawingFit::prune(std::span<TracedCurve> curves, double share) {
+  const std::vector<std::uint8_t> goes = stops_to_prune(curves, stop_weight_, share);
+  const StopMap map(curves, goes);
+  for (gather::RowSource& source : seen_->rows.source) {
+    if (context_.cancelled()) return context_.cancel_status();
+    map.move(source.front);
+    map.move(source.back);
+  }
+  prune_stops(goes, curves);
+  list_neighbours(curves);
+  return ok_status();
+}
+
+Status DrawingFit::fit_radii(std::span<TracedCurve> curves) {
+  std::vector<float> weight;
+  for (const float square : weight_) weight.push_back(std::sqrt(square));
+  const Result<SparseMatrix> rows = radius_rows(context_, *seen_, curves, weight);
+  if (!rows) return rows.status();
+  const Result<SparseMatrix> transpose = transposed(context_, *rows);
+  if (!transpose) return transpose.status();
+  const Result<SparseMatrix> normal = normal_matrix(context_, *rows, *transpose, {});
+  if (!normal) return normal.status();
+  std::vector<FourFloats> missing(rows->row_count());
+  for (std::size_t i = 0; i < missing.size(); ++i) {
+    missing[i][0] = (weight.empty() ? 1.0f : weight[i / 3]) * residual_[i / 3][i % 3];
+  }
+  std::vector<FourFloats> right_side(curves.size()), step(curves.size());
+  Status status = multiply(context_, *transpose, missing, right_side);
+  if (!status) return status;
+  std::vector<float> pull = diagonal_of(*normal);
+  for (float& own : pull) own = kRadiusDamping * own + kRadiusPull;
+  const std::vector<std::uint8_t> no_next(curves.size());
+  const std::vector<FourFloats> low(curves.size(), {-kAny}), high(curves.size(), {kAny});
+  status = solve_bounded(context_, {*normal, right_side, no_next, low, high, pull, 0}, step);
+  if (!status) return status;
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    if (curves[i].is_frame) continue;
+    const double most = std::max(0.5 * curves[i].radius, kRadiusStep);
+    const double radius = curves[i].radius + std::clamp(double{step[i][0]}, -most, most);
+    curves[i].radius = std::clamp(radius, kLeastRadius, kLargestRadius);
+  }
+  return ok_status();
+}
+
+Status DrawingFit::find_missing(std::span<const TracedCurve> curves, TableMemory& memory,
+                                std::vector<Plane>& missing) {
+  const int width = picture_.width(), height = picture_.height();
+  missing.resize(picture_.opacity ? 4 : 3);
+  Status status;
+  for (Plane& plane : missing) {
+    if (status) status = make_plane(context_, width, height, memory, plane);
+  }
+  const std::vector<FourFloats> x = values_of(curves);
+  for (int y = 0; y < height && status; y += kBandRows) {
+    Result<SamplePixels> pixels =
+        sharp_->choose(context_, {1, 0, y, std::min(y + kBandRows, height)});
+    if (!pixels) return pixels.status();
+    const Result<PixelRows> seen = mesh_->gather(context_, std::move(*pixels));
+    if (!seen) return seen.status();
+    const Result<SparseMatrix> matrix = value_rows(context_, *seen, curves);
+    if (!matrix) return matrix.status();
+    std::vector<FourFloats> value(matrix->row_count());
+    status = multiply(context_, *matrix, x, value);
+    for (std::size_t i = 0; i < value.size(); ++i) {
+      const std::uint32_t at = seen->pixels.pixel[i];
+      const float opacity = picture_.opacity ? picture_.opacity->value[at] : 1.0f;
+      for (std::size_t c = 0; c < 3; ++c) {
+        missing[c].value[at] = opacity * (picture_.code[c].value[at] - value[i][c]);
+      }
+      if (picture_.opacity) missing[3].value[at] = opacity - value[i][3];
+    }
+  }
+  return status;
+}
+
+}  // namespace sfumato::tracing

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
+#include "trace/curve_mesh.hpp"
+#include "trace/picture.hpp"
+#include "trace/sparse.hpp"
+#include "trace/traced_curve.hpp"
+
+namespace sfumato::tracing {
+
+/// Fits colours and radii of curves to a picture, through rows of the gather: as long as curves and
+/// the places of stops stay, every step uses the same rows.
+class DrawingFit {
+ public:
+  /// The picture outlives this.
+  DrawingFit(Context& context, const Picture& picture) : context_(context), picture_(picture) {}
+
+  /// Gathers the rows of pixels for these curves, whose sides have stops.
+  /// one_in   of so many pixels one is fitted to
+  /// Errors   limit, cancelled
+  Status prepare(std::span<const TracedCurve> curves, double one_in, std::uint64_t seed);
+
+  /// Least squares for the values of all stops. Errors: limit (memory), cancelled.
+  Status fit_values(std::span<TracedCurve> curves);
+
+  /// One step of Gauss and Newton's method for all radii. Precondition: fit_values() was called,
+  /// and nothing changed since. Errors: limit (memory), cancelled.
+  Status fit_radii(std::span<TracedCurve> curves);
+
+  /// Leaves out stops that do little, at most `share` of all, without gathering again.
+  /// Precondition: as fit_radii(). Errors: limit (memory), cancelled.
+  Status prune(std::span<TracedCurve> curves, double share);
+
+  /// As TraceState::psnr_db, of the values that fit_values() found.
+  double psnr_db() const { return psnr_db_; }
+
+  /// What is missing at every pixel: the colours of the picture less those of the drawing, times
+  /// the picture's opacity; where that is not 1 everywhere, as a fourth plane the same of opacity.
+  /// Precondition: prepare() was called for these curves. Errors: limit (memory), cancelled.
+  Status find_missing(std::span<const TracedCurve> curves, TableMemory& memory,
+                      std::vector<Plane>& missing);
+
+ private:
+  void list_neighbours(std::span<const TracedCurve> curves);
+  void list_targets();
+  Status solve(std::span<const TracedCurve> curves, std::span<const float> weight,
+               std::vector<FourFloats>& x);
+  Status find_residual(std::span<const FourFloats> x);
+
+  Context& context_;
+  const Picture& picture_;
+  std::optional<CurveMesh> mesh_;
+  std::optional<SharpPixels> sharp_;
+  std::optional<PixelRows> seen_;
+  std::optional<SparseMatrix> matrix_;  ///< values of stops to pixels, with the present radii
+  std::vector<FourFloats> target_;      ///< per pixel
+  std::vector<float> weight_;           ///< per pixel, of its colour; empty: 1
+  std::vector<std::uint8_t> has_next_;  ///< per stop
+  std::vector<FourFloats> residual_;    ///< per pixel: target less what was fitted
+  std::vector<float> stop_weight_;      ///< per stop: Σ of the squares of its weights
+  double psnr_db_ = 0;
+};
+
+}  // namespace sfumato::tracing

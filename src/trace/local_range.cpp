@@ -1,0 +1,87 @@
+#include "trace/local_range.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "base/parallel.hpp"
+#include "curves/bezier.hpp"
+
+namespace sfumato::tracing {
+namespace {
+
+/// Half the side of the square looked at, pixels; with blur at least so many radii.
+constexpr double kNear = 8;
+constexpr double kNearRadii = 1.0;
+/// Values may leave the range by this much.
+constexpr float kWider = 0.1f;
+
+struct Range {
+  float low = 1, high = 0;
+
+  void extend(float value) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+};
+
+Range range_near(const Plane& plane, Vec2 p, int reach) {
+  const int x0 = std::clamp(static_cast<int>(p.x) - reach, 0, plane.width - 1);
+  const int x1 = std::clamp(static_cast<int>(p.x) + reach, 0, plane.width - 1);
+  const int y0 = std::clamp(static_cast<int>(p.y) - reach, 0, plane.height - 1);
+  const int y1 = std::clamp(static_cast<int>(p.y) + reach, 0, plane.height - 1);
+  Range range;
+  for (int y = y0; y <= y1; ++y) {
+    const float* row = plane.row(y);
+    for (int x = x0; x <= x1; ++x) range.extend(row[x]);
+  }
+  return range;
+}
+
+Vec2 place_on(const TracedCurve& curve, double parameter) {
+  const std::size_t pieces = (curve.control_points.size() - 1) / 3;
+  const auto piece = std::min(static_cast<std::size_t>(parameter), pieces - 1);
+  return curves::point_at(curves::piece(curve.control_points, piece),
+                          parameter - static_cast<double>(piece));
+}
+
+void add_bounds(const Picture& picture, const TracedCurve& curve, double parameter, FourFloats& low,
+                FourFloats& high) {
+  const Vec2 p = place_on(curve, parameter);
+  const int reach = static_cast<int>(std::max(kNear, kNearRadii * curve.radius));
+  for (std::size_t c = 0; c < 3; ++c) {
+    const Range range = range_near(picture.code[c], p, reach);
+    low[c] = std::max(range.low - kWider, 0.0f);
+    high[c] = std::min(range.high + kWider, 1.0f);
+  }
+  low[3] = 0;
+  high[3] = 1;
+}
+
+}  // namespace
+
+Result<ValueBounds> bounds_near(Context& context, const Picture& picture,
+                                std::span<const TracedCurve> curves) {
+  std::vector<std::size_t> first;
+  std::size_t count = 0;
+  for (const TracedCurve& curve : curves) {
+    first.push_back(count);
+    count += stop_count(curve);
+  }
+  ValueBounds bounds{std::vector<FourFloats>(count), std::vector<FourFloats>(count)};
+  Status status = parallel_for(context, curves.size(), 4, [&](std::size_t i, std::size_t end) {
+    for (; i < end; ++i) {
+      std::size_t at = first[i];
+      for (const SideStops& side : curves[i].side) {
+        for (const double parameter : side.place) {
+          add_bounds(picture, curves[i], parameter, bounds.low[at], bounds.high[at]);
+          ++at;
+        }
+      }
+    }
+  });
+  if (!status) return status;
+  return bounds;
+}
+
+}  // namespace sfumato::tracing

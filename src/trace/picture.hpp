@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+
+#include "base/table_memory.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/image.hpp"
+#include "sfumato/base/status.hpp"
+#include "trace/plane.hpp"
+
+namespace sfumato::tracing {
+
+/// A picture as it is looked at.
+struct Picture {
+  Channels
+      code;  ///< sRGB code values from 0 to 1; where nothing is to be seen, those of pixels near
+  std::optional<Plane> opacity;  ///< 0 to 1; none: opaque everywhere
+  double scale = 1;              ///< pixels looked at per pixel of the image
+  TableMemory memory{"the picture to trace"};
+
+  int width() const { return code[0].width; }
+  int height() const { return code[0].height; }
+};
+
+/// A valid image, scaled down so that its longer side has at most `max_side` pixels, by the means
+/// of what each pixel covers. keeps_opacity   false: an image with alpha is shown on white Errors
+/// limit (memory), cancelled
+Result<Picture> look_at(Context& context, const Image& image, int max_side, bool keeps_opacity);
+
+/// The coordinates of OKLab of each pixel. Errors: limit (memory), cancelled.
+Status to_oklab(Context& context, const Channels& code, TableMemory& memory, Channels& oklab);
+
+/// The standard deviation of white noise in a channel, by the median of a Laplacian of a Laplacian,
+/// which texture hardly reaches (Immerkær 1996). Errors: limit (memory), cancelled.
+Result<double> estimate_noise(Context& context, const Plane& channel);
+
+}  // namespace sfumato::tracing

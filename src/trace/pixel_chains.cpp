@@ -1,0 +1,331 @@
+#include "trace/pixel_chains.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+#include "base/poll.hpp"
+#include "sfumato/base/vec2.hpp"
+
+namespace sfumato::tracing {
+namespace {
+
+constexpr std::size_t kLeastPixels = 4;
+/// Pixels over which the direction of a chain is taken.
+constexpr std::size_t kDirectionPixels = 6;
+/// cos 60°: how directly ends must face each other, or what they run on to.
+constexpr double kFacing = 0.5;
+
+constexpr std::array<PixelPlace, 8> kNeighbours{
+    {{0, -1}, {-1, 0}, {1, 0}, {0, 1}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}}};
+constexpr std::array<PixelPlace, 8> kRing{
+    {{0, -1}, {1, -1}, {1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}}};
+
+Vec2 center(PixelPlace p) {
+  return {static_cast<double>(p.x), static_cast<double>(p.y)};
+}
+
+class ChainWalker {
+ public:
+  ChainWalker(const Context& context, const EdgeMap& edges)
+      : context_(context), poll_(context), edges_(edges), is_used_(edges.pixel.size()) {}
+
+  Result<std::vector<PixelChain>> run() {
+    for (const bool from_ends : {true, false}) {
+      for (int y = 0; y < edges_.height; ++y) {
+        for (int x = 0; x < edges_.width; ++x) {
+          if (poll_.cancelled()) return context_.cancel_status();
+          const PixelPlace p{x, y};
+          if (!is_free(p) || (from_ends && crossings(p) != 1)) continue;
+          begin_at(p, !from_ends);
+        }
+      }
+    }
+    return std::move(chains_);
+  }
+
+ private:
+  std::size_t index(PixelPlace p) const {
+    return static_cast<std::size_t>(p.y) * static_cast<std::size_t>(edges_.width) +
+           static_cast<std::size_t>(p.x);
+  }
+  bool is_edge(PixelPlace p) const {
+    return p.x >= 0 && p.y >= 0 && p.x < edges_.width && p.y < edges_.height &&
+           edges_.pixel[index(p)].scale > 0;
+  }
+  bool is_free(PixelPlace p) const { return is_edge(p) && !is_used_[index(p)]; }
+
+  /// How many lines leave the pixel.
+  int crossings(PixelPlace p) const {
+    int count = 0;
+    for (std::size_t i = 0; i < kRing.size(); ++i) {
+      const PixelPlace a = kRing[i], b = kRing[(i + 1) % kRing.size()];
+      count += !is_edge({p.x + a.x, p.y + a.y}) && is_edge({p.x + b.x, p.y + b.y});
+    }
+    return count;
+  }
+
+  void begin_at(PixelPlace p, bool both_ways) {
+    PixelChain chain = walk(p);
+    if (both_ways) {
+      if (const std::optional<PixelPlace> other = next(PixelChain{p})) {
+        PixelChain back = walk(*other);
+        std::ranges::reverse(back);
+        back.insert(back.end(), chain.begin(), chain.end());
+        chain = std::move(back);
+      }
+    }
+    if (chain.size() >= kLeastPixels) chains_.push_back(std::move(chain));
+  }
+
+  PixelChain walk(PixelPlace p) {
+    PixelChain chain{p};
+    is_used_[index(p)] = 1;
+    while (const std::optional<PixelPlace> to = next(chain)) {
+      is_used_[index(*to)] = 1;
+      chain.push_back(*to);
+    }
+    return chain;
+  }
+
+  /// The free neighbour of the chain's end that lies most nearly straight ahead.
+  std::optional<PixelPlace> next(const PixelChain& chain) const {
+    const PixelPlace at = chain.back();
+    const PixelPlace from = chain[chain.size() - std::min<std::size_t>(chain.size(), 5)];
+    const Vec2 ahead = center(at) - center(from);
+    std::optional<PixelPlace> best;
+    double most = 0;
+    for (const PixelPlace step : kNeighbours) {
+      const PixelPlace to{at.x + step.x, at.y + step.y};
+      if (!is_free(to)) continue;
+      const double straight = dot(ahead, center(step)) / length(center(step));
+      if (!best || straight > most) best = to, most = straight;
+    }
+    return best;
+  }
+
+  const Context& context_;
+  RarePoll<1024> poll_;
+  const EdgeMap& edges_;
+  std::vector<std::uint8_t> is_used_;
+  std::vector<PixelChain> chains_;
+};
+
+PixelPlace end_of(const PixelChain& chain, bool is_last) {
+  return is_last ? chain.back() : chain.front();
+}
+
+/// The direction in which a chain leaves through an end; (0, 0) if it has none.
+Vec2 outwards(const PixelChain& chain, bool is_last) {
+  const std::size_t back = std::min(chain.size() - 1, kDirectionPixels);
+  const PixelPlace inner = is_last ? chain[chain.size() - 1 - back] : chain[back];
+  const Vec2 direction = center(end_of(chain, is_last)) - center(inner);
+  const double far = length(direction);
+  return far > 0 ? direction / far : direction;
+}
+
+bool is_loop(const PixelChain& chain) {
+  return length(center(chain.front()) - center(chain.back())) < 2;
+}
+
+/// Something at each pixel of a picture, at most one.
+class PixelTable {
+ public:
+  explicit PixelTable(const EdgeMap& edges)
+      : width_(edges.width), height_(edges.height), entry_(edges.pixel.size(), -1) {}
+
+  std::int32_t& at(PixelPlace p) {
+    return entry_[static_cast<std::size_t>(p.y) * static_cast<std::size_t>(width_) +
+                  static_cast<std::size_t>(p.x)];
+  }
+
+  /// visit(place, entry) for entries within `reach` of p, row by row.
+  template <class Visit>
+  void near(PixelPlace p, double reach, Visit visit) {
+    const int far = static_cast<int>(reach);
+    for (int y = std::max(p.y - far, 0); y <= std::min(p.y + far, height_ - 1); ++y) {
+      for (int x = std::max(p.x - far, 0); x <= std::min(p.x + far, width_ - 1); ++x) {
+        const PixelPlace q{x, y};
+        if (at(q) >= 0 && length(center(q) - center(p)) <= reach) visit(q, at(q));
+      }
+    }
+  }
+
+ private:
+  int width_, height_;
+  std::vector<std::int32_t> entry_;
+};
+
+/// Ends of chains, and which of them are to be joined.
+class GapJoiner {
+ public:
+  GapJoiner(std::vector<PixelChain>& chains, const EdgeMap& edges, double gap)
+      : chains_(chains), table_(edges), gap_(gap) {}
+
+  /// One pass; whether any were joined.
+  bool run() {
+    list_ends();
+    std::vector<Pair> pairs = list_pairs();
+    std::ranges::stable_sort(pairs, {}, &Pair::distance);
+    std::vector<std::uint8_t> is_joined(chains_.size());
+    std::vector<PixelChain> joined;
+    for (const Pair& pair : pairs) {
+      const End &a = ends_[pair.a], &b = ends_[pair.b];
+      if (a.chain == b.chain || is_joined[a.chain] || is_joined[b.chain] || !face(a, b)) continue;
+      joined.push_back(join(a, b));
+      is_joined[a.chain] = is_joined[b.chain] = 1;
+    }
+    if (joined.empty()) return false;
+    std::vector<PixelChain> kept;
+    for (std::size_t i = 0; i < chains_.size(); ++i) {
+      if (!is_joined[i]) kept.push_back(std::move(chains_[i]));
+    }
+    for (PixelChain& chain : joined) kept.push_back(std::move(chain));
+    chains_ = std::move(kept);
+    for (const End& end : ends_) table_.at(end.place) = -1;
+    return true;
+  }
+
+ private:
+  struct End {
+    std::uint32_t chain;
+    bool is_last;
+    PixelPlace place;
+  };
+  struct Pair {
+    std::uint32_t a, b;
+    double distance;
+  };
+
+  void list_ends() {
+    ends_.clear();
+    for (std::uint32_t i = 0; i < chains_.size(); ++i) {
+      if (chains_[i].size() < 3 || is_loop(chains_[i])) continue;
+      for (const bool is_last : {false, true}) {
+        const PixelPlace place = end_of(chains_[i], is_last);
+        if (table_.at(place) >= 0) continue;
+        table_.at(place) = static_cast<std::int32_t>(ends_.size());
+        ends_.push_back({i, is_last, place});
+      }
+    }
+  }
+
+  std::vector<Pair> list_pairs() {
+    std::vector<Pair> pairs;
+    for (std::uint32_t i = 0; i < ends_.size(); ++i) {
+      table_.near(ends_[i].place, gap_, [&](PixelPlace q, std::int32_t other) {
+        const auto j = static_cast<std::uint32_t>(other);
+        if (j > i) pairs.push_back({i, j, length(center(q) - center(ends_[i].place))});
+      });
+    }
+    return pairs;
+  }
+
+  bool face(const End& a, const End& b) const {
+    const Vec2 out_a = outwards(chains_[a.chain], a.is_last);
+    const Vec2 out_b = outwards(chains_[b.chain], b.is_last);
+    const Vec2 between = center(b.place) - center(a.place);
+    const double far = length(between);
+    return -dot(out_a, out_b) >= kFacing && (far <= 1.5 || dot(out_a, between) >= kFacing * far);
+  }
+
+  PixelChain join(const End& a, const End& b) const {
+    PixelChain first = chains_[a.chain], second = chains_[b.chain];
+    if (!a.is_last) std::ranges::reverse(first);
+    if (b.is_last) std::ranges::reverse(second);
+    first.insert(first.end(), second.begin(), second.end());
+    return first;
+  }
+
+  std::vector<PixelChain>& chains_;
+  PixelTable table_;
+  double gap_;
+  std::vector<End> ends_;
+};
+
+/// Where pixels of chains are.
+class EndSnapper {
+ public:
+  EndSnapper(const EdgeMap& edges, const std::vector<PixelChain>& chains)
+      : chains_(chains), table_(edges) {
+    for (std::uint32_t i = 0; i < chains.size(); ++i) {
+      for (std::uint32_t j = 0; j < chains[i].size(); ++j) {
+        table_.at(chains[i][j]) = static_cast<std::int32_t>(places_.size());
+        places_.push_back({i, j});
+      }
+    }
+  }
+
+  /// The chain with its ends run on.
+  PixelChain snapped(std::uint32_t i, double reach) {
+    PixelChain chain = chains_[i];
+    constexpr std::size_t kLoopPixels = 12;
+    if (chain.size() >= kLoopPixels &&
+        length(center(chain.front()) - center(chain.back())) <= reach) {
+      chain.push_back(chain.front());
+      return chain;
+    }
+    for (const bool is_last : {true, false}) {
+      const std::optional<PixelPlace> to = ahead(i, is_last, reach);
+      if (to) chain.insert(is_last ? chain.end() : chain.begin(), *to);
+    }
+    return chain;
+  }
+
+ private:
+  struct Place {
+    std::uint32_t chain, index;
+  };
+
+  std::optional<PixelPlace> ahead(std::uint32_t i, bool is_last, double reach) {
+    const PixelChain& chain = chains_[i];
+    const PixelPlace end = end_of(chain, is_last);
+    const Vec2 out = outwards(chain, is_last);
+    const double own_index = is_last ? static_cast<double>(chain.size() - 1) : 0.0;
+    std::optional<PixelPlace> best;
+    double least = 0;
+    table_.near(end, reach, [&](PixelPlace q, std::int32_t entry) {
+      const Place& place = places_[static_cast<std::size_t>(entry)];
+      if (place.chain == i && std::fabs(place.index - own_index) < 3 * reach + 4) return;
+      const Vec2 way = center(q) - center(end);
+      const double far = length(way);
+      const double cosine = far > 0 ? dot(way, out) / far : 0.0;
+      if (cosine < kFacing) return;
+      const double cost = far * (1.5 - cosine);
+      if (!best || cost < least) best = q, least = cost;
+    });
+    return best;
+  }
+
+  const std::vector<PixelChain>& chains_;
+  PixelTable table_;
+  std::vector<Place> places_;
+};
+
+}  // namespace
+
+Result<std::vector<PixelChain>> pixel_chains(Context& context, const EdgeMap& edges) {
+  return ChainWalker(context, edges).run();
+}
+
+void join_gaps(std::vector<PixelChain>& chains, const EdgeMap& edges, double gap) {
+  constexpr int kPasses = 3;
+  GapJoiner joiner(chains, edges, gap);
+  for (int pass = 0; pass < kPasses && joiner.run(); ++pass) {
+  }
+}
+
+void snap_ends(const EdgeMap& edges, const std::vector<double>& scales, double base, double rise,
+               std::vector<PixelChain>& chains) {
+  EndSnapper snapper(edges, chains);
+  std::vector<PixelChain> snapped;
+  for (std::uint32_t i = 0; i < chains.size(); ++i) {
+    snapped.push_back(snapper.snapped(i, base + rise * std::sqrt(scales[i])));
+  }
+  chains = std::move(snapped);
+}
+
+}  // namespace sfumato::tracing

@@ -1,0 +1,74 @@
+#include "trace/prune.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace sfumato::tracing {
+namespace {
+
+struct Price {
+  double cost;
+  std::uint32_t stop;
+};
+
+/// How far a stop's value is from what its neighbours would give there, squared.
+double squared_bend(const SideStops& side, std::size_t i) {
+  const double way = side.place[i + 1] - side.place[i - 1];
+  const double t = way > 0 ? (side.place[i] - side.place[i - 1]) / way : 0.5;
+  double sum = 0;
+  for (std::size_t c = 0; c < side.value[i].size(); ++c) {
+    const double between = side.value[i - 1][c] + t * (side.value[i + 1][c] - side.value[i - 1][c]);
+    sum += (side.value[i][c] - between) * (side.value[i][c] - between);
+  }
+  return sum;
+}
+
+template <class Item>
+void keep(std::vector<Item>& items, std::span<const std::uint8_t> goes) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (!goes[i]) items[kept++] = items[i];
+  }
+  items.resize(kept);
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> stops_to_prune(std::span<const TracedCurve> curves,
+                                         std::span<const float> weight, double share) {
+  std::vector<Price> prices;
+  std::uint32_t first = 0;
+  for (const TracedCurve& curve : curves) {
+    for (const SideStops& side : curve.side) {
+      for (std::uint32_t i = 1; i + 1 < side.place.size(); ++i) {
+        prices.push_back({squared_bend(side, i) * weight[first + i], first + i});
+      }
+      first += static_cast<std::uint32_t>(side.place.size());
+    }
+  }
+  std::ranges::stable_sort(prices, {}, &Price::cost);
+  std::vector<std::uint8_t> goes(first);
+  const auto most = static_cast<std::size_t>(share * first);
+  std::size_t count = 0;
+  for (const Price& price : prices) {
+    if (count == most) break;
+    // The first and the last stop of a side have no price, so that both neighbours are of the side.
+    if (goes[price.stop - 1] || goes[price.stop + 1]) continue;
+    goes[price.stop] = 1;
+    ++count;
+  }
+  return goes;
+}
+
+void prune_stops(std::span<const std::uint8_t> goes, std::span<TracedCurve> curves) {
+  for (TracedCurve& curve : curves) {
+    for (SideStops& side : curve.side) {
+      const std::size_t count = side.place.size();
+      keep(side.place, goes.first(count));
+      keep(side.value, goes.first(count));
+      goes = goes.subspan(count);
+    }
+  }
+}
+
+}  // namespace sfumato::tracing

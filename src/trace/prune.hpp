@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "trace/traced_curve.hpp"
+
+namespace sfumato::tracing {
+
+/// Marks the inner stops that change least if left out: at most `share` of all, and no two
+/// neighbours. Leaving out stop j changes the squared error by about |c_j - c|² · (AᵀA)_jj, where c
+/// is what lies between its neighbours.
+/// weight    per stop, in the order of curves, sides and stops: (AᵀA)_jj
+/// Returns   per stop 1 where it is to go
+std::vector<std::uint8_t> stops_to_prune(std::span<const TracedCurve> curves,
+                                         std::span<const float> weight, double share);
+
+/// Leaves out the marked stops.
+void prune_stops(std::span<const std::uint8_t> goes, std::span<TracedCurve> curves);
+
+}  // namespace sfumato::tracing

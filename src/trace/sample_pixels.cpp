@@ -1,0 +1,106 @@
+#include "trace/sample_pixels.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+#include "base/poll.hpp"
+
+namespace sfumato::tracing {
+namespace {
+
+/// Blurred more than this a curve is smooth within a pixel.
+constexpr double kSharp = 1.5;
+/// Points off the middle, so that none lies on a curve with simple coordinates.
+constexpr Vec2 kOff{0.0137, 0.0071};
+/// Side of the squares of pixels that follow each other.
+constexpr int kTile = 16;
+
+/// 2⁶⁴
+constexpr double kAllChances = 18446744073709551616.0;
+
+/// A hash of 64 bits (the finaliser of SplitMix64).
+std::uint64_t scrambled(std::uint64_t x) {
+  x += 0x9e3779b97f4a7c15;
+  x = (x ^ x >> 30) * 0xbf58476d1ce4e5b9;
+  x = (x ^ x >> 27) * 0x94d049bb133111eb;
+  return x ^ x >> 31;
+}
+
+/// Adds a pixel, and the points at which it is looked at.
+Status add_pixel(const Context& context, int x, int y, bool is_crossed, SamplePixels& out) {
+  const Vec2 middle = Vec2{x + 0.5, y + 0.5} + kOff;
+  Status status;
+  if (!is_crossed) {
+    status = out.memory.push_back(context, out.point, middle);
+  } else {
+    for (const double dy : {-0.25, 0.25}) {
+      for (const double dx : {-0.25, 0.25}) {
+        if (status) status = out.memory.push_back(context, out.point, middle + Vec2{dx, dy});
+      }
+    }
+  }
+  if (!status) return status;
+  return out.memory.push_back(context, out.point_begin,
+                              static_cast<std::uint32_t>(out.point.size()));
+}
+
+}  // namespace
+
+Result<SharpPixels> SharpPixels::mark(Context& context, int width, int height,
+                                      std::span<const TracedCurve> curves) {
+  SharpPixels out;
+  out.width_ = width;
+  out.height_ = height;
+  Status status = out.memory_.resize(
+      context, out.mark_, static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  if (!status) return status;
+  for (const TracedCurve& curve : curves) {
+    if (context.cancelled()) return context.cancel_status();
+    if (curve.is_frame || curve.radius > kSharp) continue;
+    for (const CurveSample& sample : samples_along(curve, 0.4)) out.mark_around(sample.point);
+  }
+  return out;
+}
+
+void SharpPixels::mark_around(Vec2 p) {
+  const int x = std::clamp(static_cast<int>(p.x), 0, width_ - 1);
+  const int y = std::clamp(static_cast<int>(p.y), 0, height_ - 1);
+  at(x, y) = crossed;
+  for (const auto& [dx, dy] : {std::pair(-1, 0), {1, 0}, {0, -1}, {0, 1}}) {
+    std::uint8_t& near = at(std::clamp(x + dx, 0, width_ - 1), std::clamp(y + dy, 0, height_ - 1));
+    near = std::max<std::uint8_t>(near, beside);
+  }
+}
+
+Result<SamplePixels> SharpPixels::choose(Context& context, const PixelChoice& choice) const {
+  SamplePixels out;
+  Status status = out.memory.push_back(context, out.point_begin, 0);
+  RarePoll<4096> poll(context);
+  const double most = kAllChances / choice.one_in;
+  const auto consider = [&](int x, int y) {
+    const auto pixel = static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(width_) +
+                       static_cast<std::uint32_t>(x);
+    const auto chance = static_cast<double>(scrambled(choice.seed * 0x2545f4914f6cdd1d + pixel));
+    const double limit = mark_[pixel] == far_away ? most : 2 * most;
+    if (chance > limit || !status) return;
+    status = out.memory.push_back(context, out.pixel, pixel);
+    const auto stands_for = static_cast<float>(std::max(1.0, kAllChances / limit));
+    if (status) status = out.memory.push_back(context, out.stands_for, stands_for);
+    if (status) status = add_pixel(context, x, y, mark_[pixel] == crossed, out);
+  };
+  for (int y0 = choice.first_row; y0 < choice.end_row; y0 += kTile) {
+    for (int x0 = 0; x0 < width_; x0 += kTile) {
+      for (int y = y0; y < std::min(y0 + kTile, choice.end_row); ++y) {
+        for (int x = x0; x < std::min(x0 + kTile, width_); ++x) {
+          if (poll.cancelled()) return context.cancel_status();
+          consider(x, y);
+        }
+      }
+    }
+  }
+  if (!status) return status;
+  return out;
+}
+
+}  // namespace sfumato::tracing

@@ -1,0 +1,253 @@
+#include "trace/snap.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "curves/bezier.hpp"
+
+namespace sfumato::tracing {
+namespace {
+
+constexpr double kStep = 0.5;  ///< between samples of curves, pixels
+/// An end snaps to what is so near in any direction but backwards, pixels times √scale, at most
+/// kMostReach…
+constexpr double kReach = 1.5;
+constexpr double kMostReach = 3;
+constexpr double kLeastCosine = -0.3;
+/// …and straight ahead, within 45°, to what is this near.
+constexpr double kAheadReach = 4.5;
+constexpr double kAhead = 0.7071;
+/// Of its own curve an end does not see what is nearer along it, in reaches and pixels.
+constexpr double kOwnReaches = 3;
+constexpr double kOwnPixels = 4;
+/// Sides that differ less in every channel leak nothing that shows.
+constexpr float kLeak = 0.15f;
+/// A piece is continued by at most this share of itself.
+constexpr double kLongest = 1.5;
+/// Before its end a curve that snaps to another is not to cross it, over this length, pixels.
+constexpr double kBackPx = 6;
+constexpr int kParts = 64;
+/// Ends of one curve that are nearer to each other than this and than a share of its length make a
+/// closed curve.
+constexpr double kClosePx = 4.5;
+constexpr double kCloseShare = 0.02;
+
+/// Places of curves by the pixel that they lie in.
+class PlaceGrid {
+ public:
+  struct Place {
+    Vec2 point;
+    std::uint32_t curve;
+    double parameter;
+    double from_start;  ///< along the curve, pixels
+  };
+
+  PlaceGrid(int width, int height)
+      : width_(width),
+        height_(height),
+        first_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), kNone) {}
+
+  void add(std::uint32_t index, const TracedCurve& curve) {
+    double along = 0;
+    std::optional<Vec2> last;
+    for (const CurveSample& sample : samples_along(curve, kStep)) {
+      if (last) along += length(sample.point - *last);
+      last = sample.point;
+      std::uint32_t& head = first_[cell(sample.point)];
+      next_.push_back(head);
+      head = static_cast<std::uint32_t>(place_.size());
+      place_.push_back({sample.point, index, sample.parameter, along});
+    }
+  }
+
+  /// visit(place) for all within about `reach` of p.
+  template <class Visit>
+  void near(Vec2 p, double reach, Visit visit) const {
+    const int x0 = column(p.x - reach), x1 = column(p.x + reach);
+    const int y0 = line(p.y - reach), y1 = line(p.y + reach);
+    for (int y = y0; y <= y1; ++y) {
+      for (int x = x0; x <= x1; ++x) {
+        const std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+                               static_cast<std::size_t>(x);
+        for (std::uint32_t i = first_[at]; i != kNone; i = next_[i]) visit(place_[i]);
+      }
+    }
+  }
+
+ private:
+  static constexpr std::uint32_t kNone = 0xffffffff;
+
+  int column(double x) const { return std::clamp(static_cast<int>(x), 0, width_ - 1); }
+  int line(double y) const { return std::clamp(static_cast<int>(y), 0, height_ - 1); }
+  std::size_t cell(Vec2 p) const {
+    return static_cast<std::size_t>(line(p.y)) * static_cast<std::size_t>(width_) +
+           static_cast<std::size_t>(column(p.x));
+  }
+
+  int width_, height_;
+  std::vector<std::uint32_t> first_;  ///< per pixel: a place in it
+  std::vector<std::uint32_t> next_;   ///< per place: another one in its pixel
+  std::vector<Place> place_;
+};
+
+bool is_closed(const TracedCurve& curve) {
+  return curve.control_points.front() == curve.control_points.back();
+}
+
+/// A place on a curve, and the curve's direction there.
+struct Landing {
+  Vec2 point, along;
+};
+
+/// The place nearest to p, of those around a parameter.
+Landing landing_on(const TracedCurve& curve, double parameter, Vec2 p) {
+  const std::size_t pieces = (curve.control_points.size() - 1) / 3;
+  const auto piece = std::min(static_cast<std::size_t>(parameter), pieces - 1);
+  const curves::Cubic cubic = curves::piece(curve.control_points, piece);
+  const double t = std::clamp(
+      curves::nearest_parameter(cubic, p, parameter - static_cast<double>(piece)), 0.0, 1.0);
+  return {curves::point_at(cubic, t), curves::derivative_at(cubic, t)};
+}
+
+/// Closes a curve whose ends nearly meet.
+void close_if_nearly(TracedCurve& curve) {
+  std::vector<Vec2>& points = curve.control_points;
+  const Vec2 gap = points.front() - points.back();
+  const double far = length(gap);
+  if (far == 0 || far > kClosePx || far > kCloseShare * length_of(curve)) return;
+  points.back() = points.front();
+  points[points.size() - 2] = points[points.size() - 2] + gap;
+}
+
+bool leaks(const TracedCurve& curve, bool is_last) {
+  const auto& [left, right] = curve.side;
+  const SideValue& a = is_last ? left.value.back() : left.value.front();
+  const SideValue& b = is_last ? right.value.back() : right.value.front();
+  for (std::size_t c = 0; c < a.size(); ++c) {
+    if (std::fabs(a[c] - b[c]) > kLeak) return true;
+  }
+  return false;
+}
+
+/// The cubic from its start to t, which may be beyond its end, moved to end at `to`.
+curves::Cubic ended_at(const curves::Cubic& cubic, double t, Vec2 to) {
+  curves::Cubic part = curves::subcurve(cubic, 0, t);
+  part[2] = part[2] + (to - part[3]);
+  part[3] = to;
+  return part;
+}
+
+/// Where the cubic, going on as it does, comes nearest to a point: a parameter around 1.
+double parameter_towards(const curves::Cubic& cubic, Vec2 to) {
+  double best = 1, least = length(cubic[3] - to);
+  for (int i = 0; i <= kParts; ++i) {
+    const double t = std::lerp(2 - kLongest, kLongest, static_cast<double>(i) / kParts);
+    const double far = length(curves::point_at(cubic, t) - to);
+    if (far < least) best = t, least = far;
+  }
+  return best;
+}
+
+/// Where within the last kBackPx the cubic crosses the line of a landing; 1: nowhere before its
+/// end.
+double crossing_before_end(const curves::Cubic& cubic, const Landing& landing) {
+  const double way = std::max(curves::arc_length(cubic, 0, 1), 1e-9);
+  const double begin = std::max(0.0, 1 - kBackPx / way);
+  const auto side_at = [&](double t) {
+    return cross(curves::point_at(cubic, t) - landing.point, landing.along);
+  };
+  const double first = side_at(begin);
+  for (int i = 1; i < kParts; ++i) {
+    const double t = std::lerp(begin, 1.0, static_cast<double>(i) / kParts);
+    if (side_at(t) * first < 0) return t;
+  }
+  return 1;
+}
+
+class Snapper {
+ public:
+  Snapper(const PlaceGrid& grid, std::vector<TracedCurve>& curves) : grid_(grid), curves_(curves) {}
+
+  void snap(std::uint32_t index, bool is_last) {
+    TracedCurve& curve = curves_[index];
+    if (!leaks(curve, is_last)) return;
+    std::vector<Vec2>& points = curve.control_points;
+    const std::size_t first = is_last ? points.size() - 4 : 0;
+    curves::Cubic cubic = curves::piece(points, first / 3);
+    if (!is_last) std::ranges::reverse(cubic);
+    if (!lead(index, is_last, cubic)) return;
+    if (!is_last) std::ranges::reverse(cubic);
+    std::ranges::copy(cubic, points.begin() + static_cast<std::ptrdiff_t>(first));
+  }
+
+ private:
+  /// Makes the last piece of a curve, which runs outwards, end on a curve; false: on none.
+  bool lead(std::uint32_t index, bool is_last, curves::Cubic& cubic) const {
+    const std::optional<PlaceGrid::Place> place = target(index, cubic, is_last);
+    if (!place) return false;
+    const TracedCurve& other = curves_[place->curve];
+    Landing landing = landing_on(other, place->parameter, cubic[3]);
+    cubic = ended_at(cubic, parameter_towards(cubic, landing.point), landing.point);
+    const double crossing = crossing_before_end(cubic, landing);
+    if (crossing < 1) {
+      landing = landing_on(other, place->parameter, curves::point_at(cubic, crossing));
+      cubic = ended_at(cubic, crossing, landing.point);
+    }
+    return true;
+  }
+
+  std::optional<PlaceGrid::Place> target(std::uint32_t index, const curves::Cubic& cubic,
+                                         bool is_last) const {
+    const TracedCurve& curve = curves_[index];
+    const Vec2 end = cubic[3], out = cubic[3] - cubic[2];
+    const double reach = std::min(kReach * std::sqrt(curve.scale), kMostReach);
+    const double whole = length_of(curve), own = kOwnReaches * reach + kOwnPixels;
+    std::optional<PlaceGrid::Place> best;
+    double least = 0;
+    grid_.near(end, kAheadReach, [&](const PlaceGrid::Place& place) {
+      const double along = is_last ? whole - place.from_start : place.from_start;
+      if (place.curve == index && along < own) return;
+      const Vec2 way = place.point - end;
+      const double far = length(way);
+      const double cosine = far > 0 ? dot(way, out) / (far * std::max(length(out), 1e-9)) : 1.0;
+      if (far > kAheadReach || cosine < (far > reach ? kAhead : kLeastCosine)) return;
+      const double cost = far * (1.5 - cosine);
+      if (best && cost >= least) return;
+      best = place;
+      least = cost;
+    });
+    return best;
+  }
+
+  const PlaceGrid& grid_;
+  std::vector<TracedCurve>& curves_;
+};
+
+}  // namespace
+
+Status snap_to_curves(const Context& context, int width, int height,
+                      std::vector<TracedCurve>& curves) {
+  for (TracedCurve& curve : curves) close_if_nearly(curve);
+  // The second time for those whose curve was itself moved when another snapped to it.
+  for (int pass = 0; pass < 2; ++pass) {
+    PlaceGrid grid(width, height);
+    for (std::uint32_t i = 0; i < curves.size(); ++i) {
+      if (context.cancelled()) return context.cancel_status();
+      grid.add(i, curves[i]);
+    }
+    Snapper snapper(grid, curves);
+    for (std::uint32_t i = 0; i < curves.size(); ++i) {
+      if (context.cancelled()) return context.cancel_status();
+      if (is_closed(curves[i])) continue;
+      snapper.snap(i, false);
+      snapper.snap(i, true);
+    }
+  }
+  for (TracedCurve& curve : curves) close_if_nearly(curve);
+  return ok_status();
+}
+
+}  // namespace sfumato::tracing

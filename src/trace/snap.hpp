@@ -1,0 +1,17 @@
+#pragma once
+
+#include <vector>
+
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
+#include "trace/traced_curve.hpp"
+
+namespace sfumato::tracing {
+
+/// Moves ends of open curves that almost touch another curve, or the curve itself, onto it: colours
+/// would leak through the gap. Errors: cancelled.
+/// width, height   of the picture, pixels
+Status snap_to_curves(const Context& context, int width, int height,
+                      std::vector<TracedCurve>& curves);
+
+}  // namespace sfumato::tracing

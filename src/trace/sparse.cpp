@@ -1,0 +1,171 @@
+#include "trace/sparse.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+#include "base/limit_error.hpp"
+#include "base/parallel.hpp"
+#include "base/poll.hpp"
+
+namespace sfumato::tracing {
+namespace {
+
+/// Rows that one task computes.
+constexpr std::size_t kRows = 128;
+
+/// Lists of entries of consecutive rows, each made by one task.
+struct RowBlock {
+  std::vector<std::uint32_t> count;  ///< per row
+  std::vector<std::uint32_t> column;
+  std::vector<float> value;
+};
+
+Status join(Context& context, std::vector<RowBlock>& blocks, SparseMatrix& out) {
+  std::size_t rows = 0, entries = 0;
+  for (const RowBlock& block : blocks) {
+    rows += block.count.size();
+    entries += block.column.size();
+  }
+  if (entries > std::numeric_limits<std::uint32_t>::max()) {
+    return make_limit_error("memory", "too many entries in the equations of a fit");
+  }
+  Status status = out.memory.reserve(context, out.begin, rows + 1);
+  if (status) status = out.memory.reserve(context, out.column, entries);
+  if (status) status = out.memory.reserve(context, out.value, entries);
+  if (!status) return status;
+  for (RowBlock& block : blocks) {
+    if (context.cancelled()) return context.cancel_status();
+    for (const std::uint32_t count : block.count) out.begin.push_back(out.begin.back() + count);
+    out.column.insert(out.column.end(), block.column.begin(), block.column.end());
+    out.value.insert(out.value.end(), block.value.begin(), block.value.end());
+    block = {};
+  }
+  return ok_status();
+}
+
+/// Of two halves of a symmetric matrix, both with the diagonal, the whole.
+Result<SparseMatrix> with_lower_half(Context& context, const SparseMatrix& upper,
+                                     const SparseMatrix& lower) {
+  SparseMatrix out;
+  out.column_count = upper.column_count;
+  const std::size_t rows = upper.row_count();
+  const std::size_t entries = 2 * upper.column.size();  // the diagonal is counted twice
+  Status status = out.memory.reserve(context, out.begin, rows + 1);
+  if (status) status = out.memory.reserve(context, out.column, entries);
+  if (status) status = out.memory.reserve(context, out.value, entries);
+  if (!status) return status;
+  const auto append = [&](const SparseMatrix& half, std::uint32_t row, bool has_diagonal) {
+    for (std::uint32_t k = half.begin[row]; k < half.begin[row + 1]; ++k) {
+      if (half.column[k] == row && !has_diagonal) continue;
+      out.column.push_back(half.column[k]);
+      out.value.push_back(half.value[k]);
+    }
+  };
+  for (std::uint32_t row = 0; row < rows; ++row) {
+    if (context.cancelled()) return context.cancel_status();
+    append(lower, row, false);
+    append(upper, row, true);
+    out.begin.push_back(static_cast<std::uint32_t>(out.column.size()));
+  }
+  return out;
+}
+
+}  // namespace
+
+std::uint32_t RowSummer::list(std::vector<std::uint32_t>& column, std::vector<float>& value) {
+  const std::size_t before = column.size();
+  for (std::size_t word = 0; word < is_met_.size(); ++word) {
+    for (std::uint64_t bits = std::exchange(is_met_[word], 0); bits != 0; bits &= bits - 1) {
+      const std::size_t at = 64 * word + static_cast<std::size_t>(std::countr_zero(bits));
+      column.push_back(static_cast<std::uint32_t>(at));
+      value.push_back(std::exchange(sum_[at], 0.0f));
+    }
+  }
+  return static_cast<std::uint32_t>(column.size() - before);
+}
+
+Result<SparseMatrix> build_rows(Context& context, std::size_t row_count, std::uint32_t column_count,
+                                FunctionRef<void(std::size_t, RowSummer&)> fill) {
+  SparseMatrix out;
+  out.column_count = column_count;
+  std::vector<RowBlock> blocks((row_count + kRows - 1) / kRows);
+  Status status = parallel_for(context, row_count, kRows, [&](std::size_t i, std::size_t end) {
+    RowSummer sum(column_count);
+    RowBlock& block = blocks[i / kRows];
+    for (; i < end; ++i) {
+      if (context.cancelled()) return;
+      fill(i, sum);
+      block.count.push_back(sum.list(block.column, block.value));
+    }
+  });
+  if (status) status = join(context, blocks, out);
+  if (!status) return status;
+  return out;
+}
+
+Result<SparseMatrix> transposed(Context& context, const SparseMatrix& matrix) {
+  SparseMatrix out;
+  out.column_count = matrix.row_count();
+  const std::size_t entries = matrix.column.size();
+  Status status = out.memory.resize(context, out.begin, matrix.column_count + std::size_t{1});
+  if (status) status = out.memory.resize(context, out.column, entries);
+  if (status) status = out.memory.resize(context, out.value, entries);
+  if (!status) return status;
+  RarePoll<65536> poll(context);
+  for (const std::uint32_t column : matrix.column) {
+    if (poll.cancelled()) return context.cancel_status();
+    ++out.begin[column + 1];
+  }
+  for (std::size_t i = 1; i < out.begin.size(); ++i) out.begin[i] += out.begin[i - 1];
+  for (std::uint32_t row = 0; row < matrix.row_count(); ++row) {
+    for (std::uint32_t k = matrix.begin[row]; k < matrix.begin[row + 1]; ++k) {
+      if (poll.cancelled()) return context.cancel_status();
+      const std::uint32_t at = out.begin[matrix.column[k]]++;
+      out.column[at] = row;
+      out.value[at] = matrix.value[k];
+    }
+  }
+  for (std::size_t i = out.begin.size() - 1; i > 0; --i) out.begin[i] = out.begin[i - 1];
+  out.begin[0] = 0;
+  return out;
+}
+
+Result<SparseMatrix> normal_matrix(Context& context, const SparseMatrix& matrix,
+                                   const SparseMatrix& transpose, std::span<const float> weight) {
+  const auto sum_upper_half = [&](std::size_t i, RowSummer& sum) {
+    for (std::uint32_t k = transpose.begin[i]; k < transpose.begin[i + 1]; ++k) {
+      const std::uint32_t row = transpose.column[k];
+      const float factor = transpose.value[k] * (weight.empty() ? 1.0f : weight[row]);
+      const auto columns = matrix.column.begin();
+      const auto end = columns + matrix.begin[row + 1];
+      auto at = std::lower_bound(columns + matrix.begin[row], end, static_cast<std::uint32_t>(i));
+      for (; at != end; ++at)
+        sum.add(*at, factor * matrix.value[static_cast<std::size_t>(at - columns)]);
+    }
+  };
+  Result<SparseMatrix> upper =
+      build_rows(context, matrix.column_count, matrix.column_count, sum_upper_half);
+  if (!upper) return upper;
+  const Result<SparseMatrix> lower = transposed(context, *upper);
+  if (!lower) return lower.status();
+  return with_lower_half(context, *upper, *lower);
+}
+
+Status multiply(Context& context, const SparseMatrix& matrix, std::span<const FourFloats> x,
+                std::span<FourFloats> out) {
+  return parallel_for(context, matrix.row_count(), 4 * kRows, [&](std::size_t i, std::size_t end) {
+    for (; i < end; ++i) {
+      FourFloats sum{};
+      for (std::uint32_t k = matrix.begin[i]; k < matrix.begin[i + 1]; ++k) {
+        const FourFloats& at = x[matrix.column[k]];
+        for (std::size_t c = 0; c < 4; ++c) sum[c] += matrix.value[k] * at[c];
+      }
+      out[i] = sum;
+    }
+  });
+}
+
+}  // namespace sfumato::tracing

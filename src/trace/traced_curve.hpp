@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "sfumato/base/vec2.hpp"
+
+namespace sfumato::tracing {
+
+/// Red, green, blue as sRGB code values, and opacity.
+using SideValue = std::array<float, 4>;
+
+/// The stops of one side, by the curve's parameter.
+struct SideStops {
+  std::vector<double> place;
+  std::vector<SideValue> value;
+};
+
+/// A curve on its way into the drawing; lengths in pixels looked at.
+struct TracedCurve {
+  std::vector<Vec2> control_points;  ///< 3 n + 1
+  std::array<SideStops, 2> side;     ///< left and right
+  double scale = 1;                  ///< of the Gaussian at which its edge was found
+  double benefit = 0;                ///< Σ strength² · scale over its edge
+  double radius = 0;                 ///< of blur, of the whole curve
+  bool is_frame = false;             ///< along the picture's border: its left side bears nothing
+};
+
+/// A place on a curve.
+struct CurveSample {
+  Vec2 point;
+  double parameter = 0;  ///< piece + t
+  Vec2 left;             ///< unit vector to the curve's left
+};
+
+/// Places at most about `step` apart, both ends of each piece among them.
+std::vector<CurveSample> samples_along(const TracedCurve& curve, double step);
+
+/// The rectangle of a picture's border as a closed curve, its inside on the right.
+TracedCurve frame_of(int width, int height);
+
+inline std::size_t stop_count(const TracedCurve& curve) {
+  return curve.side[0].place.size() + curve.side[1].place.size();
+}
+
+/// What a side has at a place. Precondition: it has stops.
+SideValue value_at(const SideStops& side, double parameter);
+
+double length_of(const TracedCurve& curve);
+
+}  // namespace sfumato::tracing

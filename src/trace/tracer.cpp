@@ -1,0 +1,223 @@
+#include "trace/tracer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "trace/blur_estimate.hpp"
+#include "trace/candidates.hpp"
+#include "trace/drawing.hpp"
+#include "trace/shape.hpp"
+#include "trace/side_colors.hpp"
+#include "trace/snap.hpp"
+
+namespace sfumato::tracing {
+namespace {
+
+/// Shares of the control points: of all for the picture's own edges, of what is left for a round.
+constexpr double kFirstShare = 0.3;
+constexpr double kRoundShare = 0.6;
+/// Rounds of edges of what is missing.
+constexpr int kRounds = 4;
+/// Fewer control points than this make no curve worth having.
+constexpr std::size_t kLeastPoints = 20;
+/// Colours along a side, Euclidean in sRGB code values.
+constexpr double kStopTolerance = 0.03;
+/// Curves along edges, pixels times √scale.
+constexpr double kTolerance = 0.9;
+constexpr double kMissingTolerance = 1.3;
+/// Pixels to which colours are fitted, about: between rounds and in the end.
+constexpr double kFittedPixels = 40000;
+constexpr double kLastFittedPixels = 160000;
+/// Fits of colours, with one of radii between them.
+constexpr int kTurns = 2;
+/// With less blur a curve's radius does not show in its derivative.
+constexpr double kFirstRadius = 1;
+/// Stops pruned at a time, and how often.
+constexpr double kPruneShare = 0.18;
+constexpr int kPruneNormal = 2;
+constexpr int kPruneFew = 5;
+
+double pixel_count(const Picture& picture) {
+  return static_cast<double>(picture.width()) * picture.height();
+}
+
+/// Pixels of which one is fitted to.
+double one_in(const Picture& picture, double fitted) {
+  return std::max(1.0, pixel_count(picture) / fitted);
+}
+
+std::vector<double> scales_from(double finest) {
+  return {finest, 2 * finest, 4 * finest};
+}
+
+}  // namespace
+
+Result<Document> Tracer::run() {
+  Status status = begin();
+  if (status) status = add_edges_of_picture();
+  if (status) status = fit(one_in(*picture_, kFittedPixels));
+  if (status) note(0);
+  for (int round = 1; round <= kRounds && status && goes_on(); ++round) {
+    status = fit_->find_missing(curves_, memory_, missing_);
+    if (status) status = improve_shapes();
+    if (status) status = add_edges_of_missing(round);
+    if (status) status = fit(one_in(*picture_, kFittedPixels));
+    if (status) note(round);
+  }
+  if (status) status = finish();
+  if (!status) return status;
+  note(stats_.rounds.back().round);
+  return drawing();
+}
+
+Status Tracer::begin() {
+  Result<Picture> picture = look_at(context_, image_, options_.max_side, options_.has_opacity);
+  if (!picture) return picture.status();
+  picture_ = std::move(*picture);
+  fit_.emplace(context_, *picture_);
+  stats_.scale = picture_->scale;
+  constexpr double kUsualPoints = 2000, kUsualPixels = 640.0 * 480.0;
+  budget_ = options_.points > 0
+                ? static_cast<std::size_t>(options_.points)
+                : static_cast<std::size_t>(
+                      std::lround(kUsualPoints * std::sqrt(pixel_count(*picture_) / kUsualPixels)));
+  curves_.push_back(frame_of(picture_->width(), picture_->height()));
+  return sample_sides(context_, *picture_, kStopTolerance, curves_);
+}
+
+Status Tracer::add_edges_of_picture() {
+  TableMemory memory("the edges of a picture");
+  std::vector<Plane> planes(3);
+  Channels oklab;
+  Status status = to_oklab(context_, picture_->code, memory, oklab);
+  if (!status) return status;
+  std::ranges::move(oklab, planes.begin());
+  const Result<double> noise = estimate_noise(context_, planes[0]);
+  if (!noise) return noise.status();
+  stats_.noise = *noise;
+  if (picture_->opacity) planes.push_back(*picture_->opacity);
+  EdgeOptions edges;
+  edges.scales = scales_from(std::max(1.0, options_.smooth_px * picture_->scale));
+  edges.noise = *noise;
+  return add(planes, find_candidates(context_, planes, edges, kTolerance, curves_),
+             kFirstShare * static_cast<double>(budget_));
+}
+
+Status Tracer::add_edges_of_missing(int round) {
+  const std::size_t left = budget_ - std::min(budget_, point_count());
+  if (left < kLeastPoints) return ok_status();
+  EdgeOptions edges;
+  edges.scales = scales_from(std::max(2.0, options_.smooth_px * picture_->scale));
+  edges.high = 0.015;
+  edges.noise = 0.5 * stats_.noise;
+  const double share = round == kRounds ? 1.0 : kRoundShare;
+  return add(picture_->code, find_candidates(context_, missing_, edges, kMissingTolerance, curves_),
+             share * static_cast<double>(left));
+}
+
+Status Tracer::add(std::span<const Plane> blurred, Result<std::vector<TracedCurve>> candidates,
+                   double budget) {
+  if (!candidates) return candidates.status();
+  Result<std::vector<TracedCurve>> chosen =
+      choose_curves(context_, std::move(*candidates), picture_->width(), picture_->height(),
+                    {static_cast<std::size_t>(budget), curve_limit() - curves_.size()}, curves_);
+  if (!chosen) return chosen.status();
+  Status status;
+  if (options_.blur != TraceBlur::sharp) status = estimate_blur(context_, blurred, *chosen);
+  if (status) status = sample_sides(context_, *picture_, kStopTolerance, *chosen);
+  for (TracedCurve& curve : *chosen) curves_.push_back(std::move(curve));
+  return status;
+}
+
+Status Tracer::improve_shapes() {
+  return tracing::improve_shapes(context_, missing_, curves_);
+}
+
+Status Tracer::fit(double one_in) {
+  const bool fits_radii = options_.blur == TraceBlur::fitted;
+  for (TracedCurve& curve : curves_) {
+    if (fits_radii && !curve.is_frame) curve.radius = std::max(curve.radius, kFirstRadius);
+  }
+  Status status;
+  status = fit_->prepare(curves_, one_in, options_.seed);
+  for (int turn = 0; turn < kTurns && status; ++turn) {
+    if (turn > 0 && fits_radii) status = fit_->fit_radii(curves_);
+    if (status && (turn == 0 || fits_radii)) status = fit_->fit_values(curves_);
+  }
+  return status;
+}
+
+Status Tracer::finish() {
+  const double last = one_in(*picture_, kLastFittedPixels);
+  Status status;
+  if (!options_.edges_only) {
+    status = fit_->find_missing(curves_, memory_, missing_);
+    if (status) status = improve_shapes();
+  }
+  if (status) {
+    status = snap_to_curves(context_, picture_->width(), picture_->height(), curves_);
+  }
+  if (status) status = fit(last);
+  forget_blur();
+  if (status) status = fit_->fit_values(curves_);
+  return status ? prune() : status;
+}
+
+void Tracer::forget_blur() {
+  for (TracedCurve& curve : curves_) {
+    if (curve.radius < kSharpRadius) curve.radius = 0;
+  }
+}
+
+Status Tracer::prune() {
+  int times = options_.stops == TraceStops::many     ? 0
+              : options_.stops == TraceStops::normal ? kPruneNormal
+                                                     : kPruneFew;
+  Status status;
+  for (; times > 0 && status; --times) {
+    status = fit_->prune(curves_, kPruneShare);
+    if (status) status = fit_->fit_values(curves_);
+  }
+  return status;
+}
+
+bool Tracer::goes_on() const {
+  if (options_.edges_only || curves_.size() >= curve_limit()) return false;
+  if (options_.max_seconds > 0 && watch_.seconds() > options_.max_seconds) return false;
+  if (options_.psnr_db > 0 && fit_->psnr_db() >= options_.psnr_db) return false;
+  return point_count() + kLeastPoints <= budget_;
+}
+
+std::size_t Tracer::point_count() const {
+  std::size_t sum = 0;
+  for (const TracedCurve& curve : curves_) sum += curve.control_points.size();
+  return sum;
+}
+
+std::size_t Tracer::curve_limit() const {
+  const std::size_t most = context_.limits.curves;
+  return options_.max_curves > 0 ? std::min(most, static_cast<std::size_t>(options_.max_curves))
+                                 : most;
+}
+
+Document Tracer::drawing() const {
+  return drawing_of(curves_,
+                    {static_cast<double>(image_.width), static_cast<double>(image_.height)},
+                    1 / picture_->scale, picture_->opacity.has_value());
+}
+
+void Tracer::note(int round) {
+  TraceState state;
+  state.round = round;
+  state.round_count = options_.edges_only ? 1 : kRounds + 1;
+  state.curves = curves_.size();
+  state.control_points = point_count();
+  for (const TracedCurve& curve : curves_) state.stops += stop_count(curve);
+  state.psnr_db = fit_->psnr_db();
+  state.seconds = watch_.seconds();
+  stats_.rounds.push_back(state);
+  if (options_.watch) options_.watch->reached(state, drawing());
+}
+
+}  // namespace sfumato::tracing
