@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "sfumato/base/color.hpp"
+#include "sfumato/base/image.hpp"
+
+namespace sfumato::test {
+
+/// One number for each pixel, row by row.
+struct Plane {
+  int width = 0;
+  int height = 0;
+  std::vector<float> value;
+
+  float at(int x, int y) const { return value[static_cast<std::size_t>(y) * width + x]; }
+};
+
+/// Red, green and blue of a picture: sRGB code values from 0 to 1.
+using Planes = std::array<Plane, 3>;
+
+/// An image as on a background, which shows where it has alpha.
+Planes planes_of(const Image& image, Rgb background = {1, 1, 1});
+
+/// Weights of a Gaussian, or if `slope` is set of its derivative (a plane that rises by 1 a pixel
+/// gives 1), from -radius to radius.
+std::vector<double> gaussian_weights(double sigma, int radius, bool slope = false);
+
+/// The plane with weights for rows and then for columns; beyond its edges it is mirrored.
+Plane filtered(const Plane& plane, std::span<const double> across, std::span<const double> down);
+
+}  // namespace sfumato::test
