@@ -18,7 +18,7 @@ target_include_directories(sfumato_library INTERFACE
   $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
   $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 target_link_libraries(sfumato_library PUBLIC TBB::tbb
-  PRIVATE pugixml::pugixml PkgConfig::SPNG PkgConfig::WEBP ZLIB::ZLIB JPEG::JPEG
+  PRIVATE pugixml::pugixml PkgConfig::SPNG PkgConfig::WEBP PkgConfig::LCMS ZLIB::ZLIB JPEG::JPEG
   ${CMAKE_DL_LIBS})
 # The number of SFUMATO_ABI in sfumato.h.
 set(sfumato_abi 1)
@@ -27,7 +27,8 @@ add_library(sfumato::c ALIAS sfumato_c)
 set_target_properties(sfumato_c PROPERTIES OUTPUT_NAME sfumato EXPORT_NAME c LINKER_LANGUAGE CXX
   VERSION ${sfumato_abi}.${PROJECT_VERSION} SOVERSION ${sfumato_abi})
 foreach(folder ${library_folders})
-  target_sources(sfumato_c PRIVATE $<TARGET_OBJECTS:sfumato_${folder}>)
+  # Callers hand pixels in: the reader of photos, and its libraries, would be dead weight.
+  target_sources(sfumato_c PRIVATE $<FILTER:$<TARGET_OBJECTS:sfumato_${folder}>,EXCLUDE,/codecs/photo[^/]*$>)
 endforeach()
 target_include_directories(sfumato_c INTERFACE
   $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>

@@ -24,6 +24,8 @@ function allow_estimates() {
   is_estimate["codecs/jpeg_decode.cpp"] = 1           # libjpeg allocates by itself
   is_estimate["codecs/jpeg_encode.cpp"] = 1
   is_estimate["codecs/webp_encode.cpp"] = 1           # libwebp does
+  is_estimate["codecs/photo_webp.cpp"] = 1
+  is_estimate["codecs/photo_profile_memory.cpp"] = 1  # lcms2 says how large each of its blocks is
   is_estimate["formats/text/xml_source.cpp"] = 1      # pugixml does
   is_estimate["gpu/target.cpp"] = 1                   # the GPU's driver does
   is_estimate["gpu/table.cpp"] = 1

@@ -53,9 +53,7 @@ Status halve_depth(const Context& context, std::vector<std::uint8_t>& bytes) {
 }
 
 Result<RgbaImage> from_png(Context& context, std::span<const std::uint8_t> bytes) {
-  Status sized = check_image_size(context.limits, number_at(bytes, kPngWidthAt),
-                                  number_at(bytes, kPngHeightAt));
-  if (!sized) return sized;
+  if (Status sized = check_png_size(context.limits, bytes); !sized) return sized;
   Result<Image> image = decode_png_with_alpha(context, bytes, {});
   if (!image) return image.status();
   if (image->format == PixelFormat::rgba16) {
@@ -65,6 +63,10 @@ Result<RgbaImage> from_png(Context& context, std::span<const std::uint8_t> bytes
 }
 
 }  // namespace
+
+Status check_png_size(const Limits& limits, std::span<const std::uint8_t> png) {
+  return check_image_size(limits, number_at(png, kPngWidthAt), number_at(png, kPngHeightAt));
+}
 
 Result<RgbaImage> decode_image(Context& context, std::span<const std::uint8_t> bytes) {
   if (starts_with(bytes, kPngSignature)) return from_png(context, bytes);

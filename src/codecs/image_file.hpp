@@ -21,6 +21,9 @@ struct RgbaImage {
 /// cancelled, out_of_memory, without a place.
 Result<RgbaImage> decode_image(Context& context, std::span<const std::uint8_t> bytes);
 
+/// Checks the size in a PNG's header, before it is read. Errors: limit.
+Status check_png_size(const Limits& limits, std::span<const std::uint8_t> png);
+
 /// Checks the size in a file's header against the limits of a texture. Errors: limit.
 Status check_image_size(const Limits& limits, std::uint64_t width, std::uint64_t height);
 

@@ -8,12 +8,18 @@
 
 #include <algorithm>
 #include <csetjmp>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "base/charge.hpp"
 #include "base/table_memory.hpp"
 #include "codecs/image_file.hpp"
+#include "codecs/photo_exif.hpp"
+#include "sfumato/base/function_ref.hpp"
 
 namespace sfumato::codecs {
 namespace {
@@ -87,13 +93,26 @@ Session::Session(const Context& of) : context(of) {
   decoder.client_data = this;
 }
 
-bool read_header(Session& session, std::span<const std::uint8_t> bytes) {
+constexpr int kExifMarker = JPEG_APP0 + 1;
+constexpr int kProfileMarker = JPEG_APP0 + 2;
+constexpr unsigned kMostMarkerBytes = 0xFFFF;
+constexpr std::string_view kProfileName("ICC_PROFILE\0", 12);
+
+/// keeps_markers: those of EXIF and of colour profiles.
+bool read_header(Session& session, std::span<const std::uint8_t> bytes, bool keeps_markers) {
   if (setjmp(session.failed) != 0) return false;
   jpeg_create_decompress(&session.decoder);
+  if (keeps_markers) {
+    jpeg_save_markers(&session.decoder, kExifMarker, kMostMarkerBytes);
+    jpeg_save_markers(&session.decoder, kProfileMarker, kMostMarkerBytes);
+  }
   jpeg_mem_src(&session.decoder, bytes.data(), static_cast<unsigned long>(bytes.size()));
   jpeg_read_header(&session.decoder, TRUE);
   return true;
 }
+
+/// Takes a row of the picture, as the library has it.
+using RowSink = FunctionRef<void(const std::uint8_t* row, std::size_t y)>;
 
 /// From RGB or CMYK, `channels` bytes a pixel.
 void expand(const std::uint8_t* source, std::size_t channels, bool inverted, std::size_t count,
@@ -104,21 +123,14 @@ void expand(const std::uint8_t* source, std::size_t channels, bool inverted, std
     if (channels == 3) {
       out[0] = pixel[0], out[1] = pixel[1], out[2] = pixel[2];
     } else {
-      // Adobe's bytes are 255 where there is no ink.
-      const auto ink_free = [inverted](std::uint8_t byte) {
-        return static_cast<unsigned>(inverted ? byte : 255 - byte);
-      };
-      const unsigned light = ink_free(pixel[3]);
-      for (int c = 0; c < 3; ++c) {
-        out[c] = static_cast<std::uint8_t>((ink_free(pixel[c]) * light + 127) / 255);
-      }
+      rgb_of_inks(pixel, inverted, out);  // Adobe's bytes are 255 where there is no ink
     }
     out[3] = 255;
   }
 }
 
-/// rgba: 4 bytes for each pixel, row by row. row: room for one as the library has it.
-bool read_pixels(Session& session, std::size_t channels, std::uint8_t* row, std::uint8_t* rgba) {
+/// row: room for one as the library has it.
+bool read_pixels(Session& session, std::uint8_t* row, RowSink sink) {
   if (setjmp(session.failed) != 0) return false;
   jpeg_decompress_struct& decoder = session.decoder;
   decoder.progress = &session.progress;
@@ -126,10 +138,9 @@ bool read_pixels(Session& session, std::size_t channels, std::uint8_t* row, std:
   jpeg_start_decompress(&decoder);
   while (decoder.output_scanline < decoder.output_height) {
     watch(reinterpret_cast<j_common_ptr>(&decoder));
-    std::uint8_t* const out =
-        rgba + std::size_t{4} * decoder.output_width * decoder.output_scanline;
+    const std::size_t y = decoder.output_scanline;
     jpeg_read_scanlines(&decoder, &row, 1);
-    expand(row, channels, decoder.saw_Adobe_marker != FALSE, decoder.output_width, out);
+    sink(row, y);
   }
   jpeg_finish_decompress(&decoder);
   return true;
@@ -170,34 +181,114 @@ bool has_enough_bytes(const jpeg_decompress_struct& decoder, std::size_t byte_co
   return byte_count >= count_blocks(decoder) / blocks_per_byte;
 }
 
-Result<RgbaImage> decode(Context& context, Session& session, std::span<const std::uint8_t> bytes) {
-  if (!read_header(session, bytes)) return failure(session);
+/// Checks the header that was read, chooses RGB or CMYK for the output, and charges what the
+/// library will take.
+Status prepare(Context& context, Session& session, std::size_t byte_count, ScopedCharge& charge) {
   if (Status status = check_size(context.limits, session); !status) return status;
   jpeg_decompress_struct& decoder = session.decoder;
-  if (!has_enough_bytes(decoder, bytes.size())) {
+  if (!has_enough_bytes(decoder, byte_count)) {
     return make_error(StatusCode::bad_input, "the JPEG image is damaged: too few bytes for " +
                                                  std::to_string(decoder.image_width) + " × " +
                                                  std::to_string(decoder.image_height) + " pixels");
   }
   session.most_scans = std::clamp(kScannedBlocks / std::max<std::size_t>(count_blocks(decoder), 1),
                                   kUsualScans, kScans);
-  const bool is_cmyk = decoder.num_components == 4;
-  decoder.out_color_space = is_cmyk ? JCS_CMYK : JCS_RGB;
-  const std::size_t channels = is_cmyk ? 4 : 3;
+  decoder.out_color_space = decoder.num_components == 4 ? JCS_CMYK : JCS_RGB;
   const std::size_t pixel_count = std::size_t{decoder.image_width} * decoder.image_height;
+  return charge.add(context, kWorkingBytes + pixel_count * kWorkingBytesPerPixel, "a JPEG image");
+}
+
+/// Bytes of a pixel as prepare() has chosen them.
+std::size_t output_channels(const Session& session) {
+  return session.decoder.out_color_space == JCS_CMYK ? 4 : 3;
+}
+
+Result<RgbaImage> decode(Context& context, Session& session, std::span<const std::uint8_t> bytes) {
+  if (!read_header(session, bytes, false)) return failure(session);
   ScopedCharge charge;
-  Status status =
-      charge.add(context, kWorkingBytes + pixel_count * kWorkingBytesPerPixel, "a JPEG image");
+  Status status = prepare(context, session, bytes.size(), charge);
   if (!status) return status;
+  const jpeg_decompress_struct& decoder = session.decoder;
+  const std::size_t channels = output_channels(session), width = decoder.image_width;
   TableMemory memory("a JPEG image");
   std::vector<std::uint8_t> row;
   RgbaImage image{
       static_cast<int>(decoder.image_width), static_cast<int>(decoder.image_height), {}};
-  status = memory.resize(context, row, channels * decoder.image_width);
-  if (status) status = memory.resize(context, image.rgba, 4 * pixel_count);
+  status = memory.resize(context, row, channels * width);
+  if (status) status = memory.resize(context, image.rgba, 4 * width * decoder.image_height);
   if (!status) return status;
-  if (!read_pixels(session, channels, row.data(), image.rgba.data())) return failure(session);
+  const bool is_read = read_pixels(session, row.data(), [&](const std::uint8_t* of, std::size_t y) {
+    expand(of, channels, decoder.saw_Adobe_marker != FALSE, width, &image.rgba[4 * width * y]);
+  });
+  if (!is_read) return failure(session);
   return image;
+}
+
+std::string_view text_of(const jpeg_marker_struct& marker) {
+  return {reinterpret_cast<const char*>(marker.data), marker.data_length};
+}
+
+/// The library puts the parts of a profile together, in memory of malloc; null: there is none, or
+/// not the whole of one.
+JOCTET* joined_profile(Session& session, unsigned& byte_count) {
+  if (setjmp(session.failed) != 0) return nullptr;
+  JOCTET* joined = nullptr;
+  return jpeg_read_icc_profile(&session.decoder, &joined, &byte_count) != FALSE ? joined : nullptr;
+}
+
+Status take_markers(Context& context, Session& session, TableMemory& memory, JpegPhoto& photo) {
+  for (const jpeg_marker_struct* marker = session.decoder.marker_list; marker;
+       marker = marker->next) {
+    const std::string_view text = text_of(*marker);
+    if (marker->marker == kProfileMarker && text.starts_with(kProfileName)) {
+      photo.has_profile = true;
+    }
+    if (marker->marker != kExifMarker || !text.starts_with(kExifName) || !photo.exif.empty()) {
+      continue;
+    }
+    Status status = memory.append(context, text, photo.exif);
+    if (!status) return status;
+  }
+  if (!photo.has_profile) return ok_status();
+  unsigned byte_count = 0;
+  const std::unique_ptr<JOCTET, decltype(&std::free)> joined(joined_profile(session, byte_count),
+                                                             &std::free);
+  if (!joined) return session.no_memory ? failure(session) : ok_status();
+  return memory.append(context, std::span<const std::uint8_t>(joined.get(), byte_count),
+                       photo.profile);
+}
+
+Result<JpegPhoto> decode_photo(Context& context, Session& session,
+                               std::span<const std::uint8_t> bytes) {
+  // The markers that the library keeps, and a profile put together of them.
+  ScopedCharge charge;
+  Status status = charge.add(context, 2 * bytes.size(), "a JPEG image");
+  if (!status) return status;
+  if (!read_header(session, bytes, true)) return failure(session);
+  if (status = prepare(context, session, bytes.size(), charge); !status) return status;
+  const jpeg_decompress_struct& decoder = session.decoder;
+  TableMemory memory("a JPEG image");
+  JpegPhoto photo;
+  photo.is_cmyk = output_channels(session) == 4;
+  photo.is_gray = decoder.num_components == 1;
+  photo.is_inverted = decoder.saw_Adobe_marker != FALSE;
+  photo.image = {static_cast<int>(decoder.image_width),
+                 static_cast<int>(decoder.image_height),
+                 photo.is_cmyk ? PixelFormat::rgba8 : PixelFormat::rgb8,
+                 {}};
+  const std::size_t row_bytes = photo.image.row_bytes();
+  std::vector<std::uint8_t> row;
+  status = take_markers(context, session, memory, photo);
+  if (status) status = memory.resize(context, row, row_bytes);
+  if (status) {
+    status = memory.resize(context, photo.image.bytes, row_bytes * decoder.image_height);
+  }
+  if (!status) return status;
+  const bool is_read = read_pixels(session, row.data(), [&](const std::uint8_t* of, std::size_t y) {
+    std::memcpy(&photo.image.bytes[row_bytes * y], of, row_bytes);
+  });
+  if (!is_read) return failure(session);
+  return photo;
 }
 
 }  // namespace
@@ -205,6 +296,11 @@ Result<RgbaImage> decode(Context& context, Session& session, std::span<const std
 Result<RgbaImage> decode_jpeg(Context& context, std::span<const std::uint8_t> bytes) {
   Session session(context);
   return decode(context, session, bytes);
+}
+
+Result<JpegPhoto> decode_jpeg_photo(Context& context, std::span<const std::uint8_t> bytes) {
+  Session session(context);
+  return decode_photo(context, session, bytes);
 }
 
 }  // namespace sfumato::codecs

@@ -2,17 +2,45 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "codecs/image_file.hpp"
 #include "sfumato/base/context.hpp"
+#include "sfumato/base/image.hpp"
 #include "sfumato/base/status.hpp"
 
 namespace sfumato::codecs {
 
-/// Decodes a JPEG: gray, YCbCr, RGB, and CMYK and YCCK inverted, as Adobe writes them (without
-/// their profile, so that colours are approximate). The size is checked against limits::kImageSide
-/// and kTexels, and memory is charged before it is allocated. A file that ends early is an error;
-/// the rest is not filled with gray. Errors: bad_input, limit, out_of_memory, without a place.
+/// Decodes a JPEG for a texture: gray, YCbCr, RGB, and CMYK and YCCK inverted, as Adobe writes them
+/// (without their profile, so that colours are approximate). The size is checked against
+/// limits::kImageSide and kTexels, and memory is charged before it is allocated. A file that ends
+/// early is an error; the rest is not filled with gray. Errors: bad_input, limit, out_of_memory,
+/// without a place.
 Result<RgbaImage> decode_jpeg(Context& context, std::span<const std::uint8_t> bytes);
+
+/// A JPEG's pixels, and what it says about their colours and its orientation.
+struct JpegPhoto {
+  Image image;               ///< rgb8; where is_cmyk is set rgba8, whose channels are the inks
+  bool is_gray = false;      ///< all three channels are the same
+  bool is_cmyk = false;      ///< cyan, magenta, yellow and black
+  bool is_inverted = false;  ///< inks as Adobe writes them: 255 is none
+  bool has_profile = false;  ///< the file has parts of one, whole or not
+  std::vector<std::uint8_t> profile;  ///< ICC; empty: none, or not whole
+  std::vector<std::uint8_t> exif;     ///< with kExifName; empty: none
+};
+
+/// As decode_jpeg(), but nothing is made of inks, and with what it says about them.
+Result<JpegPhoto> decode_jpeg_photo(Context& context, std::span<const std::uint8_t> bytes);
+
+/// A pixel of four inks as sRGB, by a formula that knows no profile.
+inline void rgb_of_inks(const std::uint8_t* inks, bool is_inverted, std::uint8_t* rgb) {
+  const auto ink_free = [is_inverted](std::uint8_t byte) {
+    return static_cast<unsigned>(is_inverted ? byte : 255 - byte);
+  };
+  const unsigned light = ink_free(inks[3]);
+  for (int c = 0; c < 3; ++c) {
+    rgb[c] = static_cast<std::uint8_t>((ink_free(inks[c]) * light + 127) / 255);
+  }
+}
 
 }  // namespace sfumato::codecs

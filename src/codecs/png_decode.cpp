@@ -1,9 +1,12 @@
+#include "codecs/png_decode.hpp"
+
 #include <spng.h>
 
 #include <algorithm>
 #include <cstring>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "base/limit_error.hpp"
@@ -43,6 +46,7 @@ class Decoder {
         png_(spng_ctx_new(0)) {}
 
   Result<Image> decode();
+  Result<codecs::PngPhoto> decode_photo();
 
  private:
   Status read_header();
@@ -51,6 +55,9 @@ class Decoder {
   Status decode_rows(int spng_format, int flags, Image& image);
   Result<Image> decode_as(int spng_format, PixelFormat format);
   Result<Image> without_alpha16(const Image& from);
+  void find_colors(codecs::PngPhoto& photo);
+  Status find_profile(codecs::PngPhoto& photo);
+  Status find_exif(codecs::PngPhoto& photo);
   Status error(StatusCode code, std::string message) const;
   /// The status of one call of the library.
   Status status_of(int error_code) const;
@@ -65,14 +72,14 @@ class Decoder {
   TableMemory memory_{"a PNG image"};
 };
 
-/// Whether the chunks lead to an IEND chunk: the library reads no farther than it needs pixels.
-bool is_whole(std::span<const std::uint8_t> png) {
+/// Whether the chunks lead to one of that type.
+bool has_chunk(std::span<const std::uint8_t> png, const char* type) {
   std::size_t at = kSignatureBytes;
   while (at + kChunkFrameBytes <= png.size()) {
     const std::size_t length = std::size_t{png[at]} << 24 | std::size_t{png[at + 1]} << 16 |
                                std::size_t{png[at + 2]} << 8 | png[at + 3];
     if (length > png.size() - at - kChunkFrameBytes) return false;
-    if (std::memcmp(&png[at + 4], "IEND", 4) == 0) return true;
+    if (std::memcmp(&png[at + 4], type, 4) == 0) return true;
     at += length + kChunkFrameBytes;
   }
   return false;
@@ -189,13 +196,65 @@ Result<Image> Decoder::decode_as(int spng_format, PixelFormat format) {
   status = decode_rows(spng_format, flags, image);
   if (status) status = status_of(spng_decode_chunks(png_.get()));
   if (!status) return status;
-  if (!is_whole(bytes_)) {
+  // The library reads no farther than it needs pixels.
+  if (!has_chunk(bytes_, "IEND")) {
     return error(StatusCode::bad_input, "the PNG image is damaged: it has no end");
   }
   return image;
 }
 
+void Decoder::find_colors(codecs::PngPhoto& photo) {
+  photo.is_gray = header_.color_type == SPNG_COLOR_TYPE_GRAYSCALE ||
+                  header_.color_type == SPNG_COLOR_TYPE_GRAYSCALE_ALPHA;
+  std::uint8_t intent = 0;
+  photo.is_srgb = spng_get_srgb(png_.get(), &intent) == SPNG_OK;
+  double gamma = 0;
+  if (spng_get_gama(png_.get(), &gamma) == SPNG_OK) photo.gamma = gamma;
+  spng_chrm chroma{};
+  if (spng_get_chrm(png_.get(), &chroma) == SPNG_OK) {
+    photo.chroma = {{{chroma.white_point_x, chroma.white_point_y},
+                     {chroma.red_x, chroma.red_y},
+                     {chroma.green_x, chroma.green_y},
+                     {chroma.blue_x, chroma.blue_y}}};
+  }
+}
+
+Status Decoder::find_profile(codecs::PngPhoto& photo) {
+  photo.has_profile = has_chunk(bytes_, "iCCP");
+  spng_iccp profile{};
+  if (spng_get_iccp(png_.get(), &profile) != SPNG_OK) return ok_status();
+  return memory_.append(context_, std::string_view(profile.profile, profile.profile_len),
+                        photo.profile);
+}
+
+Status Decoder::find_exif(codecs::PngPhoto& photo) {
+  spng_exif exif{};
+  if (spng_get_exif(png_.get(), &exif) != SPNG_OK) return ok_status();
+  return memory_.append(context_, std::string_view(exif.data, exif.length), photo.exif);
+}
+
+Result<codecs::PngPhoto> Decoder::decode_photo() {
+  codecs::PngPhoto photo;
+  Result<Image> image = decode();
+  if (!image) return image.status();
+  photo.image = std::move(*image);
+  find_colors(photo);
+  Status status = find_profile(photo);
+  if (status) status = find_exif(photo);
+  if (!status) return status;
+  return photo;
+}
+
 }  // namespace
+
+namespace codecs {
+
+Result<PngPhoto> decode_png_photo(Context& context, std::span<const std::uint8_t> bytes,
+                                  const std::string& file) {
+  return public_verb(context, [&] { return Decoder(context, bytes, file, false).decode_photo(); });
+}
+
+}  // namespace codecs
 
 Result<Image> decode_png(Context& context, std::span<const std::uint8_t> bytes,
                          const std::string& file) {

@@ -10,6 +10,9 @@
 #include "allocation/every_allocation.hpp"
 #include "base/no_throw.hpp"
 #include "base/parallel.hpp"
+#include "codecs/photo.hpp"
+#include "formats/image_files.hpp"
+#include "formats/photo_files.hpp"
 #include "sfumato/api/render_pixels.hpp"
 #include "sfumato/base/native/file.hpp"
 #include "sfumato/base/native/thread_pool.hpp"
@@ -164,8 +167,6 @@ TEST_P(Allocation, render_pixels) {
 INSTANTIATE_TEST_SUITE_P(Of, Allocation, testing::ValuesIn(small_documents()),
                          [](const auto& instance) { return std::string(instance.param.name); });
 
-using Bytes = std::vector<std::uint8_t>;
-
 Image image_of(int width, int height, PixelFormat format) {
   Image image{width, height, format, {}};
   image.bytes.resize(image.row_bytes() * static_cast<std::size_t>(height));
@@ -188,6 +189,17 @@ TEST(AllocationOf, png_decoder) {
   // libspng calls the file damaged where zlib was refused memory.
   check("decode", [&](Context& context) { return decode_png(context, file, "a.png"); },
         {.also = StatusCode::bad_input});
+}
+
+// WebP is left out: libwebp's decoder ends by a signal where it is refused memory (README.md).
+TEST(AllocationOf, photo_reader) {
+  const Bytes jpeg = jpeg_file(20, 10, 3, {200, 100, 50, 0});
+  const Bytes inks = jpeg_file(20, 10, 4, {200, 100, 50, 0});
+  for (const Bytes& file :
+       {with_profile(with_exif(jpeg, exif_of(6)), display_p3_profile()),
+        with_profile(jpeg, gray_profile(1)), with_profile(inks, ink_profile()), inks}) {
+    check("photo", [&](Context& context) { return codecs::read_photo(context, file, "a.jpg"); });
+  }
 }
 
 TEST(AllocationOf, jpeg_encoder) {

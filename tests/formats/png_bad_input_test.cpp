@@ -1,55 +1,18 @@
 // PNG files that are damaged, cut short or lie.
 #include <gtest/gtest.h>
-#include <zlib.h>
 
 #include <algorithm>
 #include <string>
-#include <string_view>
 
+#include "formats/png_chunks.hpp"
 #include "sfumato/base/limits.hpp"
 #include "sfumato/codecs/png.hpp"
 
 namespace sfumato {
 namespace {
 
-using Bytes = std::vector<std::uint8_t>;
-
-void append_number(std::uint32_t value, Bytes& out) {
-  for (int shift = 24; shift >= 0; shift -= 8) {
-    out.push_back(static_cast<std::uint8_t>(value >> shift));
-  }
-}
-
-void append_chunk(std::string_view type, const Bytes& data, Bytes& out) {
-  append_number(static_cast<std::uint32_t>(data.size()), out);
-  const std::size_t begin = out.size();
-  out.insert(out.end(), type.begin(), type.end());
-  out.insert(out.end(), data.begin(), data.end());
-  const uLong sum = crc32(0, &out[begin], static_cast<uInt>(out.size() - begin));
-  append_number(static_cast<std::uint32_t>(sum), out);
-}
-
-/// rows: filter numbers and samples as PNG packs them, under zlib by another encoder than ours.
-Bytes png_of(std::uint32_t width, std::uint32_t height, int depth, int color_type,
-             const Bytes& rows, const Bytes& palette = {}, const Bytes& transparency = {}) {
-  Bytes png{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-  Bytes header;
-  append_number(width, header);
-  append_number(height, header);
-  for (const int value : {depth, color_type, 0, 0, 0}) {
-    header.push_back(static_cast<std::uint8_t>(value));
-  }
-  append_chunk("IHDR", header, png);
-  if (!palette.empty()) append_chunk("PLTE", palette, png);
-  if (!transparency.empty()) append_chunk("tRNS", transparency, png);
-  uLongf packed_size = compressBound(static_cast<uLong>(rows.size()));
-  Bytes packed(packed_size);
-  compress(packed.data(), &packed_size, rows.data(), static_cast<uLong>(rows.size()));
-  packed.resize(packed_size);
-  append_chunk("IDAT", packed, png);
-  append_chunk("IEND", {}, png);
-  return png;
-}
+using test::Bytes;
+using test::png_of;
 
 Result<Image> decoded(const Bytes& png) {
   Context context;
@@ -97,13 +60,14 @@ TEST(PngReading, gray_of_16_bits) {
 }
 
 TEST(PngReading, palette) {
-  expect_image(decoded(png_of(2, 1, 8, 3, {0, 1, 0}, {1, 2, 3, 4, 5, 6})), PixelFormat::rgb8,
-               {4, 5, 6, 1, 2, 3});
+  expect_image(decoded(png_of(2, 1, 8, 3, {0, 1, 0}, {{"PLTE", {1, 2, 3, 4, 5, 6}}})),
+               PixelFormat::rgb8, {4, 5, 6, 1, 2, 3});
 }
 
 TEST(PngReading, palette_with_transparency) {
-  expect_image(decoded(png_of(2, 1, 4, 3, {0, 0x10}, {1, 2, 3, 4, 5, 6}, {255, 7})),
-               PixelFormat::rgba8, {4, 5, 6, 7, 1, 2, 3, 255});
+  expect_image(
+      decoded(png_of(2, 1, 4, 3, {0, 0x10}, {{"PLTE", {1, 2, 3, 4, 5, 6}}, {"tRNS", {255, 7}}})),
+      PixelFormat::rgba8, {4, 5, 6, 7, 1, 2, 3, 255});
 }
 
 TEST(PngReading, empty_and_foreign_files_are_no_png_images) {

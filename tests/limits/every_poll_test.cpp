@@ -9,6 +9,9 @@
 #include "allocation/documents.hpp"
 #include "base/poll.hpp"
 #include "codecs/image_file.hpp"
+#include "codecs/photo.hpp"
+#include "formats/image_files.hpp"
+#include "formats/photo_files.hpp"
 #include "limits/large_inputs.hpp"
 #include "sfumato/api/render_pixels.hpp"
 #include "sfumato/codecs/jpeg_encode.hpp"
@@ -179,6 +182,15 @@ TEST(EveryPollOf, codecs) {
                                  [&](Context& c) { return codecs::decode_image(c, png); });
   expect_cancelled_at_every_poll("JPEG back",
                                  [&](Context& c) { return codecs::decode_image(c, jpeg); });
+  const Bytes photo = with_exif(with_profile(jpeg, display_p3_profile()), exif_of(6));
+  expect_cancelled_at_every_poll("photo",
+                                 [&](Context& c) { return codecs::read_photo(c, photo, "a.jpg"); });
+  const Bytes inks = with_profile(jpeg_file(70, 50, 4, {1, 2, 3, 4}), ink_profile());
+  expect_cancelled_at_every_poll("CMYK",
+                                 [&](Context& c) { return codecs::read_photo(c, inks, "a.jpg"); });
+  const auto webp = take(encode_webp(context, image, {}));
+  expect_cancelled_at_every_poll("WebP back",
+                                 [&](Context& c) { return codecs::read_photo(c, webp, "a.webp"); });
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 
 #include "codecs/deflate.hpp"
 #include "codecs/image_file.hpp"
+#include "codecs/photo.hpp"
+#include "formats/photo_files.hpp"
 #include "limits/large_inputs.hpp"
 #include "sfumato/api/render_pixels.hpp"
 #include "sfumato/base/limits.hpp"
@@ -162,6 +164,11 @@ TEST(Polls, codecs_look_often) {
   ASSERT_TRUE(png.ok() && jpeg.ok());
   expect_polls("PNG back", [&](Context& c) { return codecs::decode_image(c, *png); });
   expect_polls("JPEG back", [&](Context& c) { return codecs::decode_image(c, *jpeg); });
+  const Bytes photo = with_exif(with_profile(*jpeg, display_p3_profile()), exif_of(6));
+  expect_polls("photo", [&](Context& c) { return codecs::read_photo(c, photo, "a.jpg"); });
+  const auto webp = encode_webp(context, *smooth, {});
+  ASSERT_TRUE(webp.ok());
+  expect_polls("WebP back", [&](Context& c) { return codecs::read_photo(c, *webp, "a.webp"); });
 }
 
 TEST(Polls, exporters_look_often) {
