@@ -12,6 +12,7 @@ import shutil
 import struct
 import subprocess
 import sys
+import tempfile
 import zlib
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
@@ -183,6 +184,82 @@ def jpegs():
                 yield run.stdout
 
 
+def icc(space, tags):
+    """A profile of version 4; tags of its colours by name."""
+    table, content, at = struct.pack('>I', len(tags)), b'', 132 + 12 * len(tags)
+    for name, data in tags:
+        data += bytes(-len(data) % 4)
+        table += name + struct.pack('>II', at + len(content), len(data))
+        content += data
+    size = at + len(content)
+    white = struct.pack('>iii', 63190, 65536, 54061)
+    header = (struct.pack('>I', size) + b'lcms' + b'\x04\x30\0\0' + b'mntr' + space + b'XYZ ' +
+              bytes(12) + b'acsp' + bytes(28) + white + bytes(48))
+    return header + table + content
+
+
+def iccs():
+    def xyz(x, y, z):
+        return b'XYZ \0\0\0\0' + struct.pack('>iii', *(round(65536 * v) for v in (x, y, z)))
+
+    gamma = b'curv\0\0\0\0' + struct.pack('>IH', 1, 563)
+    table = b'curv\0\0\0\0' + struct.pack('>IHHHH', 4, 0, 9000, 30000, 65535)
+    srgb = b'para\0\0\0\0\0\3\0\0' + struct.pack('>iiiii', 157286, 62119, 3417, 5072, 2651)
+    primaries = [(b'rXYZ', xyz(.515, .241, -.001)), (b'gXYZ', xyz(.292, .692, .042)),
+                 (b'bXYZ', xyz(.157, .067, .784)), (b'wtpt', xyz(.964, 1, .825))]
+    for curve in (gamma, table, srgb):
+        yield icc(b'RGB ', primaries + [(name, curve) for name in (b'rTRC', b'gTRC', b'bTRC')])
+        yield icc(b'GRAY', [(b'wtpt', xyz(.964, 1, .825)), (b'kTRC', curve)])
+    lut = (b'mft1\0\0\0\0\4\3\2\0' + struct.pack('>9i', *(65536 * (i % 4 == 0) for i in range(9))) +
+           bytes(range(256)) * 4 + bytes(5 * i % 256 for i in range(48)) + bytes(range(256)) * 3)
+    profile = icc(b'CMYK', [(b'A2B0', lut)])
+    yield profile[:12] + b'prtr' + profile[16:20] + b'Lab ' + profile[24:]
+
+
+def webps():
+    """By libwebp's tool, if it is here: lossy and lossless, with alpha and without."""
+    if not shutil.which('cwebp'):
+        return
+    with tempfile.TemporaryDirectory() as folder:
+        path = pathlib.Path(folder) / 'a.png'
+        for kind in (2, 6):
+            path.write_bytes(png(8, kind))
+            for flags in ([], ['-lossless'], ['-q', '5']):
+                run = subprocess.run(['cwebp', '-quiet', *flags, path, '-o', '-'],
+                                     capture_output=True, check=False)
+                if run.returncode == 0 and run.stdout:
+                    yield run.stdout
+
+
+def photos():
+    profiles = list(iccs())
+    exif = b'II*\0\x08\0\0\0\1\0\x12\1\3\0\1\0\0\0\6\0\0\0\0\0\0\0'
+    yield from (exif, b'Exif\0\0' + exif)
+    for kind in range(8):
+        yield from (bytes([kind]) + profile for profile in profiles)
+    for profile in profiles[:2]:
+        extra = (chunk(b'iCCP', b'n\0\0' + zlib.compress(profile, 9)) + chunk(b'eXIf', exif))
+        yield from (png(8, kind, 0, extra) for kind in (0, 2, 3, 4, 6))
+        yield from (png(16, kind, 0, extra) for kind in (0, 2, 4, 6))
+    yield png(8, 2, 0, chunk(b'gAMA', struct.pack('>I', 90000)) +
+              chunk(b'cHRM', struct.pack('>8I', 31270, 32900, 68000, 32000, 26500, 69000, 15000, 6000)))
+
+    def segment(marker, data):
+        return b'\xff' + marker + struct.pack('>H', len(data) + 2) + data
+
+    for file in jpegs():
+        yield (file[:2] + segment(b'\xe1', b'Exif\0\0' + exif) +
+               segment(b'\xe2', b'ICC_PROFILE\0\1\1' + profiles[0]) + file[2:])
+    for file in webps():
+        yield file
+        header = struct.pack('<IBBBBBB', 0x28 | 0x10 * (b'ALPH' in file), 4, 0, 0, 2, 0, 0)
+        chunks = b'WEBPVP8X' + struct.pack('<I', 10) + header
+        for name, data in ((b'ICCP', profiles[0]), (None, file[12:]), (b'EXIF', exif)):
+            chunks += name + struct.pack('<I', len(data)) + data if name else data
+        if file[12:16] != b'VP8X':
+            yield b'RIFF' + struct.pack('<I', len(chunks)) + chunks
+
+
 def noise(seed, count, longest):
     numbers = random.Random(seed)
     for _ in range(count):
@@ -210,6 +287,7 @@ def seeds():
     yield 'option_string', [bytes([call]) + text.encode() for call, text in OPTION_STRINGS]
     yield 'png', list(pngs())
     yield 'jpeg', list(jpegs())
+    yield 'photo', list(photos())
     yield 'mesher', list(noise(1, 40, 200))
     yield 'gather', list(noise(2, 40, 400))
     yield 'pixels', documents + orzan + list(noise(3, 40, 300))

@@ -2,36 +2,22 @@
 // come past them; other bytes are made into one: header, palette, transparency, rows.
 #include <zlib.h>
 
-#include <algorithm>
-#include <array>
 #include <string_view>
 #include <vector>
 
 #include "codecs/image_file.hpp"
 #include "fuzz.hpp"
+#include "png_file.hpp"
 #include "sfumato/codecs/png.hpp"
 
 using namespace sfumato;
 
 namespace {
 
-constexpr std::array<std::uint8_t, 8> kSignature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
 /// Largest image that is decoded: with more the runs were slow, and no other code would run.
 constexpr std::size_t kPngBudgetBytes = std::size_t{1} << 20;
 
-using File = std::vector<std::uint8_t>;
-
-std::uint32_t big_endian(const std::uint8_t* bytes) {
-  return std::uint32_t{bytes[0]} << 24 | std::uint32_t{bytes[1]} << 16 |
-         std::uint32_t{bytes[2]} << 8 | bytes[3];
-}
-
-void put_big_endian(std::uint32_t number, std::span<std::uint8_t> four_bytes) {
-  for (std::uint8_t& byte : four_bytes) {
-    byte = static_cast<std::uint8_t>(number >> 24);
-    number <<= 8;
-  }
-}
+using fuzz::File;
 
 void append_big_endian(std::uint32_t number, File& file) {
   for (int shift = 24; shift >= 0; shift -= 8) {
@@ -39,28 +25,12 @@ void append_big_endian(std::uint32_t number, File& file) {
   }
 }
 
-std::uint32_t checksum(const std::uint8_t* bytes, std::size_t count) {
-  return static_cast<std::uint32_t>(crc32(0, bytes, static_cast<uInt>(count)));
-}
-
-File with_checksums(fuzz::Bytes bytes) {
-  File file(bytes.begin(), bytes.end());
-  for (std::size_t at = kSignature.size(); at + 12 <= file.size();) {
-    const std::size_t length = big_endian(&file[at]);
-    if (length > file.size() - at - 12) break;
-    put_big_endian(checksum(&file[at + 4], length + 4),
-                   std::span(file).subspan(at + 8 + length, 4));
-    at += length + 12;
-  }
-  return file;
-}
-
 void add_chunk(File& file, std::string_view type, const File& content) {
   append_big_endian(static_cast<std::uint32_t>(content.size()), file);
   const std::size_t at = file.size();
   for (const char c : type) file.push_back(static_cast<std::uint8_t>(c));
   for (const std::uint8_t byte : content) file.push_back(byte);
-  append_big_endian(checksum(&file[at], file.size() - at), file);
+  append_big_endian(fuzz::png_checksum(&file[at], file.size() - at), file);
 }
 
 File packed(fuzz::Bytes rows) {
@@ -90,7 +60,7 @@ File composed(fuzz::Bytes bytes) {
   };
   const File palette = take(reader.byte()), transparency = take(reader.below(64));
   File file;
-  for (const std::uint8_t byte : kSignature) file.push_back(byte);
+  for (const std::uint8_t byte : fuzz::kPngSignature) file.push_back(byte);
   add_chunk(file, "IHDR", header);
   if (!palette.empty()) add_chunk(file, "PLTE", palette);
   if (!transparency.empty()) add_chunk(file, "tRNS", transparency);
@@ -121,9 +91,7 @@ void check_round_trip(const Image& image) {
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const fuzz::Bytes bytes(data, size);
-  const bool is_file =
-      size >= kSignature.size() && std::equal(kSignature.begin(), kSignature.end(), bytes.begin());
-  const File file = is_file ? with_checksums(bytes) : composed(bytes);
+  const File file = fuzz::is_png(bytes) ? fuzz::with_checksums(bytes) : composed(bytes);
   Context context{.budget = Budget(kPngBudgetBytes)};
   const Result<Image> image = decode_png(context, file, "fuzz.png");
   const Result<codecs::RgbaImage> texture = codecs::decode_image(context, file);
