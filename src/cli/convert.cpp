@@ -1,13 +1,10 @@
-#include <span>
-
 #include "base/charge.hpp"
 #include "cli/commands.hpp"
 #include "cli/document_input.hpp"
+#include "cli/drawing_file.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/paths.hpp"
-#include "sfumato/base/native/file.hpp"
 #include "sfumato/base/native/thread_pool.hpp"
-#include "sfumato/formats/svg/svg_write.hpp"
 
 namespace sfumato::cli {
 namespace {
@@ -18,11 +15,7 @@ Status convert_document(Context& context, const ConvertArguments& arguments) {
   ScopedCharge charge;
   Status status = charge.add(context, bytes_of(read->document), "the document");
   if (!status) return status;
-  const Result<std::string> svg = write_svg(context, read->document);
-  if (!svg) return svg.status();
-  if (context.cancelled()) return context.cancel_status();
-  return write_file(arguments.output,
-                    {reinterpret_cast<const std::uint8_t*>(svg->data()), svg->size()}, &context);
+  return write_drawing(context, read->document, arguments.output);
 }
 
 }  // namespace

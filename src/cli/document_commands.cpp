@@ -35,8 +35,8 @@ CLI::App* add_convert(CLI::App& root, ConvertArguments& arguments) {
   CLI::App* app = root.add_subcommand("convert", "Write a file of diffusion curves as SVG");
   app->footer(kConvertFooter);
   add_document(*app, arguments);
-  add_output(*app, arguments.output, {.only = OutputKind::svg}, "OUT.svg",
-             "The SVG document; '-': to stdout")
+  add_output(*app, arguments.output, {.only = OutputKind::svg, .takes_packed = true}, "OUT.svg",
+             "The SVG document, packed by gzip as .svgz; '-': to\nstdout")
       ->required();
   app->add_flag("--quiet", arguments.quiet, "No warnings");
   add_resources(*app, arguments.resources);

@@ -17,6 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::string_view kPackedExtension = "svgz";
+
 /// Without its dot; empty: there is none.
 std::string extension_of(const std::string& path) {
   const std::string extension = fs::path(path).extension().string();
@@ -28,6 +30,7 @@ std::vector<std::string_view> extensions_of(const OutputNames& names) {
   for (const options::KnownOutput& known : options::known_outputs()) {
     if (!names.only || known.kind == *names.only) extensions.push_back(known.extension);
   }
+  if (names.takes_packed) extensions.push_back(kPackedExtension);
   return extensions;
 }
 
@@ -56,8 +59,13 @@ std::vector<std::string> known_extensions() {
   return {extensions.begin(), extensions.end()};
 }
 
+bool is_packed_name(const std::string& path) {
+  return ascii_lower(extension_of(path)) == kPackedExtension;
+}
+
 std::string complaint_about_output(const std::string& name, const OutputNames& names) {
   if (name == "-" && names.takes_dash) return {};
+  if (names.takes_packed && is_packed_name(name)) return {};
   const std::optional<OutputKind> kind = output_kind(name);
   if (kind && (!names.only || kind == names.only)) return {};
   const std::string_view meant =

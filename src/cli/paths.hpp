@@ -23,7 +23,11 @@ std::vector<std::string> known_extensions();
 struct OutputNames {
   std::optional<OutputKind> only{};  ///< empty: any kind
   bool takes_dash = true;            ///< for standard output
+  bool takes_packed = false;         ///< .svgz as well
 };
+
+/// Whether the name is that of an SVG packed by gzip: .svgz.
+bool is_packed_name(const std::string& path);
 
 /// A message if the name of an output is not allowed, with what was probably meant; empty: it is
 /// allowed.

@@ -9,6 +9,11 @@ namespace sfumato::codecs {
 namespace {
 
 constexpr int kLevel = 9;
+/// zlib's default.
+constexpr int kMemoryLevel = 8;
+/// The largest window, and by 16 more a gzip file.
+constexpr int kZlibWindow = MAX_WBITS;
+constexpr int kGzipWindow = MAX_WBITS + 16;
 
 /// Bytes by which the result grows at least.
 constexpr std::size_t kPiece = std::size_t{64} << 10;
@@ -19,7 +24,10 @@ constexpr std::size_t kBytesPerPoll = std::size_t{1} << 10;
 /// A deflater that ends with its scope.
 class Deflater {
  public:
-  Deflater() { ready_ = deflateInit(&stream_, kLevel) == Z_OK; }
+  explicit Deflater(int window_bits) {
+    ready_ = deflateInit2(&stream_, kLevel, Z_DEFLATED, window_bits, kMemoryLevel,
+                          Z_DEFAULT_STRATEGY) == Z_OK;
+  }
   Deflater(const Deflater&) = delete;
   Deflater& operator=(const Deflater&) = delete;
   ~Deflater() {
@@ -49,12 +57,10 @@ class Deflater {
   bool ready_ = false;
 };
 
-}  // namespace
-
-Result<std::vector<std::uint8_t>> deflated(const Context& context,
-                                           std::span<const std::uint8_t> bytes,
-                                           TableMemory& memory) {
-  Deflater deflater;
+Result<std::vector<std::uint8_t>> packed_by(const Context& context, int window_bits,
+                                            std::span<const std::uint8_t> bytes,
+                                            TableMemory& memory) {
+  Deflater deflater(window_bits);
   if (!deflater.ready()) return make_error(StatusCode::out_of_memory, "no memory to pack bytes");
   std::vector<std::uint8_t> packed;
   std::size_t fed = 0, size = 0;
@@ -76,6 +82,20 @@ Result<std::vector<std::uint8_t>> deflated(const Context& context,
   }
   packed.resize(size);
   return packed;
+}
+
+}  // namespace
+
+Result<std::vector<std::uint8_t>> deflated(const Context& context,
+                                           std::span<const std::uint8_t> bytes,
+                                           TableMemory& memory) {
+  return packed_by(context, kZlibWindow, bytes, memory);
+}
+
+Result<std::vector<std::uint8_t>> gzipped(const Context& context,
+                                          std::span<const std::uint8_t> bytes,
+                                          TableMemory& memory) {
+  return packed_by(context, kGzipWindow, bytes, memory);
 }
 
 }  // namespace sfumato::codecs

@@ -16,4 +16,8 @@ Result<std::vector<std::uint8_t>> deflated(const Context& context,
                                            std::span<const std::uint8_t> bytes,
                                            TableMemory& memory);
 
+/// The same as a gzip file (RFC 1952) without a name and a time: the same bytes for the same input.
+Result<std::vector<std::uint8_t>> gzipped(const Context& context,
+                                          std::span<const std::uint8_t> bytes, TableMemory& memory);
+
 }  // namespace sfumato::codecs

@@ -35,6 +35,21 @@ TEST(Convert, writes_a_file_whole) {
   EXPECT_EQ(read_whole(folder.path("out.SVG")), piped.out);
 }
 
+TEST(Convert, packs_what_it_writes_as_svgz) {
+  const TemporaryFolder folder;
+  const std::string input = folder.add("scene.xml", two_curve_scene());
+  const std::string plain = run_sfumato({"convert", input, "-o", "-"}).out;
+  for (const char* name : {"out.svgz", "out.SVGZ"}) {
+    const CommandResult result = run_sfumato({"convert", input, "-o", folder.path(name)});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const std::string packed = read_whole(folder.path(name));
+    EXPECT_TRUE(packed.starts_with("\x1f\x8b"));
+    EXPECT_LT(packed.size(), plain.size());
+    EXPECT_EQ(run_sfumato({"convert", folder.path(name), "-o", "-"}).out, plain);
+  }
+  EXPECT_EQ(read_whole(folder.path("out.svgz")), read_whole(folder.path("out.SVGZ")));
+}
+
 TEST(Convert, normalises_svg_and_writes_the_same_bytes_again) {
   const char* by_hand =
       "<svg xmlns='http://www.w3.org/2000/svg' xmlns:d='urn:sfumato:1' viewBox='0 0 64 48' "
@@ -157,7 +172,7 @@ TEST(Convert, fails_as_other_commands_do) {
   EXPECT_EQ(run_sfumato({"convert", "-"}).exit_code, 2);
   const CommandResult png = run_sfumato({"convert", "-", "-o", folder.path("out.png")});
   EXPECT_EQ(png.exit_code, 2);
-  EXPECT_TRUE(contains(png.err, "expected a file name that ends in .svg, or -")) << png.err;
+  EXPECT_TRUE(contains(png.err, "expected a file name that ends in .svg, .svgz, or -")) << png.err;
   const std::string out = folder.path("out.svg");
   const CommandResult bad = run_sfumato({"convert", "-", "-o", out}, "<curve_set/>");
   EXPECT_EQ(bad.exit_code, 1);

@@ -189,10 +189,10 @@ TEST(Usage, mistyped_extensions_get_a_suggestion_in_every_command) {
   EXPECT_TRUE(message({"render", "a.svg", "-o", "b.tiff"}).ends_with(".glb, or -"));
   EXPECT_TRUE(message({"watch", "a.svg", "-o", "b"}).ends_with(".svg, .glb"));
   EXPECT_EQ(
-      message({"convert", "a.xml", "-o", "b.svgz"}),
-      "sfumato: error: --output: \"b.svgz\" given, expected a file name that ends in .svg, or "
-      "-; did you mean b.svg?");
-  EXPECT_TRUE(message({"convert", "a.xml", "-o", "b.pgn"}).ends_with(".svg, or -"));
+      message({"convert", "a.xml", "-o", "b.sgv"}),
+      "sfumato: error: --output: \"b.sgv\" given, expected a file name that ends in .svg, .svgz, "
+      "or -; did you mean b.svg?");
+  EXPECT_TRUE(message({"convert", "a.xml", "-o", "b.pgn"}).ends_with(".svgz, or -"));
   EXPECT_TRUE(message({"init", "b.sgv"}).ends_with("; did you mean b.svg?"));
   EXPECT_TRUE(
       message({"init", "b.svg", "--template", "spere"}).ends_with("; did you mean sphere?"));

@@ -3,8 +3,12 @@
 #include <gtest/gtest.h>
 #include <zlib.h>
 
+#include <algorithm>
 #include <cstdint>
+#include <string_view>
 #include <vector>
+
+#include "codecs/gunzip.hpp"
 
 namespace sfumato::outputs {
 namespace {
@@ -49,6 +53,20 @@ TEST(Deflate, packs_what_repeats) {
   const auto result = packed(context, std::vector<std::uint8_t>(1'000'000, 7));
   ASSERT_TRUE(result);
   EXPECT_LT(result->size(), 2000u);
+}
+
+TEST(Deflate, packs_a_gzip_file_without_a_time) {
+  Context context;
+  const std::vector<std::uint8_t> bytes = noise(100'000);
+  TableMemory memory("packed bytes");
+  const auto result = codecs::gzipped(context, bytes, memory);
+  ASSERT_TRUE(result);
+  for (std::size_t i = 4; i < 8; ++i) EXPECT_EQ((*result)[i], 0);
+  const std::string_view text(reinterpret_cast<const char*>(result->data()), result->size());
+  const auto text_again = codecs::gunzip(context, text, memory);
+  ASSERT_TRUE(text_again.ok());
+  EXPECT_TRUE(std::equal(bytes.begin(), bytes.end(), text_again->begin(), text_again->end(),
+                         [](std::uint8_t a, char b) { return a == static_cast<std::uint8_t>(b); }));
 }
 
 TEST(Deflate, charges_its_memory_and_gives_it_back) {
