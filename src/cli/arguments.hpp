@@ -7,9 +7,9 @@
 #include <variant>
 #include <vector>
 
+#include "cli/jobs.hpp"
 #include "cli/messages.hpp"
 #include "cli/paths.hpp"
-#include "cli/render_jobs.hpp"
 #include "cli/resources.hpp"
 #include "options/output_kind.hpp"
 #include "options/settings.hpp"
@@ -26,13 +26,9 @@ struct DocumentArguments {
 };
 
 /// `input` is the input of the current job.
-struct RenderArguments : DocumentArguments {
-  std::vector<RenderJob> jobs;
-  bool many = false;  ///< --out-dir was given
-  std::string output_folder;
+struct RenderArguments : DocumentArguments, JobArguments {
   OutputKind kind = OutputKind::png;
   options::Settings settings;
-  std::string stats;  ///< where the JSON goes; empty: nowhere
 };
 
 struct ConvertArguments : DocumentArguments {

@@ -1,23 +1,91 @@
-#include "cli/render_jobs.hpp"
+#include "cli/jobs.hpp"
 
-#include <filesystem>
+#include <cstdio>
+#include <utility>
+
+#include "cli/messages.hpp"
+#include "cli/paths.hpp"
+#include "sfumato/base/native/file.hpp"
 
 namespace sfumato::cli {
+namespace {
 
-namespace fs = std::filesystem;
+class JobRun {
+ public:
+  JobRun(Context& context, const JobArguments& arguments, const JobWords& words, ProgressBar* bar)
+      : context_(context), arguments_(arguments), words_(words), bar_(bar) {}
 
-std::vector<RenderJob> render_jobs(const std::vector<std::string>& inputs,
-                                   const std::string& output, const std::string& folder,
-                                   const std::string& extension) {
-  if (folder.empty()) return {{inputs.front(), output}};
-  std::vector<RenderJob> jobs;
-  for (const std::string& input : inputs) {
-    // "drawing.svg.gz" and "drawing.svgz" both become "drawing".
-    fs::path name = fs::path(input).filename();
-    if (name.extension() == ".gz") name = name.stem();
-    jobs.push_back({input, (fs::path(folder) / name.stem()).string() + '.' + extension});
+  int run(DoJob do_job);
+
+ private:
+  void run_job(std::size_t index, DoJob do_job);
+  void report_failure(const Status& status);
+  /// By a signal; one job that takes too long does not end the others.
+  bool interrupted() const { return context_.cancel.load(); }
+
+  Context& context_;
+  const JobArguments& arguments_;
+  const JobWords& words_;
+  ProgressBar* bar_;
+  std::string stats_;
+  int exit_code_ = kDone;
+  std::size_t failed_ = 0;
+  bool is_cancelled_ = false;  ///< and that was reported
+};
+
+void JobRun::report_failure(const Status& status) {
+  const int code = fail(status);
+  if (status.code == StatusCode::cancelled) is_cancelled_ = true;
+  if (failed_++ == 0 || is_cancelled_) exit_code_ = code;
+}
+
+void JobRun::run_job(std::size_t index, DoJob do_job) {
+  const Job& job = arguments_.jobs[index];
+  if (bar_) {
+    bar_->erase();
+    bar_->set_job(index, arguments_.jobs.size());
   }
-  return jobs;
+  std::string stats;
+  Status status = check_output(job.output);
+  if (status) status = do_job(job, stats);
+  if (bar_ && !status) bar_->erase();
+  if (!status && status.where.file.empty()) status.where.file = display_name(job.input);
+  if (!status) return report_failure(status);
+  stats_ += stats;
+}
+
+int JobRun::run(DoJob do_job) {
+  for (std::size_t i = 0; i < arguments_.jobs.size() && !is_cancelled_; ++i) {
+    // Also where the signal came between two jobs, or before the first.
+    interrupted() ? report_failure(context_.cancel_status()) : run_job(i, do_job);
+  }
+  if (bar_) bar_->erase();
+  if (!arguments_.stats.empty() && (arguments_.many || failed_ == 0) && !is_cancelled_) {
+    const Status written = write_file(
+        arguments_.stats, {reinterpret_cast<const std::uint8_t*>(stats_.data()), stats_.size()},
+        &context_);
+    if (!written) report_failure(written);
+  }
+  if (arguments_.many && failed_ > 0 && !is_cancelled_) {
+    std::fprintf(stderr, "sfumato: %zu of %zu %ss failed\n", failed_, arguments_.jobs.size(),
+                 words_.input);
+  }
+  return exit_code_;
+}
+
+}  // namespace
+
+Status prepare_outputs(const JobArguments& arguments) {
+  if (arguments.many) {
+    const Status made = make_folder(arguments.output_folder);
+    if (!made) return made;
+  }
+  return arguments.stats.empty() ? ok_status() : check_output(arguments.stats);
+}
+
+int run_jobs(Context& context, const JobArguments& arguments, const JobWords& words,
+             ProgressBar* bar, DoJob do_job) {
+  return JobRun(context, arguments, words, bar).run(do_job);
 }
 
 }  // namespace sfumato::cli

@@ -18,6 +18,10 @@ std::string complaint_about_folder(const std::string& path) {
 
 }  // namespace
 
+void expect(bool good, const char* option, const std::string& complaint) {
+  if (!good) throw CLI::ValidationError(option, complaint);
+}
+
 ValueText one_of(std::vector<std::string> words, std::string value_name) {
   std::string list;
   for (const std::string& word : words) list += (list.empty() ? "" : "|") + word;

@@ -16,6 +16,9 @@
 /// Options whose values our own parsers read, so that each failure says what was expected.
 namespace sfumato::cli {
 
+/// Throws CLI::ValidationError for `option` unless what it needs holds.
+void expect(bool good, const char* option, const std::string& complaint);
+
 /// A description of the values that an option accepts, and their form in the help.
 struct ValueText {
   std::string expected;

@@ -1,9 +1,7 @@
 #include <unistd.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <memory>
 #include <optional>
 
 #include "base/stopwatch.hpp"
@@ -42,78 +40,6 @@ Status render_document(Context& context, const RenderArguments& arguments,
   return written;
 }
 
-/// The jobs of one call, one after another, each on all threads.
-class Rendering {
- public:
-  Rendering(Context& context, const RenderArguments& arguments, ProgressBar* bar)
-      : context_(context), arguments_(arguments), bar_(bar) {}
-
-  /// The exit code: of the first job that failed.
-  int run();
-
- private:
-  void run_job(std::size_t index);
-  void report_failure(const Status& status);
-  /// By a signal; one drawing that takes too long does not end the others.
-  bool interrupted() const { return context_.cancel.load(); }
-
-  Context& context_;
-  RenderArguments arguments_;
-  ProgressBar* bar_;
-  std::string stats_;
-  int exit_code_ = kDone;
-  std::size_t failed_ = 0;
-  bool is_cancelled_ = false;  ///< and that was reported
-};
-
-void Rendering::report_failure(const Status& status) {
-  const int code = fail(status);
-  if (status.code == StatusCode::cancelled) is_cancelled_ = true;
-  if (failed_++ == 0 || is_cancelled_) exit_code_ = code;
-}
-
-void Rendering::run_job(std::size_t index) {
-  const RenderJob& job = arguments_.jobs[index];
-  arguments_.input = job.input;
-  if (bar_) {
-    bar_->erase();
-    bar_->set_job(index, arguments_.jobs.size());
-  }
-  RenderStats stats;
-  Status status = check_output(job.output);
-  if (status) status = render_document(context_, arguments_, job.output, stats);
-  if (bar_ && !status) bar_->erase();
-  if (!status && status.where.file.empty()) status.where.file = display_name(job.input);
-  if (!status) return report_failure(status);
-  stats_ += to_json(stats, arguments_.many ? job.input : std::string());
-}
-
-int Rendering::run() {
-  for (std::size_t i = 0; i < arguments_.jobs.size() && !is_cancelled_; ++i) {
-    // Also where the signal came between two jobs, or before the first.
-    interrupted() ? report_failure(context_.cancel_status()) : run_job(i);
-  }
-  if (bar_) bar_->erase();
-  if (!arguments_.stats.empty() && (arguments_.many || failed_ == 0) && !is_cancelled_) {
-    const Status written = write_file(
-        arguments_.stats, {reinterpret_cast<const std::uint8_t*>(stats_.data()), stats_.size()},
-        &context_);
-    if (!written) report_failure(written);
-  }
-  if (arguments_.many && failed_ > 0 && !is_cancelled_) {
-    std::fprintf(stderr, "sfumato: %zu of %zu drawings failed\n", failed_, arguments_.jobs.size());
-  }
-  return exit_code_;
-}
-
-Status prepare_outputs(const RenderArguments& arguments) {
-  if (arguments.many) {
-    const Status made = make_folder(arguments.output_folder);
-    if (!made) return made;
-  }
-  return arguments.stats.empty() ? ok_status() : check_output(arguments.stats);
-}
-
 }  // namespace
 
 int render(const RenderArguments& arguments) {
@@ -133,7 +59,15 @@ int render(const RenderArguments& arguments) {
   }
   const Status writable = prepare_outputs(arguments);
   if (!writable) return fail(writable);
-  return Rendering(context, arguments, progress ? &*progress : nullptr).run();
+  RenderArguments current = arguments;
+  return run_jobs(context, arguments, kRenderWords, progress ? &*progress : nullptr,
+                  [&](const Job& job, std::string& line) {
+                    current.input = job.input;
+                    RenderStats stats;
+                    Status status = render_document(context, current, job.output, stats);
+                    line = to_json(stats, arguments.many ? job.input : std::string());
+                    return status;
+                  });
 }
 
 }  // namespace sfumato::cli

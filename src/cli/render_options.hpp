@@ -2,7 +2,6 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "cli/arguments.hpp"
 #include "cli/option_helpers.hpp"
@@ -11,10 +10,7 @@ namespace sfumato::cli {
 
 /// Options that affect several members of RenderArguments and are applied once all options are
 /// known.
-struct RenderChoices {
-  std::vector<std::string> inputs;
-  std::string output;
-  std::string output_folder;
+struct RenderChoices : JobChoices {
   std::optional<OutputKind> format;
   std::string extension = "png";  ///< of the format, as given
 };

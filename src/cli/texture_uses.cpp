@@ -65,7 +65,7 @@ void TextureUses::look_at(const std::string& drawing) {
 std::string complaint_about_textures(Context& context, const RenderArguments& arguments) {
   if (!arguments.many) return {};
   TextureUses uses(context, arguments);
-  for (const RenderJob& job : arguments.jobs) {
+  for (const Job& job : arguments.jobs) {
     uses.look_at(job.input);
     if (!uses.complaint().empty() || context.cancel.load()) break;
   }
