@@ -10,7 +10,7 @@ _sfumato() {
   local command='' word options
   for word in "${COMP_WORDS[@]:1:COMP_CWORD-1}"; do
     case $word in
-      render | info | convert | lint | compare | init | watch | edit)
+      render | info | convert | trace | lint | compare | init | watch | edit)
         command=$word
         break
         ;;
@@ -18,6 +18,8 @@ _sfumato() {
   done
   case $previous in
     --template) options='shape sky sphere eye logo' ;;
+    --blur) options='on off fixed' ;;
+    --stops) options='few normal many' ;;
     --method) options='exact rays pixels' ;;
     --ends) options='soft paper' ;;
     --order) options='linear quadratic cubic' ;;
@@ -40,12 +42,13 @@ _sfumato() {
       mapfile -t COMPREPLY < <(compgen -d -- "$current")
       return
       ;;
-    -o | --output | --stats | --from)
+    -o | --output | --stats | --from | --colors-only)
       _sfumato_files "$1" "$current"
       return
       ;;
     --viewport | --width | --height | --scale | --rays | --seed | --tolerance | --max-area | \
-      --min-angle | --quality | --port | --detail | --dpi | --title | --threads | --max-memory)
+      --min-angle | --quality | --port | --detail | --dpi | --title | --threads | --max-memory | \
+      --points | --max-curves | --psnr | --smooth | --max-side)
       return
       ;;
   esac
@@ -74,6 +77,12 @@ _sfumato() {
       options='--output --allow-files --quiet
         --max-memory --max-time --limit --help'
       ;;
+    trace)
+      options='--output --out-dir --points --detail --max-curves --psnr --smooth --stops
+        --edges-only --no-alpha --texture --blur --max-side --seed --colors-only --allow-files
+        --threads --stats --quiet
+        --max-memory --max-time --limit --help'
+      ;;
     lint)
       options='--allow-files --strict --verbose --json --quiet
         --max-memory --max-time --limit --help'
@@ -91,7 +100,7 @@ _sfumato() {
       options='--output --scale --json
         --max-memory --max-time --limit --help'
       ;;
-    *) options='render info convert lint compare init watch edit --help --version' ;;
+    *) options='render info convert trace lint compare init watch edit --help --version' ;;
   esac
   mapfile -t COMPREPLY < <(compgen -W "$options" -- "$current")
 }

@@ -1,6 +1,6 @@
 # fish completion for sfumato
 
-set -l commands render info convert lint compare init watch edit
+set -l commands render info convert trace lint compare init watch edit
 set -l limits input-bytes= unpack-ratio= xml-depth= xml-elements= xml-attributes= style-values= used-elements= used-bytes= id-bytes= curves= control-points= stops= stops-per-list= layers= shaders-per-layer= stack-items= group-depth= image-file-bytes= textures= texels= segments= triangles= nodes= image-side= viewer-triangles= viewer-stroke-segments= svg-triangles=
 
 complete -c sfumato -s h -l help -d 'Print the help'
@@ -8,6 +8,7 @@ complete -c sfumato -n "not __fish_seen_subcommand_from $commands" -l version -d
 complete -c sfumato -n "not __fish_seen_subcommand_from $commands" -f -a render -d 'Draw files of diffusion curves'
 complete -c sfumato -n "not __fish_seen_subcommand_from $commands" -f -a info -d 'Say what a file of diffusion curves holds'
 complete -c sfumato -n "not __fish_seen_subcommand_from $commands" -f -a convert -d 'Write a file of diffusion curves as SVG'
+complete -c sfumato -n "not __fish_seen_subcommand_from $commands" -f -a trace -d 'Make a drawing of a photo or a painting'
 complete -c sfumato -n "not __fish_seen_subcommand_from $commands" -f -a lint -d 'Hint at what a drawing has probably got wrong'
 complete -c sfumato -n "not __fish_seen_subcommand_from $commands" -f -a compare -d 'Measure how two images of one size differ'
 complete -c sfumato -n "not __fish_seen_subcommand_from $commands" -f -a init -d 'Write a drawing to begin with'
@@ -67,6 +68,29 @@ complete -c sfumato -n '__fish_seen_subcommand_from convert' -l quiet -d 'No war
 complete -c sfumato -n '__fish_seen_subcommand_from convert' -l max-memory -x -d 'Give up before taking more MiB'
 complete -c sfumato -n '__fish_seen_subcommand_from convert' -l max-time -x -a off -d 'Give up after these seconds'
 complete -c sfumato -n '__fish_seen_subcommand_from convert' -l limit -x -a "$limits" -d 'Set another limit on the input'
+
+complete -c sfumato -n '__fish_seen_subcommand_from trace' -s o -l output -r -F -d 'The drawing'
+complete -c sfumato -n '__fish_seen_subcommand_from trace' -l out-dir -x -a '(__fish_complete_directories)' -d 'Every drawing into this folder'
+complete -c sfumato -n '__fish_seen_subcommand_from trace' -l points -x -d 'Control points at most'
+complete -c sfumato -n '__fish_seen_subcommand_from trace' -l detail -x -d 'More or fewer control points, 0 to 1'
+complete -c sfumato -n '__fish_seen_subcommand_from trace' -l max-curves -x -d 'Curves at most'
+complete -c sfumato -n '__fish_seen_subcommand_from trace' -l psnr -x -d 'End as soon as the drawing is as near'
+complete -c sfumato -n '__fish_seen_subcommand_from trace' -l smooth -x -d 'What is finer is texture'
+complete -c sfumato -n '__fish_seen_subcommand_from trace' -l stops -x -a 'few normal many' -d 'How many colours are kept along curves'
+complete -c sfumato -n '__fish_seen_subcommand_from trace' -l edges-only -d 'A draft of the edges alone'
+complete -c sfumato -n '__fish_seen_subcommand_from trace' -l no-alpha -d 'Transparent pictures as on white'
+complete -c sfumato -n '__fish_seen_subcommand_from trace' -l texture -d 'What the curves leave over becomes a texture'
+complete -c sfumato -n '__fish_seen_subcommand_from trace' -l blur -x -a 'on off fixed' -d 'How wide edges are'
+complete -c sfumato -n '__fish_seen_subcommand_from trace' -l max-side -x -d 'Look at larger pictures in this size'
+complete -c sfumato -n '__fish_seen_subcommand_from trace' -l seed -x -d 'Of the choice of pixels'
+complete -c sfumato -n '__fish_seen_subcommand_from trace' -l colors-only -r -F -d 'Only give this drawing the colours'
+complete -c sfumato -n '__fish_seen_subcommand_from trace' -l allow-files -x -a '(__fish_complete_directories)' -d 'Read textures from this folder too'
+complete -c sfumato -n '__fish_seen_subcommand_from trace' -l threads -x -d 'Number of threads'
+complete -c sfumato -n '__fish_seen_subcommand_from trace' -l stats -r -F -d 'Sizes, times and nearness as JSON'
+complete -c sfumato -n '__fish_seen_subcommand_from trace' -l quiet -d 'No warnings, no progress bar, no last line'
+complete -c sfumato -n '__fish_seen_subcommand_from trace' -l max-memory -x -d 'Give up before taking more MiB'
+complete -c sfumato -n '__fish_seen_subcommand_from trace' -l max-time -x -a off -d 'Begin no further round after these seconds'
+complete -c sfumato -n '__fish_seen_subcommand_from trace' -l limit -x -a "$limits" -d 'Set another limit on the input'
 
 complete -c sfumato -n '__fish_seen_subcommand_from lint' -l allow-files -x -a '(__fish_complete_directories)' -d 'Read textures from this folder too'
 complete -c sfumato -n '__fish_seen_subcommand_from lint' -l strict -d 'Exit with 1 where there is a hint'

@@ -11,6 +11,7 @@
 #include "cli/option_helpers.hpp"
 #include "cli/render_options.hpp"
 #include "cli/start_commands.hpp"
+#include "cli/trace_options.hpp"
 #include "formats/text/suggestion.hpp"
 #include "options/values.hpp"
 
@@ -28,6 +29,7 @@ constexpr const char* kRootFooter =
     "  sfumato render lady_bug.xml -o lady_bug.png\n"
     "  sfumato info lady_bug.xml\n"
     "  sfumato convert lady_bug.xml -o lady_bug.svg\n"
+    "  sfumato trace photo.jpg -o drawing.svg\n"
     "  sfumato lint lady_bug.svg\n"
     "  sfumato compare before.png after.png -o difference.png\n"
     "\n"
@@ -158,71 +160,106 @@ std::string wrong_beside_help(const CLI::App& root, std::span<const char* const>
   return {};
 }
 
-}  // namespace
+/// The commands, and what they were given.
+class CommandLine {
+ public:
+  CommandLine();
+  Command parse(int argc, const char* const* argv);
 
-Command parse_arguments(int argc, const char* const* argv) {
-  CLI::App root{kDescription, "sfumato"};
-  root.footer(kRootFooter);
-  root.set_help_flag("-h,--help", "Print this help");
-  root.set_version_flag("--version", "sfumato " SFUMATO_VERSION, "Print the version");
-  root.require_subcommand(0, 1);
-  root.get_formatter()->column_width(28);
-  root.get_formatter()->label("REQUIRED", "");
-  RenderArguments render;
-  RenderChoices choices;
-  InfoArguments info;
-  ConvertArguments convert;
-  LintArguments lint;
-  CompareArguments compare;
-  InitArguments init;
-  WatchArguments watch;
-  RenderChoices watch_choices;
-  EditArguments edit;
-  const CLI::App* render_app = add_render(root, render, choices);
-  const CLI::App* info_app = add_info(root, info);
-  const CLI::App* convert_app = add_convert(root, convert);
-  const CLI::App* lint_app = add_lint(root, lint);
-  const CLI::App* compare_app = add_compare(root, compare);
-  const CLI::App* init_app = add_init(root, init);
-  const CLI::App* watch_app = add_watch(root, watch, watch_choices);
-  const CLI::App* edit_app = add_edit(root, edit);
+ private:
+  Command chosen();
+  Command settled_start();
+
+  CLI::App root_{kDescription, "sfumato"};
+  RenderArguments render_;
+  RenderChoices render_choices_;
+  InfoArguments info_;
+  ConvertArguments convert_;
+  LintArguments lint_;
+  CompareArguments compare_;
+  InitArguments init_;
+  WatchArguments watch_;
+  RenderChoices watch_choices_;
+  EditArguments edit_;
+  TraceArguments trace_;
+  TraceChoices trace_choices_;
+};
+
+CommandLine::CommandLine() {
+  root_.footer(kRootFooter);
+  root_.set_help_flag("-h,--help", "Print this help");
+  root_.set_version_flag("--version", "sfumato " SFUMATO_VERSION, "Print the version");
+  root_.require_subcommand(0, 1);
+  root_.get_formatter()->column_width(28);
+  root_.get_formatter()->label("REQUIRED", "");
+  add_render(root_, render_, render_choices_);
+  add_info(root_, info_);
+  add_convert(root_, convert_);
+  add_trace(root_, trace_, trace_choices_);
+  add_lint(root_, lint_);
+  add_compare(root_, compare_);
+  add_init(root_, init_);
+  add_watch(root_, watch_, watch_choices_);
+  add_edit(root_, edit_);
+}
+
+Command CommandLine::chosen() {
+  if (root_.got_subcommand("render")) {
+    settle(render_, render_choices_);
+    return render_;
+  }
+  if (root_.got_subcommand("info")) return info_;
+  if (root_.got_subcommand("convert")) {
+    settle(convert_);
+    return convert_;
+  }
+  if (root_.got_subcommand("trace")) {
+    settle(*root_.get_subcommand("trace"), trace_, trace_choices_);
+    return trace_;
+  }
+  if (root_.got_subcommand("lint")) return lint_;
+  if (root_.got_subcommand("compare")) {
+    settle(compare_);
+    return compare_;
+  }
+  return settled_start();
+}
+
+/// Of the commands that drawings begin with.
+Command CommandLine::settled_start() {
+  if (root_.got_subcommand("init")) {
+    settle(init_);
+    return init_;
+  }
+  if (root_.got_subcommand("watch")) {
+    settle(watch_, watch_choices_);
+    return watch_;
+  }
+  if (root_.got_subcommand("edit")) {
+    settle(edit_);
+    return edit_;
+  }
+  return NoCommand{root_.help(), kBadUsage};
+}
+
+Command CommandLine::parse(int argc, const char* const* argv) {
   try {
-    root.parse(argc, argv);
-    if (render_app->parsed()) {
-      settle(render, choices);
-      return render;
-    }
-    if (info_app->parsed()) return info;
-    if (convert_app->parsed()) {
-      settle(convert);
-      return convert;
-    }
-    if (lint_app->parsed()) return lint;
-    if (compare_app->parsed()) {
-      settle(compare);
-      return compare;
-    }
-    if (init_app->parsed()) {
-      settle(init);
-      return init;
-    }
-    if (watch_app->parsed()) {
-      settle(watch, watch_choices);
-      return watch;
-    }
-    if (edit_app->parsed()) {
-      settle(edit);
-      return edit;
-    }
-    return NoCommand{root.help(), kBadUsage};
+    root_.parse(argc, argv);
+    return chosen();
   } catch (const CLI::CallForHelp&) {
-    const std::string wrong = wrong_beside_help(root, {argv, static_cast<std::size_t>(argc)});
-    return wrong.empty() ? NoCommand{root.help(), kDone} : usage_error(root, wrong);
+    const std::string wrong = wrong_beside_help(root_, {argv, static_cast<std::size_t>(argc)});
+    return wrong.empty() ? NoCommand{root_.help(), kDone} : usage_error(root_, wrong);
   } catch (const CLI::CallForVersion& version) {
     return NoCommand{std::string(version.what()) + '\n', kDone};
   } catch (const CLI::ParseError& error) {
-    return usage_error(root, error.what());
+    return usage_error(root_, error.what());
   }
+}
+
+}  // namespace
+
+Command parse_arguments(int argc, const char* const* argv) {
+  return CommandLine().parse(argc, argv);
 }
 
 }  // namespace sfumato::cli

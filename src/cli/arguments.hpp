@@ -13,6 +13,7 @@
 #include "cli/resources.hpp"
 #include "options/output_kind.hpp"
 #include "options/settings.hpp"
+#include "sfumato/trace/trace.hpp"
 
 namespace sfumato::cli {
 
@@ -66,6 +67,12 @@ struct EditArguments : DocumentArguments {
   bool opens_browser = true;
 };
 
+/// `input`: the drawing of --colors-only; empty: there is none.
+struct TraceArguments : DocumentArguments, JobArguments {
+  TraceOptions options;  ///< but the watch
+  int threads = 0;       ///< 0: all cores
+};
+
 struct CompareArguments {
   std::string first;
   std::string second;
@@ -84,7 +91,7 @@ struct NoCommand {
 
 using Command =
     std::variant<NoCommand, RenderArguments, InfoArguments, ConvertArguments, LintArguments,
-                 CompareArguments, InitArguments, WatchArguments, EditArguments>;
+                 CompareArguments, InitArguments, WatchArguments, EditArguments, TraceArguments>;
 
 /// Reads the command line. Never prints, never exits.
 Command parse_arguments(int argc, const char* const* argv);

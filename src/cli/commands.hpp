@@ -13,6 +13,7 @@ int compare(const CompareArguments& arguments);
 int init(const InitArguments& arguments);
 int watch(const WatchArguments& arguments);
 int edit(const EditArguments& arguments);
+int trace(const TraceArguments& arguments);
 
 /// The whole program: parses, runs, and catches exceptions of third-party libraries.
 int run(int argc, const char* const* argv);

@@ -16,14 +16,19 @@ constexpr std::size_t kBytesPerPipedByte = 3;
 
 }  // namespace
 
-Result<std::string> read_drawing_text(Context& context, const std::string& path) {
-  const std::size_t most = context.limits.input_bytes, room = context.budget.room();
+Result<std::string> read_within(Context& context, const std::string& path,
+                                std::size_t Limits::*limit, std::string_view what) {
+  const std::size_t most = context.limits.*limit, room = context.budget.room();
   const std::size_t readable = path == "-" ? room / kBytesPerPipedByte : room;
   Result<std::string> bytes = read_input(context, path, std::min(most, readable));
   if (bytes || bytes.status().code != StatusCode::limit) return bytes;
   if (context.cancelled()) return context.cancel_status();
   if (readable < most) return context.budget.charge(room + 1, "the input");
-  return limit_error(context.limits, &Limits::input_bytes, "bytes of input", bytes.status().where);
+  return limit_error(context.limits, limit, what, bytes.status().where);
+}
+
+Result<std::string> read_drawing_text(Context& context, const std::string& path) {
+  return read_within(context, path, &Limits::input_bytes, "bytes of input");
 }
 
 Result<ReadDocument> read_drawing(Context& context, const DocumentArguments& arguments) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cli/arguments.hpp"
@@ -9,7 +10,13 @@
 
 namespace sfumato::cli {
 
-/// The bytes of an input, if the budget has room for them. The caller must charge them.
+/// The bytes of an input, at most as many as a limit of the context says, if the budget has room
+/// for them. The caller must charge them. what: in the plural, for the limit's error. Errors:
+/// bad_input, limit, cancelled, out_of_memory.
+Result<std::string> read_within(Context& context, const std::string& path,
+                                std::size_t Limits::*limit, std::string_view what);
+
+/// The bytes of a drawing, if the budget has room for them. The caller must charge them.
 /// Errors: bad_input, limit, out_of_memory.
 Result<std::string> read_drawing_text(Context& context, const std::string& path);
 

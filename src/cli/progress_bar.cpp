@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace sfumato::cli {
 namespace {
@@ -43,6 +44,11 @@ void ProgressBar::set_job(std::size_t index, std::size_t count) {
   job_count_ = count;
 }
 
+void ProgressBar::set_note(std::string note) {
+  const std::lock_guard lock(mutex_);
+  note_ = std::move(note);
+}
+
 void ProgressBar::report(std::string_view stage, double fraction) {
   const std::unique_lock lock(mutex_, std::try_to_lock);
   if (!lock || Clock::now() < next_drawing_) return;
@@ -51,10 +57,13 @@ void ProgressBar::report(std::string_view stage, double fraction) {
     label = std::to_string(job_index_ + 1) + '/' + std::to_string(job_count_) + ' ' + label;
     fraction = static_cast<double>(job_index_) / static_cast<double>(job_count_);
   }
-  const std::string line = progress_line(label, fraction);
+  std::string line = progress_line(label, fraction);
+  if (!note_.empty()) line += "  " + note_;
+  const std::size_t length = line.size();
+  line.resize(std::max(length, drawn_length_), ' ');  // over what a longer note has left
   std::fprintf(terminal_, "\r%s", line.c_str());
   std::fflush(terminal_);
-  drawn_length_ = line.size();
+  drawn_length_ = length;
   next_drawing_ = Clock::now() + kDrawingInterval;
 }
 

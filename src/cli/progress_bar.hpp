@@ -26,6 +26,9 @@ class ProgressBar : public Progress {
   /// it shows the progress of the stage. Must not be called while another thread reports.
   void set_job(std::size_t index, std::size_t count);
 
+  /// From now on this stands behind the bar: "27.6 dB". From any thread.
+  void set_note(std::string note);
+
   /// Erases the line until the next report, so that a message can be printed.
   void erase();
 
@@ -36,6 +39,7 @@ class ProgressBar : public Progress {
   std::FILE* terminal_;
   Clock::time_point next_drawing_;
   std::size_t drawn_length_ = 0;
+  std::string note_;
   std::size_t job_index_ = 0;
   std::size_t job_count_ = 1;
 };

@@ -26,6 +26,7 @@ struct RunCommand {
   int operator()(const InitArguments& arguments) const { return init(arguments); }
   int operator()(const WatchArguments& arguments) const { return watch(arguments); }
   int operator()(const EditArguments& arguments) const { return edit(arguments); }
+  int operator()(const TraceArguments& arguments) const { return trace(arguments); }
 };
 
 int parse_and_run(int argc, const char* const* argv) {

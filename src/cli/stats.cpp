@@ -5,14 +5,10 @@
 #include "base/json.hpp"
 
 namespace sfumato::cli {
-namespace {
 
-/// Rounded, so that JSON shows no digits that no clock has.
 double to_nanosecond(double seconds) {
   return std::round(seconds * 1e9) / 1e9;
 }
-
-}  // namespace
 
 std::string to_json(const RenderStats& stats, std::string_view input) {
   JsonWriter json;

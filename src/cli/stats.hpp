@@ -18,6 +18,9 @@ struct RenderStats {
   double total_seconds = 0;      ///< from the start of the command to the written output
 };
 
+/// Rounded, so that JSON shows no digits that no clock has.
+double to_nanosecond(double seconds);
+
 /// The JSON object of docs/cli.md on one line, with its newline; `input`, if any, is a member.
 std::string to_json(const RenderStats& stats, std::string_view input = {});
 

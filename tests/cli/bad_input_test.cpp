@@ -311,7 +311,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Names{"info", "FIFO"}, Names{"lint", "FIFO"},
                     Names{"convert", "FIFO", "-o", "-"}, Names{"render", "FIFO", "-o", "OUT"},
                     Names{"compare", "FIFO", "FIFO"}, Names{"convert", "DRAWING", "-o", "FIFO"},
-                    Names{"render", "DRAWING", "-o", "FIFO"}),
+                    Names{"render", "DRAWING", "-o", "FIFO"}, Names{"trace", "FIFO", "-o", "-"}),
     [](const auto& instance) { return instance.param[0] + std::to_string(instance.index); });
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace {
 
 using Names = std::set<std::string>;
 
-constexpr const char* kCommands[] = {"render",  "info", "convert", "lint",
+constexpr const char* kCommands[] = {"render",  "info", "convert", "trace", "lint",
                                      "compare", "init", "watch",   "edit"};
 
 std::string file_text(const std::string& path) {

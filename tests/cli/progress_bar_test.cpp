@@ -57,6 +57,21 @@ TEST(ProgressBar, of_many_jobs_says_how_many_are_done) {
   EXPECT_EQ(all_of(file.get()), "\r" + line + "\r" + std::string(line.size(), ' ') + "\r");
 }
 
+TEST(ProgressBar, note_stands_behind_the_bar_and_leaves_nothing_of_a_longer_one) {
+  const File file(std::tmpfile());
+  const std::string line = progress_line("trace", 0.25);
+  {
+    ProgressBar bar(file.get(), milliseconds(0));
+    bar.set_note("100.0 dB");
+    bar.report("trace", 0.25);
+    bar.set_note("9.0 dB");
+    std::this_thread::sleep_for(milliseconds(150));  // it draws ten times a second
+    bar.report("trace", 0.25);
+  }
+  EXPECT_EQ(all_of(file.get()), "\r" + line + "  100.0 dB\r" + line + "  9.0 dB  \r" +
+                                    std::string(line.size() + 8, ' ') + "\r");
+}
+
 TEST(ProgressBar, draws_nothing_for_short_work) {
   const File file(std::tmpfile());
   { ProgressBar(file.get(), hours(1)).report("gather", 0.25); }

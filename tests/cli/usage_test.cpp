@@ -29,7 +29,7 @@ TEST(Usage, help_goes_to_stdout_where_it_is_asked_for) {
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_EQ(result.err, "");
   for (const char* command :
-       {"render", "info", "convert", "lint", "compare", "init", "watch", "edit"}) {
+       {"render", "info", "convert", "trace", "lint", "compare", "init", "watch", "edit"}) {
     EXPECT_TRUE(contains(result.out, command)) << command;
     const CommandResult help = run_sfumato({command, "--help"});
     EXPECT_EQ(help.exit_code, 0);
@@ -140,9 +140,9 @@ TEST(Usage, unknown_options_and_missing_operands_are_named) {
   EXPECT_EQ(run_sfumato({"compare", "a.png"}).exit_code, 2);
   const CommandResult command = run_sfumato({"paint", "a.xml"});
   EXPECT_EQ(command.exit_code, 2);
-  EXPECT_TRUE(contains(
-      command.err,
-      "\"paint\" given, expected render, info, convert, lint, compare, init, watch or edit"));
+  EXPECT_TRUE(contains(command.err,
+                       "\"paint\" given, expected render, info, convert, trace, lint, compare, "
+                       "init, watch or edit"));
 }
 
 TEST(Usage, mistyped_options_get_a_suggestion_in_every_command) {

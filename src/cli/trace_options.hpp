@@ -1,0 +1,24 @@
+#pragma once
+
+#include <optional>
+
+#include "cli/arguments.hpp"
+#include "cli/option_helpers.hpp"
+
+namespace sfumato::cli {
+
+/// Options that affect several members of TraceArguments and are applied once all are known.
+struct TraceChoices : JobChoices {
+  std::optional<double> detail;
+};
+
+/// Control points for a detail from 0 to 1: 250 for 0, 2,000 for 1/2, 16,000 for 1.
+int points_of_detail(double detail);
+
+CLI::App* add_trace(CLI::App& root, TraceArguments& arguments, TraceChoices& choices);
+
+/// Applies the choices; throws CLI::ValidationError if options conflict. app: what add_trace()
+/// gave.
+void settle(const CLI::App& app, TraceArguments& arguments, const TraceChoices& choices);
+
+}  // namespace sfumato::cli
