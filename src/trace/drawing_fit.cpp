@@ -63,10 +63,10 @@ Status DrawingFit::prepare(std::span<const TracedCurve> curves, double one_in, s
   seen_.reset();
   matrix_.reset();
   const int width = picture_.width(), height = picture_.height();
-  Result<SharpPixels> sharp = SharpPixels::mark(context_, width, height, curves);
-  if (!sharp) return sharp.status();
-  sharp_ = std::move(*sharp);
-  Result<SamplePixels> pixels = sharp_->choose(context_, {one_in, seed, 0, height});
+  Result<PixelMarks> marks = mark_curves(context_, width, height, curves);
+  if (!marks) return marks.status();
+  marks_ = std::move(*marks);
+  Result<SamplePixels> pixels = choose_pixels(context_, *marks_, {one_in, seed, 0, height});
   if (!pixels) return pixels.status();
   mesh_.reset();
   Result<CurveMesh> mesh = CurveMesh::build(context_, curves, width, height);
@@ -215,7 +215,7 @@ Status DrawingFit::find_missing(std::span<const TracedCurve> curves, TableMemory
   const std::vector<FourFloats> x = values_of(curves);
   for (int y = 0; y < height && status; y += kBandRows) {
     Result<SamplePixels> pixels =
-        sharp_->choose(context_, {1, 0, y, std::min(y + kBandRows, height)});
+        choose_pixels(context_, *marks_, {1, 0, y, std::min(y + kBandRows, height)});
     if (!pixels) return pixels.status();
     const Result<PixelRows> seen = mesh_->gather(context_, std::move(*pixels));
     if (!seen) return seen.status();

@@ -56,7 +56,7 @@ class DrawingFit {
   Context& context_;
   const Picture& picture_;
   std::optional<CurveMesh> mesh_;
-  std::optional<SharpPixels> sharp_;
+  std::optional<PixelMarks> marks_;
   std::optional<PixelRows> seen_;
   std::optional<SparseMatrix> matrix_;  ///< values of stops to pixels, with the present radii
   std::vector<FourFloats> target_;      ///< per pixel

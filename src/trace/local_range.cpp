@@ -10,20 +10,30 @@
 namespace sfumato::tracing {
 namespace {
 
-/// Half the side of the square looked at, pixels; with blur at least so many radii.
-constexpr double kNear = 8;
+/// With blur half the side of the square is at least so many radii.
 constexpr double kNearRadii = 1.0;
-/// Values may leave the range by this much.
-constexpr float kWider = 0.1f;
 
-struct Range {
-  float low = 1, high = 0;
+Vec2 place_on(const TracedCurve& curve, double parameter) {
+  const std::size_t pieces = (curve.control_points.size() - 1) / 3;
+  const auto piece = std::min(static_cast<std::size_t>(parameter), pieces - 1);
+  return curves::point_at(curves::piece(curve.control_points, piece),
+                          parameter - static_cast<double>(piece));
+}
 
-  void extend(float value) {
-    low = std::min(low, value);
-    high = std::max(high, value);
+void add_bounds(const Picture& picture, const TracedCurve& curve, double parameter, FourFloats& low,
+                FourFloats& high) {
+  const Vec2 p = place_on(curve, parameter);
+  const int reach = static_cast<int>(std::max(kNearPx, kNearRadii * curve.radius));
+  for (std::size_t c = 0; c < 3; ++c) {
+    const Range range = range_near(picture.code[c], p, reach);
+    low[c] = std::max(range.low - kWiderRange, 0.0f);
+    high[c] = std::min(range.high + kWiderRange, 1.0f);
   }
-};
+  low[3] = 0;
+  high[3] = 1;
+}
+
+}  // namespace
 
 Range range_near(const Plane& plane, Vec2 p, int reach) {
   const int x0 = std::clamp(static_cast<int>(p.x) - reach, 0, plane.width - 1);
@@ -37,28 +47,6 @@ Range range_near(const Plane& plane, Vec2 p, int reach) {
   }
   return range;
 }
-
-Vec2 place_on(const TracedCurve& curve, double parameter) {
-  const std::size_t pieces = (curve.control_points.size() - 1) / 3;
-  const auto piece = std::min(static_cast<std::size_t>(parameter), pieces - 1);
-  return curves::point_at(curves::piece(curve.control_points, piece),
-                          parameter - static_cast<double>(piece));
-}
-
-void add_bounds(const Picture& picture, const TracedCurve& curve, double parameter, FourFloats& low,
-                FourFloats& high) {
-  const Vec2 p = place_on(curve, parameter);
-  const int reach = static_cast<int>(std::max(kNear, kNearRadii * curve.radius));
-  for (std::size_t c = 0; c < 3; ++c) {
-    const Range range = range_near(picture.code[c], p, reach);
-    low[c] = std::max(range.low - kWider, 0.0f);
-    high[c] = std::min(range.high + kWider, 1.0f);
-  }
-  low[3] = 0;
-  high[3] = 1;
-}
-
-}  // namespace
 
 Result<ValueBounds> bounds_near(Context& context, const Picture& picture,
                                 std::span<const TracedCurve> curves) {

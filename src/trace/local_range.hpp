@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -10,6 +12,25 @@
 #include "trace/traced_curve.hpp"
 
 namespace sfumato::tracing {
+
+/// The values of a plane in a square.
+struct Range {
+  float low = std::numeric_limits<float>::infinity();
+  float high = -std::numeric_limits<float>::infinity();
+
+  void extend(float value) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+};
+
+/// Half the side of the square looked at for the range near a stop, pixels.
+inline constexpr double kNearPx = 8;
+/// Stops may leave the range near them by this much.
+inline constexpr float kWiderRange = 0.1f;
+
+/// The range up to `reach` pixels from the pixel of p, or of the picture's nearest pixel.
+Range range_near(const Plane& plane, Vec2 p, int reach);
 
 /// Between which values each stop is kept.
 struct ValueBounds {

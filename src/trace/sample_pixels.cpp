@@ -9,8 +9,6 @@
 namespace sfumato::tracing {
 namespace {
 
-/// Blurred more than this a curve is smooth within a pixel.
-constexpr double kSharp = 1.5;
 /// Points off the middle, so that none lies on a curve with simple coordinates.
 constexpr Vec2 kOff{0.0137, 0.0071};
 /// Side of the squares of pixels that follow each other.
@@ -27,8 +25,8 @@ std::uint64_t scrambled(std::uint64_t x) {
   return x ^ x >> 31;
 }
 
-/// Adds a pixel, and the points at which it is looked at.
-Status add_pixel(const Context& context, int x, int y, bool is_crossed, SamplePixels& out) {
+/// Adds the points at which a pixel is looked at.
+Status add_points(const Context& context, int x, int y, bool is_crossed, SamplePixels& out) {
   const Vec2 middle = Vec2{x + 0.5, y + 0.5} + kOff;
   Status status;
   if (!is_crossed) {
@@ -47,52 +45,66 @@ Status add_pixel(const Context& context, int x, int y, bool is_crossed, SamplePi
 
 }  // namespace
 
-Result<SharpPixels> SharpPixels::mark(Context& context, int width, int height,
-                                      std::span<const TracedCurve> curves) {
-  SharpPixels out;
-  out.width_ = width;
-  out.height_ = height;
-  Status status = out.memory_.resize(
-      context, out.mark_, static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+Result<PixelMarks> PixelMarks::create(Context& context, int width, int height) {
+  PixelMarks marks;
+  marks.width_ = width;
+  marks.height_ = height;
+  const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  Status status = marks.memory_.resize(context, marks.mark_, count);
   if (!status) return status;
-  for (const TracedCurve& curve : curves) {
-    if (context.cancelled()) return context.cancel_status();
-    if (curve.is_frame || curve.radius > kSharp) continue;
-    for (const CurveSample& sample : samples_along(curve, 0.4)) out.mark_around(sample.point);
-  }
-  return out;
+  return marks;
 }
 
-void SharpPixels::mark_around(Vec2 p) {
+void PixelMarks::raise(int x, int y, Mark mark) {
+  x = std::clamp(x, 0, width_ - 1);
+  y = std::clamp(y, 0, height_ - 1);
+  std::uint8_t& at = mark_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+                           static_cast<std::size_t>(x)];
+  at = std::max<std::uint8_t>(at, mark);
+}
+
+void PixelMarks::cross(Vec2 p) {
   const int x = std::clamp(static_cast<int>(p.x), 0, width_ - 1);
   const int y = std::clamp(static_cast<int>(p.y), 0, height_ - 1);
-  at(x, y) = crossed;
+  raise(x, y, crossed);
   for (const auto& [dx, dy] : {std::pair(-1, 0), {1, 0}, {0, -1}, {0, 1}}) {
-    std::uint8_t& near = at(std::clamp(x + dx, 0, width_ - 1), std::clamp(y + dy, 0, height_ - 1));
-    near = std::max<std::uint8_t>(near, beside);
+    raise(x + dx, y + dy, beside);
   }
 }
 
-Result<SamplePixels> SharpPixels::choose(Context& context, const PixelChoice& choice) const {
+Result<PixelMarks> mark_curves(Context& context, int width, int height,
+                               std::span<const TracedCurve> curves) {
+  Result<PixelMarks> marks = PixelMarks::create(context, width, height);
+  if (!marks) return marks;
+  for (const TracedCurve& curve : curves) {
+    if (context.cancelled()) return context.cancel_status();
+    if (curve.is_frame || curve.radius > kSharpRadiusPx) continue;
+    for (const CurveSample& sample : samples_along(curve, 0.4)) marks->cross(sample.point);
+  }
+  return marks;
+}
+
+Result<SamplePixels> choose_pixels(Context& context, const PixelMarks& marks,
+                                   const PixelChoice& choice) {
   SamplePixels out;
   Status status = out.memory.push_back(context, out.point_begin, 0);
   RarePoll<4096> poll(context);
   const double most = kAllChances / choice.one_in;
   const auto consider = [&](int x, int y) {
-    const auto pixel = static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(width_) +
+    const auto pixel = static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(marks.width()) +
                        static_cast<std::uint32_t>(x);
     const auto chance = static_cast<double>(scrambled(choice.seed * 0x2545f4914f6cdd1d + pixel));
-    const double limit = mark_[pixel] == far_away ? most : 2 * most;
+    const double limit = marks.is_near(pixel) ? 2 * most : most;
     if (chance > limit || !status) return;
     status = out.memory.push_back(context, out.pixel, pixel);
     const auto stands_for = static_cast<float>(std::max(1.0, kAllChances / limit));
     if (status) status = out.memory.push_back(context, out.stands_for, stands_for);
-    if (status) status = add_pixel(context, x, y, mark_[pixel] == crossed, out);
+    if (status) status = add_points(context, x, y, marks.is_crossed(pixel), out);
   };
   for (int y0 = choice.first_row; y0 < choice.end_row; y0 += kTile) {
-    for (int x0 = 0; x0 < width_; x0 += kTile) {
+    for (int x0 = 0; x0 < marks.width(); x0 += kTile) {
       for (int y = y0; y < std::min(y0 + kTile, choice.end_row); ++y) {
-        for (int x = x0; x < std::min(x0 + kTile, width_); ++x) {
+        for (int x = x0; x < std::min(x0 + kTile, marks.width()); ++x) {
           if (poll.cancelled()) return context.cancel_status();
           consider(x, y);
         }

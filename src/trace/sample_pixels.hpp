@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -23,6 +24,35 @@ struct SamplePixels {
   TableMemory memory{"the pixels to fit to"};
 };
 
+/// Which pixels of a picture sharp curves cross.
+class PixelMarks {
+ public:
+  /// Of a picture that no curve crosses. Errors: limit (memory), cancelled.
+  static Result<PixelMarks> create(Context& context, int width, int height);
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+
+  /// A curve passes here; outside of the picture it counts for the nearest pixel.
+  void cross(Vec2 p);
+
+  bool is_crossed(std::size_t pixel) const { return mark_[pixel] == crossed; }
+  /// Crossed, or beside a pixel that is.
+  bool is_near(std::size_t pixel) const { return mark_[pixel] != far_away; }
+
+ private:
+  enum Mark : std::uint8_t { far_away, beside, crossed };
+
+  void raise(int x, int y, Mark mark);
+
+  int width_ = 0, height_ = 0;
+  std::vector<std::uint8_t> mark_;
+  TableMemory memory_{"the pixels to fit to"};
+};
+
+/// Blurred more than this, in pixels, a curve is smooth within a pixel.
+inline constexpr double kSharpRadiusPx = 1.5;
+
 /// How pixels are chosen.
 struct PixelChoice {
   double one_in = 1;  ///< of so many one is taken, by chance; at sharp curves with double chance
@@ -31,28 +61,12 @@ struct PixelChoice {
   int end_row = 0;
 };
 
-/// What sharp curves do to each pixel of a picture.
-class SharpPixels {
- public:
-  /// Errors: limit (memory), cancelled.
-  static Result<SharpPixels> mark(Context& context, int width, int height,
-                                  std::span<const TracedCurve> curves);
+/// Errors: limit (memory), cancelled.
+Result<SamplePixels> choose_pixels(Context& context, const PixelMarks& marks,
+                                   const PixelChoice& choice);
 
-  /// Errors: limit (memory), cancelled.
-  Result<SamplePixels> choose(Context& context, const PixelChoice& choice) const;
-
- private:
-  enum Mark : std::uint8_t { far_away, beside, crossed };
-
-  void mark_around(Vec2 p);
-  std::uint8_t& at(int x, int y) {
-    return mark_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
-                 static_cast<std::size_t>(x)];
-  }
-
-  int width_ = 0, height_ = 0;
-  std::vector<std::uint8_t> mark_;
-  TableMemory memory_{"the pixels to fit to"};
-};
+/// Marks what sharp curves of the list cross. Errors: limit (memory), cancelled.
+Result<PixelMarks> mark_curves(Context& context, int width, int height,
+                               std::span<const TracedCurve> curves);
 
 }  // namespace sfumato::tracing

@@ -1,0 +1,170 @@
+#include "trace/drawing_layers.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/poll.hpp"
+#include "mesh/mesher.hpp"
+#include "sfumato/base/limits.hpp"
+#include "trace/drawing_stops.hpp"
+
+namespace sfumato::tracing {
+namespace {
+
+/// Chords may be so far from curves, pixels.
+constexpr double kFlatnessPx = 0.1;
+/// Of the artboard's longer side, the largest pixel that the mesher may have.
+constexpr double kNominalSidePx = 1024;
+/// Between the places at which a curve marks pixels, pixels.
+constexpr double kMarkStepPx = 0.4;
+
+/// What instances show of a layer.
+struct Sight {
+  Box box;                 ///< layer frame
+  double px_per_unit = 0;  ///< of the instance that enlarges it most
+};
+
+Sight sight_of(const Document& drawing, std::uint32_t layer, const LaidPicture& picture) {
+  Sight sight;
+  for (const StackItem& item : drawing.stack) {
+    const auto* instance = std::get_if<LayerInstance>(&item);
+    if (!instance || instance->layer != layer) continue;
+    const Affine pixel_from_layer =
+        inverse(picture.artboard_from_pixel) * instance->artboard_from_layer;
+    const double scale = largest_scale(pixel_from_layer);
+    if (!(scale > 0) || !std::isfinite(1 / pixel_from_layer.determinant())) continue;
+    const Affine layer_from_pixel = inverse(pixel_from_layer);
+    for (const double x : {0.0, static_cast<double>(picture.width)}) {
+      for (const double y : {0.0, static_cast<double>(picture.height)}) {
+        sight.box.extend(layer_from_pixel({x, y}));
+      }
+    }
+    sight.px_per_unit = std::max(sight.px_per_unit, scale);
+  }
+  return sight;
+}
+
+Box within_coordinates(const Box& box) {
+  const auto clamped = [](Vec2 p) {
+    return Vec2{std::clamp(p.x, -limits::kCoordinate, limits::kCoordinate),
+                std::clamp(p.y, -limits::kCoordinate, limits::kCoordinate)};
+  };
+  return {clamped(box.min), clamped(box.max)};
+}
+
+Status mesh_layer(Context& context, const Sight& sight, const LaidPicture& picture,
+                  DrawnLayer& layer) {
+  mesh::MeshOptions meshing;
+  const double longer = std::max(picture.width, picture.height);
+  meshing.unit_size = std::min(longer / kNominalSidePx, 1.0) / sight.px_per_unit;
+  meshing.frame = within_coordinates(sight.box.grown_by(2 * meshing.unit_size));
+  Result<mesh::Mesher> mesher = mesh::Mesher::build(context, layer.flat, meshing);
+  if (!mesher) return mesher.status();
+  Result<mesh::TriangleMesh> mesh = mesher->visibility_mesh(context);
+  if (!mesh) return mesh.status();
+  layer.mesh = std::move(*mesh);
+  layer.memory.take(mesher->release_extracted());
+  return ok_status();
+}
+
+/// Where segments lie among the stops of the opacities, and what these are.
+Status place_opacities(Context& context, const std::vector<Curve>& curves, DrawnLayer& layer) {
+  Result<curves::SegmentAttributes> places =
+      curves::sample_stop_places(context, layer.flat, curves, StopAttribute::opacity, layer.memory);
+  if (!places) return places.status();
+  layer.opacity_places = std::move(*places);
+  for (const Curve& curve : curves) {
+    for (const Side* side : {&curve.left, &curve.right}) {
+      if (side->opacity.kind != ShaderKind::curve_domain) continue;
+      for (const Stop<float>& stop : side->opacity.stops.stops) {
+        Status status = layer.memory.push_back(context, layer.opacity, stop.value);
+        if (!status) return status;
+      }
+    }
+  }
+  return ok_status();
+}
+
+/// The smallest radius of a side.
+double least_radius(const Side& side) {
+  if (side.blur_radius.empty()) return 0;
+  return std::ranges::min(side.blur_radius.stops, {}, &Stop<float>::value).value;
+}
+
+/// The part of a segment, as fractions of its way, that lies in a box.
+std::pair<double, double> part_within(const Box& box, Vec2 a, Vec2 b) {
+  double from = 0, to = 1;
+  const auto cut = [&](double start, double step, double low, double high) {
+    if (step == 0) {
+      if (start < low || start > high) to = -1;
+      return;
+    }
+    const double first = (low - start) / step, second = (high - start) / step;
+    from = std::max(from, std::min(first, second));
+    to = std::min(to, std::max(first, second));
+  };
+  cut(a.x, b.x - a.x, box.min.x, box.max.x);
+  cut(a.y, b.y - a.y, box.min.y, box.max.y);
+  return {from, to};
+}
+
+}  // namespace
+
+double largest_scale(const Affine& map) {
+  const double squares = map.a * map.a + map.b * map.b + map.c * map.c + map.d * map.d;
+  const double area = map.determinant();
+  const double rest = std::sqrt(std::max(0.0, squares * squares - 4 * area * area));
+  return std::sqrt(0.5 * (squares + rest));
+}
+
+Result<std::optional<DrawnLayer>> prepare_layer(Context& context, const Document& drawing,
+                                                std::uint32_t layer, const LaidPicture& picture) {
+  const std::vector<Curve>& curves = drawing.layers[layer].curves;
+  const Sight sight = sight_of(drawing, layer, picture);
+  if (curves.empty() || sight.box.empty()) return std::optional<DrawnLayer>();
+  std::optional<DrawnLayer> out(std::in_place);
+  out->px_per_unit = sight.px_per_unit;
+  const double tolerance = kFlatnessPx / sight.px_per_unit;
+  curves::FlattenOptions flattening;
+  flattening.focuses.push_back({sight.box, tolerance, tolerance});
+  Result<curves::FlatCurves> flat = curves::flatten(context, curves, flattening);
+  if (!flat) return flat.status();
+  out->flat = std::move(*flat);
+  Status status = out->flat_charge.add(context, curves::bytes_of(out->flat), "flattening");
+  if (status) status = mesh_layer(context, sight, picture, *out);
+  if (!status) return status;
+  Result<curves::SegmentAttributes> places =
+      curves::sample_stop_places(context, out->flat, curves, StopAttribute::color, out->memory);
+  if (!places) return places.status();
+  out->color_places = std::move(*places);
+  if (std::ranges::any_of(curves, bears_opacity)) status = place_opacities(context, curves, *out);
+  if (!status) return status;
+  return out;
+}
+
+Status mark_sharp_curves(const Context& context, const std::vector<Curve>& curves,
+                         const curves::FlatCurves& flat, const Affine& pixel_from_layer,
+                         PixelMarks& marks) {
+  const Box picture{{0, 0},
+                    {static_cast<double>(marks.width()), static_cast<double>(marks.height())}};
+  const double scale = largest_scale(pixel_from_layer);
+  RarePoll<1024> poll(context);
+  for (std::uint32_t v = 0; v + 1 < flat.vertex.size(); ++v) {
+    if (poll.cancelled()) return context.cancel_status();
+    if (!flat.begins_segment(v)) continue;
+    const Curve& curve = curves[flat.vertex_curve[v]];
+    if (scale * std::min(least_radius(curve.left), least_radius(curve.right)) > kSharpRadiusPx) {
+      continue;
+    }
+    const Vec2 a = pixel_from_layer(flat.vertex[v]), b = pixel_from_layer(flat.vertex[v + 1]);
+    const auto [from, to] = part_within(picture, a, b);
+    if (!(from <= to)) continue;
+    const double way = (to - from) * length(b - a);
+    const int steps = 1 + static_cast<int>(way / kMarkStepPx);
+    for (int i = 0; i <= steps; ++i) marks.cross(lerp(a, b, from + (to - from) * i / steps));
+  }
+  return ok_status();
+}
+
+}  // namespace sfumato::tracing

@@ -1,0 +1,126 @@
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <utility>
+
+#include "base/charge.hpp"
+#include "base/parallel.hpp"
+#include "base/public_verb.hpp"
+#include "base/stopwatch.hpp"
+#include "curves/attributes.hpp"
+#include "sfumato/trace/trace.hpp"
+#include "trace/picture.hpp"
+#include "trace/stop_fit.hpp"
+
+namespace sfumato {
+namespace tracing {
+namespace {
+
+/// Solutions for colours; radii are improved between them.
+constexpr int kTurns = 3;
+constexpr std::size_t kValues = 4096;
+
+Status validate(const Context& context, const ColorFit& options) {
+  if (options.blur > TraceBlur::sharp) {
+    return make_error(StatusCode::bad_input, "an unknown way to find blur radii");
+  }
+  if (options.max_side < 1 || options.max_side > limits::kImageSide) {
+    return make_error(StatusCode::bad_input, "the longer side at which a picture is looked at is " +
+                                                 std::to_string(options.max_side) +
+                                                 "; it has to be 1 to " +
+                                                 std::to_string(limits::kImageSide));
+  }
+  return context.check();
+}
+
+/// Of the layers that are painted.
+TraceState count_parts(const Document& drawing) {
+  std::vector<std::uint8_t> is_painted(drawing.layers.size());
+  for (const StackItem& item : drawing.stack) {
+    if (const auto* instance = std::get_if<LayerInstance>(&item)) is_painted[instance->layer] = 1;
+  }
+  TraceState state;
+  state.round_count = 2;
+  for (std::size_t i = 0; i < drawing.layers.size(); ++i) {
+    if (!is_painted[i]) continue;
+    const std::vector<Curve>& curves = drawing.layers[i].curves;
+    state.curves += curves.size();
+    for (const Curve& curve : curves) state.control_points += curve.control_points.size();
+    state.stops += curves::stop_count(curves, StopAttribute::color);
+  }
+  return state;
+}
+
+/// The picture as it looks on the backdrop.
+Status lay_on(const Context& context, const Rgb& backdrop, Picture& picture) {
+  if (!picture.opacity) return ok_status();
+  const float behind[3] = {backdrop.r, backdrop.g, backdrop.b};
+  const std::vector<float>& opacity = picture.opacity->value;
+  Status status =
+      parallel_for(context, opacity.size(), kValues, [&](std::size_t i, std::size_t end) {
+        for (; i < end; ++i) {
+          for (std::size_t c = 0; c < 3; ++c) {
+            float& code = picture.code[c].value[i];
+            code = behind[c] + opacity[i] * (code - behind[c]);
+          }
+        }
+      });
+  picture.opacity.reset();
+  return status;
+}
+
+Result<Document> fit(Context& context, const Document& drawing, const Image& image,
+                     const ColorFit& options, TraceStats* stats) {
+  const Stopwatch watch;
+  TraceState state = count_parts(drawing);
+  if (state.stops == 0) {
+    return make_error(StatusCode::bad_input, "no curve that is painted has colours to be fitted");
+  }
+  ScopedCharge charge;
+  Status status = charge.add(context, bytes_of(drawing), "the fitted drawing");
+  if (!status) return status;
+  Result<Picture> picture = look_at(context, image, options.max_side, true);
+  if (!picture) return picture.status();
+  const Rgb backdrop = drawing.background.value_or(Rgb{1, 1, 1});
+  status = lay_on(context, backdrop, *picture);
+  StopFit fit(context, *picture, drawing);
+  if (status) status = fit.prepare(backdrop, options.seed);
+  const double psnr_before = fit.psnr_db(), seconds_before = watch.seconds();
+  for (int turn = 0; turn < kTurns && status; ++turn) {
+    if (turn > 0 && options.blur == TraceBlur::fitted) status = fit.fit_radii();
+    if (status) status = fit.fit_colors();
+  }
+  Document fitted = drawing;
+  if (status) status = fit.write(fitted);
+  if (status) status = fit.look_at(fitted);
+  if (!status) return status;
+  const bool is_better = fit.psnr_db() > psnr_before;
+  if (stats) {
+    *stats = {};
+    stats->scale = picture->scale;
+    state.psnr_db = psnr_before;
+    state.seconds = seconds_before;
+    stats->rounds.push_back(state);
+    state.round = 1;
+    state.psnr_db = std::max(fit.psnr_db(), psnr_before);
+    state.seconds = watch.seconds();
+    stats->rounds.push_back(state);
+  }
+  return is_better ? std::move(fitted) : drawing;
+}
+
+}  // namespace
+}  // namespace tracing
+
+Result<Document> fit_colors(Context& context, const Document& drawing, const Image& picture,
+                            const ColorFit& options, TraceStats* stats) {
+  return public_verb(context, [&]() -> Result<Document> {
+    Status status = tracing::validate(context, options);
+    if (status) status = validate(context.limits, picture);
+    if (status) status = validate(context, drawing);
+    if (!status) return status;
+    return tracing::fit(context, drawing, picture, options, stats);
+  });
+}
+
+}  // namespace sfumato

@@ -1,0 +1,367 @@
+#include "trace/stop_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "base/parallel.hpp"
+#include "base/poll.hpp"
+#include "trace/bounded_solve.hpp"
+#include "trace/drawing_stops.hpp"
+#include "trace/stop_ranges.hpp"
+
+namespace sfumato::tracing {
+namespace {
+
+/// Pixels that colours are fitted to, about.
+constexpr double kFittedPixels = 60000;
+/// Weights of the two regularisers of colours.
+constexpr float kPull = 0.3f;
+constexpr float kEven = 0.3f;
+/// An instance that counts for less than this in a pixel is mixed there with others.
+constexpr double kSolid = 0.9;
+/// Beyond the colours of any space.
+constexpr float kUnbound = 1e3f;
+/// Pixels, and numbers of a plane, that one task looks at.
+constexpr std::size_t kPixels = 256;
+constexpr std::size_t kValues = 4096;
+
+FourFloats four(const Rgb& color) {
+  return {color.r, color.g, color.b, 0};
+}
+
+Rgb rgb_of(const FourFloats& value) {
+  return {value[0], value[1], value[2]};
+}
+
+Rgb clamped(const Rgb& code) {
+  return {std::clamp(code.r, 0.0f, 1.0f), std::clamp(code.g, 0.0f, 1.0f),
+          std::clamp(code.b, 0.0f, 1.0f)};
+}
+
+}  // namespace
+
+StopFit::StopFit(Context& context, const Picture& picture, const Document& drawing)
+    : context_(context), picture_(picture), drawing_(drawing) {
+  const Box& box = drawing.artboard;
+  laid_ = {picture.width(), picture.height(),
+           Affine{box.width() / picture.width(), 0, 0, box.height() / picture.height(), box.min.x,
+                  box.min.y}};
+}
+
+Status StopFit::prepare(const Rgb& backdrop, std::uint64_t seed) {
+  for (std::uint32_t i = 0; i < drawing_.layers.size(); ++i) {
+    Result<std::optional<DrawnLayer>> layer = prepare_layer(context_, drawing_, i, laid_);
+    if (!layer) return layer.status();
+    layers_.push_back(std::move(*layer));
+  }
+  Status status = choose_points(seed);
+  if (!status) return status;
+  Result<StackPoints> points = look_through(context_, drawing_, layers_, laid_, pixels_, backdrop);
+  if (!points) return points.status();
+  points_ = std::move(*points);
+  status = list_stops();
+  if (status) status = list_parts();
+  if (status) status = list_moving_curves();
+  if (status) status = convert_picture();
+  if (status) status = look_at(drawing_);
+  if (status) status = count_weights();
+  return status ? find_bounds() : status;
+}
+
+Status StopFit::choose_points(std::uint64_t seed) {
+  Result<PixelMarks> marks = PixelMarks::create(context_, laid_.width, laid_.height);
+  if (!marks) return marks.status();
+  const Affine pixel_from_artboard = inverse(laid_.artboard_from_pixel);
+  for (const StackItem& item : drawing_.stack) {
+    const auto* instance = std::get_if<LayerInstance>(&item);
+    if (!instance || !layers_[instance->layer]) continue;
+    Status status = mark_sharp_curves(context_, drawing_.layers[instance->layer].curves,
+                                      layers_[instance->layer]->flat,
+                                      pixel_from_artboard * instance->artboard_from_layer, *marks);
+    if (!status) return status;
+  }
+  const double pixels = static_cast<double>(laid_.width) * laid_.height;
+  Result<SamplePixels> chosen = choose_pixels(
+      context_, *marks, {std::max(1.0, pixels / kFittedPixels), seed, 0, marks->height()});
+  if (!chosen) return chosen.status();
+  pixels_ = std::move(*chosen);
+  return ok_status();
+}
+
+Status StopFit::list_stops() {
+  std::size_t stops = 0, curves = 0;
+  for (const Layer& layer : drawing_.layers) {
+    first_stop_.push_back(static_cast<std::uint32_t>(stops));
+    first_curve_.push_back(static_cast<std::uint32_t>(curves));
+    stops += curves::stop_count(layer.curves, StopAttribute::color);
+    curves += layer.curves.size();
+  }
+  Status status = memory_.resize_all(context_, stops, x_, low_, high_);
+  if (status) status = memory_.resize_all(context_, stops, weight_, mixed_);
+  if (status) status = memory_.resize(context_, has_next_, stops);
+  if (status) status = memory_.resize_all(context_, curves, factor_, radius_px_);
+  if (status) status = memory_.resize(context_, missing_, pixels_.pixel.size());
+  return status;
+}
+
+Status StopFit::list_parts() {
+  Status status = memory_.resize(context_, part_begin_, pixels_.point.size() + 1);
+  if (!status) return status;
+  RarePoll<65536> poll(context_);
+  for (const ShownInstance& shown : points_.shown) {
+    for (std::size_t i = 0; i < shown.point.size(); ++i) {
+      if (poll.cancelled()) return context_.cancel_status();
+      part_begin_[shown.point[i] + 1] += shown.coefficient[i] > 0;
+    }
+  }
+  for (std::size_t p = 1; p < part_begin_.size(); ++p) part_begin_[p] += part_begin_[p - 1];
+  status = memory_.resize(context_, part_, part_begin_.back());
+  std::vector<std::uint32_t> next;
+  TableMemory memory("the colours of a fit");
+  if (status) status = memory.assign(context_, part_begin_, next);
+  if (!status) return status;
+  for (std::uint32_t s = 0; s < points_.shown.size(); ++s) {
+    const ShownInstance& shown = points_.shown[s];
+    for (std::uint32_t i = 0; i < shown.point.size(); ++i) {
+      if (poll.cancelled()) return context_.cancel_status();
+      if (shown.coefficient[i] > 0) part_[next[shown.point[i]]++] = {s, i};
+    }
+  }
+  return ok_status();
+}
+
+/// The picture in the drawing's interpolation space.
+Status StopFit::convert_picture() {
+  if (is_in_srgb()) return ok_status();
+  Status status;
+  for (Plane& plane : color_) {
+    if (status) status = make_plane(context_, laid_.width, laid_.height, memory_, plane);
+  }
+  if (!status) return status;
+  const auto& code = picture_.code;
+  return parallel_for(context_, code[0].value.size(), kValues, [&](std::size_t i, std::size_t end) {
+    for (; i < end; ++i) {
+      const Rgb color =
+          from_srgb(drawing_.interpolation, {code[0].value[i], code[1].value[i], code[2].value[i]});
+      color_[0].value[i] = color.r;
+      color_[1].value[i] = color.g;
+      color_[2].value[i] = color.b;
+    }
+  });
+}
+
+Status StopFit::look_at(const Document& drawing) {
+  std::size_t at = 0;
+  Status status = for_each_color_list(context_, drawing, [&](const ColorStops& list) {
+    for (const Stop<Rgb>& stop : list.stops) {
+      x_[at++] = four(from_srgb(drawing_.interpolation, stop.value));
+    }
+  });
+  std::vector<float> radius;
+  TableMemory memory("the colours of a fit");
+  if (status) status = memory.reserve(context_, radius, factor_.size());
+  if (!status) return status;
+  status = for_each_curve(context_, drawing,
+                          [&](const Curve& curve) { radius.push_back(largest_radius(curve)); });
+  std::size_t curve = 0;
+  if (status) {
+    status = for_each_curve(context_, drawing_, [&](const Curve& before) {
+      const float was = largest_radius(before);
+      factor_[curve] = was > 0 ? radius[curve] / was : 1;
+      ++curve;
+    });
+  }
+  if (status) status = build_matrix();
+  return status ? find_missing() : status;
+}
+
+Status StopFit::build_matrix() {
+  const auto columns = static_cast<std::uint32_t>(x_.size());
+  matrix_ = {};
+  Result<SparseMatrix> matrix =
+      build_rows(context_, pixels_.pixel.size(), columns, [&](std::size_t i, RowSummer& sum) {
+        for_each_part(i, [&](const Part& part, double share) {
+          for_each_stop(part, [&](std::uint32_t column, double weight) {
+            sum.add(column, static_cast<float>(share * weight));
+          });
+        });
+      });
+  if (!matrix) return matrix.status();
+  matrix_ = std::move(*matrix);
+  return ok_status();
+}
+
+/// How much the picture shows of each stop, and which neighbours are to be alike.
+Status StopFit::count_weights() {
+  RarePoll<65536> poll(context_);
+  for (std::size_t k = 0; k < matrix_.column.size(); ++k) {
+    if (poll.cancelled()) return context_.cancel_status();
+    weight_[matrix_.column[k]] += matrix_.value[k] * matrix_.value[k];
+  }
+  std::vector<float> whole;
+  TableMemory memory("the colours of a fit");
+  Status status = memory.resize(context_, whole, x_.size());
+  if (!status) return status;
+  for (const Part& part : part_) {
+    if (poll.cancelled()) return context_.cancel_status();
+    const double coefficient = points_.shown[part.shown].coefficient[part.row];
+    for_each_stop(part, [&](std::uint32_t column, double weight) {
+      const auto share = static_cast<float>(coefficient * weight);
+      whole[column] += share;
+      if (coefficient < kSolid) mixed_[column] += share;
+    });
+  }
+  for (std::size_t i = 0; i < x_.size(); ++i) {
+    if (whole[i] > 0) mixed_[i] /= whole[i];
+  }
+  std::size_t at = 0;
+  return for_each_color_list(context_, drawing_, [&](const ColorStops& list) {
+    for (std::size_t i = 0; i < list.stops.size(); ++i, ++at) {
+      // Two stops at one place are a step.
+      has_next_[at] = i + 1 < list.stops.size() && is_shown(at) && is_shown(at + 1) &&
+                      list.stops[i].offset < list.stops[i + 1].offset;
+    }
+  });
+}
+
+Status StopFit::find_bounds() {
+  const bool is_lab = drawing_.interpolation == InterpolationSpace::oklab;
+  const FourFloats least = is_lab ? FourFloats{0, -1, -1, 0} : FourFloats{0, 0, 0, 0};
+  for (std::size_t i = 0; i < x_.size(); ++i) {
+    low_[i] = least;
+    high_[i] = {1, 1, 1, 0};
+  }
+  for (std::uint32_t i = 0; i < layers_.size(); ++i) {
+    std::vector<Affine> pixel_from_layer;
+    for (const ShownInstance& shown : points_.shown) {
+      if (shown.layer == i) pixel_from_layer.push_back(inverse(shown.layer_from_pixel));
+    }
+    const std::vector<Curve>& curves = drawing_.layers[i].curves;
+    const std::size_t first = first_stop_[i];
+    const std::size_t count = curves::stop_count(curves, StopAttribute::color);
+    Status status = find_stop_ranges(
+        context_, curves, pixel_from_layer, is_in_srgb() ? picture_.code : color_,
+        std::span(mixed_).subspan(first, count), std::span(low_).subspan(first, count),
+        std::span(high_).subspan(first, count));
+    if (!status) return status;
+  }
+  for (std::size_t i = 0; i < x_.size(); ++i) {
+    if (is_shown(i)) continue;
+    low_[i].fill(-kUnbound);
+    high_[i].fill(kUnbound);
+  }
+  return ok_status();
+}
+
+double StopFit::radius_of(const ShownInstance& shown, const gather::RowSource& source,
+                          const gather::RowTerm& term) const {
+  const double factor = factor_[first_curve_[shown.layer] + source.curve];
+  return factor * gather::radius_at(source, term.moment);
+}
+
+/// In the interpolation space.
+Rgb StopFit::color_of(const Part& part) const {
+  const ShownInstance& shown = points_.shown[part.shown];
+  double sum[3] = {};
+  for_each_stop(part, [&](std::uint32_t column, double weight) {
+    for (std::size_t c = 0; c < 3; ++c) sum[c] += weight * x_[column][c];
+  });
+  const auto& shaders = layers_[shown.layer]->color_places.shader;
+  const std::uint32_t end = shaders.empty() ? 0 : shown.rows.begin[part.row + 1];
+  for (std::uint32_t k = shown.rows.begin[part.row]; k < end; ++k) {
+    const gather::RowTerm& term = shown.rows.term[k];
+    const gather::RowSource& source = shown.rows.source[term.source];
+    gather::for_each_side(
+        source, term, radius_of(shown, source, term),
+        [&](const gather::RowSide& side, double weight) {
+          if (side.shader < 0) return;
+          const auto& shader =
+              *points_.color_shaders[shaders[static_cast<std::size_t>(side.shader)]];
+          const Rgb color =
+              shader.at(shown.layer_from_pixel, pixels_.point[shown.point[part.row]]).color;
+          sum[0] += weight * color.r;
+          sum[1] += weight * color.g;
+          sum[2] += weight * color.b;
+        });
+  }
+  return {static_cast<float>(sum[0]), static_cast<float>(sum[1]), static_cast<float>(sum[2])};
+}
+
+StopFit::Missing StopFit::missing_of(std::size_t pixel) const {
+  Missing missing{};
+  if (points_.is_left_out[pixel]) return missing;
+  const std::uint32_t first = pixels_.point_begin[pixel], end = pixels_.point_begin[pixel + 1];
+  FourFloats code{};
+  for (std::uint32_t p = first; p < end; ++p) {
+    for (std::size_t c = 0; c < 3; ++c) code[c] += points_.fixed[p][c] / (end - first);
+  }
+  double whole = 0;
+  for_each_part(pixel, [&](const Part& part, double share) {
+    const FourFloats shown = four(clamped(to_srgb(drawing_.interpolation, color_of(part))));
+    for (std::size_t c = 0; c < 3; ++c) code[c] += static_cast<float>(share * shown[c]);
+    whole += share;
+  });
+  for (std::size_t c = 0; c < 3; ++c) {
+    missing.code[c] = picture_.code[c].value[pixels_.pixel[pixel]] - code[c];
+  }
+  missing.color = missing.code;
+  if (is_in_srgb()) return missing;
+  missing.color = {};
+  for_each_part(pixel, [&](const Part& part, double share) {
+    const Rgb color = color_of(part);
+    FourFloats wanted = four(clamped(to_srgb(drawing_.interpolation, color)));
+    for (std::size_t c = 0; c < 3; ++c) wanted[c] += static_cast<float>(missing.code[c] / whole);
+    const FourFloats to = four(from_srgb(drawing_.interpolation, clamped(rgb_of(wanted))));
+    const FourFloats from = four(color);
+    for (std::size_t c = 0; c < 3; ++c) {
+      missing.color[c] += static_cast<float>(share * (double{to[c]} - from[c]));
+    }
+  });
+  return missing;
+}
+
+Status StopFit::find_missing() {
+  Status status =
+      parallel_for(context_, missing_.size(), kPixels, [&](std::size_t i, std::size_t end) {
+        for (; i < end; ++i) missing_[i] = missing_of(i);
+      });
+  if (!status) return status;
+  double sum = 0, count = 0;
+  for (std::size_t i = 0; i < missing_.size(); ++i) {
+    if (points_.is_left_out[i]) continue;
+    for (std::size_t c = 0; c < 3; ++c) {
+      sum += double{pixels_.stands_for[i]} * missing_[i].code[c] * missing_[i].code[c];
+    }
+    count += 3.0 * pixels_.stands_for[i];
+  }
+  psnr_db_ = sum > 0 ? -10 * std::log10(sum / count) : 100.0;
+  return ok_status();
+}
+
+Status StopFit::fit_colors() {
+  Result<SparseMatrix> transpose = transposed(context_, matrix_);
+  if (!transpose) return transpose.status();
+  Result<SparseMatrix> normal = normal_matrix(context_, matrix_, *transpose, {});
+  if (!normal) return normal.status();
+  TableMemory memory("the colours of a fit");
+  std::vector<FourFloats> wanted, right_side;
+  std::vector<float> pull;
+  Status status = memory.resize(context_, wanted, missing_.size());
+  if (status) status = memory.resize(context_, right_side, x_.size());
+  if (status) status = memory.resize(context_, pull, x_.size(), kPull);
+  if (status) status = multiply(context_, matrix_, x_, wanted);
+  if (!status) return status;
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    for (std::size_t c = 0; c < 3; ++c) wanted[i][c] += missing_[i].color[c];
+  }
+  status = multiply(context_, *transpose, wanted, right_side);
+  if (status) {
+    status =
+        solve_bounded(context_, {*normal, right_side, has_next_, low_, high_, pull, kEven}, x_);
+  }
+  return status ? find_missing() : status;
+}
+
+}  // namespace sfumato::tracing

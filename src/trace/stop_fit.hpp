@@ -1,0 +1,135 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "base/table_memory.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
+#include "sfumato/document/document.hpp"
+#include "trace/drawing_layers.hpp"
+#include "trace/picture.hpp"
+#include "trace/sample_pixels.hpp"
+#include "trace/sparse.hpp"
+#include "trace/stack_points.hpp"
+
+namespace sfumato::tracing {
+
+/// Fits the colours of an existing drawing's stops, and factors of its radii of blur, to a picture.
+///
+/// What a pixel shows of an instance is a coefficient times its colour, which is linear in the
+/// stops in the drawing's interpolation space. In sRGB code values that is least squares for all
+/// layers at once. In another space a step asks of each instance, in that space, for what turns its
+/// present colour into one that adds what the pixel lacks in code values: where pixels show one
+/// layer alone, that is least squares in that space.
+class StopFit {
+ public:
+  /// picture   opaque: code values as the drawing is to look
+  /// drawing   a valid one
+  /// All outlive this.
+  StopFit(Context& context, const Picture& picture, const Document& drawing);
+
+  /// Gathers the rows of pixels. backdrop: behind all items. Errors: limit, cancelled.
+  Status prepare(const Rgb& backdrop, std::uint64_t seed);
+
+  /// One solution for all stops. Precondition of this and the next: prepare(). Errors of all that
+  /// follows: limit (memory), cancelled.
+  Status fit_colors();
+
+  /// One step of Gauss and Newton's method for the factors of radii.
+  Status fit_radii();
+
+  /// Takes colours and radii from a drawing that differs in nothing else.
+  Status look_at(const Document& drawing);
+
+  /// Gives a copy of the drawing what was found, in short numbers. What the picture does not show
+  /// stays.
+  Status write(Document& drawing) const;
+
+  /// As TraceState::psnr_db, of what was found or looked at last.
+  double psnr_db() const { return psnr_db_; }
+
+ private:
+  /// Pixels.
+  static constexpr float kLeastWeight = 1e-3f;
+
+  /// What a point shows of an instance.
+  struct Part {
+    std::uint32_t shown;  ///< index into StackPoints::shown
+    std::uint32_t row;    ///< of its rows
+  };
+  /// What a pixel lacks.
+  struct Missing {
+    FourFloats code;   ///< in code values
+    FourFloats color;  ///< in the interpolation space
+  };
+
+  Status choose_points(std::uint64_t seed);
+  Status list_stops();
+  Status list_parts();
+  Status list_moving_curves();
+  Status convert_picture();
+  Status count_weights();
+  Status find_bounds();
+  Status build_matrix();
+  Status find_missing();
+  Missing missing_of(std::size_t pixel) const;
+  double radius_of(const ShownInstance& shown, const gather::RowSource& source,
+                   const gather::RowTerm& term) const;
+  Rgb color_of(const Part& part) const;
+  void add_radius_terms(const Part& part, double share, std::size_t channel, RowSummer& sum) const;
+  Result<SparseMatrix> radius_rows() const;
+
+  /// Calls visit(part, share of the pixel) for all that a pixel shows.
+  template <class Visit>
+  void for_each_part(std::size_t pixel, Visit&& visit) const {
+    const std::uint32_t first = pixels_.point_begin[pixel], end = pixels_.point_begin[pixel + 1];
+    for (std::uint32_t k = part_begin_[first]; k < part_begin_[end]; ++k) {
+      const Part& part = part_[k];
+      visit(part, double{points_.shown[part.shown].coefficient[part.row]} / (end - first));
+    }
+  }
+  /// Calls visit(column, weight) for the stops that a part has its colour from.
+  template <class Visit>
+  void for_each_stop(const Part& part, Visit&& visit) const {
+    const ShownInstance& shown = points_.shown[part.shown];
+    const std::uint32_t first = first_stop_[shown.layer];
+    for (std::uint32_t k = shown.rows.begin[part.row]; k < shown.rows.begin[part.row + 1]; ++k) {
+      const gather::RowTerm& term = shown.rows.term[k];
+      const gather::RowSource& source = shown.rows.source[term.source];
+      gather::for_each_entry(
+          source, term, radius_of(shown, source, term),
+          [&](std::uint32_t column, double weight) { visit(first + column, weight); });
+    }
+  }
+  /// Whether the picture shows a stop enough to tell its colour.
+  bool is_shown(std::size_t stop) const { return weight_[stop] > kLeastWeight; }
+  bool is_in_srgb() const { return drawing_.interpolation == InterpolationSpace::srgb; }
+
+  Context& context_;
+  const Picture& picture_;
+  const Document& drawing_;
+  LaidPicture laid_;
+  std::vector<std::optional<DrawnLayer>> layers_;
+  std::vector<std::uint32_t> first_stop_, first_curve_;  ///< per layer
+  SamplePixels pixels_;
+  StackPoints points_;
+  std::vector<std::uint32_t> part_begin_;  ///< per point, and one more: into part_
+  std::vector<Part> part_;
+  Channels color_;                      ///< the picture in a space that is not sRGB
+  std::vector<FourFloats> x_;           ///< per stop: its colour in the interpolation space
+  std::vector<FourFloats> low_, high_;  ///< per stop
+  std::vector<std::uint8_t> has_next_;  ///< per stop: whether the next is to be like it
+  std::vector<float> weight_;           ///< per stop: its column's sum of squares
+  std::vector<float> mixed_;            ///< per stop: the share mixed with other items
+  std::vector<float> factor_;           ///< per curve: of its radii
+  std::vector<float> radius_px_;        ///< per curve: its largest radius; 0: it does not change
+  SparseMatrix matrix_;                 ///< values of stops to pixels, with the present radii
+  std::vector<Missing> missing_;        ///< per pixel
+  double psnr_db_ = 0;
+  TableMemory memory_{"the colours of a fit"};
+};
+
+}  // namespace sfumato::tracing
