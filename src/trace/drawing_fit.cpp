@@ -7,7 +7,6 @@
 #include "trace/bounded_solve.hpp"
 #include "trace/local_range.hpp"
 #include "trace/prune.hpp"
-#include "trace/stop_map.hpp"
 
 namespace sfumato::tracing {
 namespace {
@@ -29,8 +28,8 @@ constexpr int kBandRows = 64;
 /// Where nothing is seen of a pixel, its colour still counts a little.
 constexpr float kLeastWeight = 1e-3f;
 
-double mean_square(std::span<const FourFloats> residual, std::span<const float> stands_for,
-                   std::span<const float> weight) {
+double weighted_mean_square(std::span<const FourFloats> residual, std::span<const float> stands_for,
+                            std::span<const float> weight) {
   double sum = 0, count = 0;
   for (std::size_t i = 0; i < residual.size(); ++i) {
     double square = 0;
@@ -76,7 +75,7 @@ Status DrawingFit::prepare(std::span<const TracedCurve> curves, double one_in, s
   if (!seen) return seen.status();
   seen_ = std::move(*seen);
   list_neighbours(curves);
-  list_targets();
+  targets_ = targets_of(seen_->pixels.pixel);
   return context_.check();
 }
 
@@ -91,53 +90,44 @@ void DrawingFit::list_neighbours(std::span<const TracedCurve> curves) {
   }
 }
 
-void DrawingFit::list_targets() {
-  target_.clear();
-  weight_.clear();
-  for (const std::uint32_t i : seen_->pixels.pixel) {
+DrawingFit::Targets DrawingFit::targets_of(std::span<const std::uint32_t> pixels) const {
+  Targets targets;
+  for (const std::uint32_t i : pixels) {
     FourFloats value{};
     for (std::size_t c = 0; c < 3; ++c) value[c] = picture_.code[c].value[i];
     value[3] = picture_.opacity ? picture_.opacity->value[i] : 1.0f;
-    target_.push_back(value);
-    if (picture_.opacity) weight_.push_back(std::max(value[3] * value[3], kLeastWeight));
+    targets.value.push_back(value);
+    if (picture_.opacity) targets.weight.push_back(std::max(value[3] * value[3], kLeastWeight));
   }
+  return targets;
 }
 
-Status DrawingFit::solve(std::span<const TracedCurve> curves, std::span<const float> weight,
-                         std::vector<FourFloats>& x) {
-  const Result<SparseMatrix> transpose = transposed(context_, *matrix_);
-  if (!transpose) return transpose.status();
-  const Result<SparseMatrix> normal = normal_matrix(context_, *matrix_, *transpose, weight);
-  if (!normal) return normal.status();
-  std::vector<FourFloats> weighted = target_;
-  for (std::size_t i = 0; i < weight.size(); ++i) {
-    for (float& value : weighted[i]) value *= weight[i];
+Status DrawingFit::add(const SparseMatrix& rows, const Targets& targets, Equations& equations) {
+  Status status = add_pixels(context_, {rows, targets.value, targets.weight}, equations.color);
+  if (status && picture_.opacity) {
+    status = add_pixels(context_, {rows, targets.value, {}}, equations.opacity);
   }
-  std::vector<FourFloats> right_side(x.size());
-  Status status = multiply(context_, *transpose, weighted, right_side);
-  if (!status) return status;
+  return status;
+}
+
+Status DrawingFit::solve(const Equations& equations, std::span<TracedCurve> curves) {
   const Result<ValueBounds> bounds = bounds_near(context_, picture_, curves);
   if (!bounds) return bounds.status();
-  const std::vector<float> pull(x.size(), kPull);
-  stop_weight_ = diagonal_of(*normal);
-  return solve_bounded(context_,
-                       {*normal, right_side, has_next_, bounds->low, bounds->high, pull, kEven}, x);
-}
-
-Status DrawingFit::fit_values(std::span<TracedCurve> curves) {
-  matrix_.reset();
-  Result<SparseMatrix> matrix = value_rows(context_, *seen_, curves);
-  if (!matrix) return matrix.status();
-  matrix_ = std::move(*matrix);
   std::vector<FourFloats> x = values_of(curves);
+  const std::vector<float> pull(x.size(), kPull);
+  const auto solve_one = [&](const ValueEquations& of, std::vector<FourFloats>& values) {
+    return solve_bounded(
+        context_, {of.normal, of.right_side, has_next_, bounds->low, bounds->high, pull, kEven},
+        values);
+  };
   Status status;
   if (picture_.opacity) {
     std::vector<FourFloats> opacities = x;
-    status = solve(curves, {}, opacities);
-    if (status) status = solve(curves, weight_, x);
+    status = solve_one(equations.opacity, opacities);
+    if (status) status = solve_one(equations.color, x);
     for (std::size_t i = 0; i < x.size(); ++i) x[i][3] = opacities[i][3];
   } else {
-    status = solve(curves, {}, x);
+    status = solve_one(equations.color, x);
   }
   if (!status) return status;
   std::size_t at = 0;
@@ -146,28 +136,81 @@ Status DrawingFit::fit_values(std::span<TracedCurve> curves) {
       for (SideValue& value : side.value) value = x[at++];
     }
   }
-  return find_residual(x);
-}
-
-Status DrawingFit::find_residual(std::span<const FourFloats> x) {
-  residual_.resize(target_.size());
-  Status status = multiply(context_, *matrix_, x, residual_);
-  if (!status) return status;
-  for (std::size_t i = 0; i < residual_.size(); ++i) {
-    for (std::size_t c = 0; c < 4; ++c) residual_[i][c] = target_[i][c] - residual_[i][c];
-  }
-  psnr_db_ = decibels(mean_square(residual_, seen_->pixels.stands_for, weight_));
   return status;
 }
 
-Status DrawingFit::prune(std::span<TracedCurve> curves, double share) {
-  const std::vector<std::uint8_t> goes = stops_to_prune(curves, stop_weight_, share);
-  const StopMap map(curves, goes);
-  for (gather::RowSource& source : seen_->rows.source) {
-    if (context_.cancelled()) return context_.cancel_status();
-    map.move(source.front);
-    map.move(source.back);
+Status DrawingFit::fit_values(std::span<TracedCurve> curves) {
+  matrix_.reset();
+  Result<SparseMatrix> matrix = value_rows(context_, *seen_, curves);
+  if (!matrix) return matrix.status();
+  matrix_ = std::move(*matrix);
+  Equations equations;
+  Status status = add(*matrix_, targets_, equations);
+  if (status) status = solve(equations, curves);
+  return status ? find_residual(values_of(curves)) : status;
+}
+
+Status DrawingFit::find_residual(std::span<const FourFloats> x) {
+  residual_.resize(targets_.value.size());
+  Status status = multiply(context_, *matrix_, x, residual_);
+  if (!status) return status;
+  for (std::size_t i = 0; i < residual_.size(); ++i) {
+    for (std::size_t c = 0; c < 4; ++c) residual_[i][c] = targets_.value[i][c] - residual_[i][c];
   }
+  psnr_db_ = decibels(weighted_mean_square(residual_, seen_->pixels.stands_for, targets_.weight));
+  return status;
+}
+
+Status DrawingFit::for_each_band(std::span<const TracedCurve> curves,
+                                 FunctionRef<Status(const PixelRows&, const SparseMatrix&)> visit) {
+  const int height = picture_.height();
+  Status status;
+  for (int y = 0; y < height && status; y += kBandRows) {
+    Result<SamplePixels> pixels =
+        choose_pixels(context_, *marks_, {1, 0, y, std::min(y + kBandRows, height)});
+    if (!pixels) return pixels.status();
+    const Result<PixelRows> seen = mesh_->gather(context_, std::move(*pixels));
+    if (!seen) return seen.status();
+    const Result<SparseMatrix> rows = value_rows(context_, *seen, curves);
+    status = rows ? visit(*seen, *rows) : rows.status();
+  }
+  return status;
+}
+
+Status DrawingFit::fit_to_all(std::span<TracedCurve> curves, double share, int times) {
+  seen_.reset();
+  matrix_.reset();
+  Equations equations;
+  Status status = for_each_band(curves, [&](const PixelRows& seen, const SparseMatrix& rows) {
+    return add(rows, targets_of(seen.pixels.pixel), equations);
+  });
+  if (status) status = solve(equations, curves);
+  for (; times > 0 && status; --times) {
+    status = prune(curves, share, equations);
+    if (status) status = solve(equations, curves);
+  }
+  if (!status) return status;
+  const Result<double> square = mean_square(context_, equations.color, values_of(curves));
+  if (!square) return square.status();
+  psnr_db_ = decibels(*square);
+  return ok_status();
+}
+
+Status DrawingFit::prune(std::span<TracedCurve> curves, double share, Equations& equations) {
+  const std::vector<float> weight = diagonal_of(equations.color.normal);
+  const std::vector<std::uint8_t> goes = stops_to_prune(curves, weight, share);
+  const Result<SparseMatrix> values = values_without(context_, curves, goes);
+  if (!values) return values.status();
+  Equations left;
+  Result<ValueEquations> color = reduced(context_, equations.color, *values);
+  if (!color) return color.status();
+  left.color = std::move(*color);
+  if (picture_.opacity) {
+    Result<ValueEquations> opacity = reduced(context_, equations.opacity, *values);
+    if (!opacity) return opacity.status();
+    left.opacity = std::move(*opacity);
+  }
+  equations = std::move(left);
   prune_stops(goes, curves);
   list_neighbours(curves);
   return ok_status();
@@ -175,7 +218,7 @@ Status DrawingFit::prune(std::span<TracedCurve> curves, double share) {
 
 Status DrawingFit::fit_radii(std::span<TracedCurve> curves) {
   std::vector<float> weight;
-  for (const float square : weight_) weight.push_back(std::sqrt(square));
+  for (const float square : targets_.weight) weight.push_back(std::sqrt(square));
   const Result<SparseMatrix> rows = radius_rows(context_, *seen_, curves, weight);
   if (!rows) return rows.status();
   const Result<SparseMatrix> transpose = transposed(context_, *rows);
@@ -212,27 +255,21 @@ Status DrawingFit::find_missing(std::span<const TracedCurve> curves, TableMemory
   for (Plane& plane : missing) {
     if (status) status = make_plane(context_, width, height, memory, plane);
   }
+  if (!status) return status;
   const std::vector<FourFloats> x = values_of(curves);
-  for (int y = 0; y < height && status; y += kBandRows) {
-    Result<SamplePixels> pixels =
-        choose_pixels(context_, *marks_, {1, 0, y, std::min(y + kBandRows, height)});
-    if (!pixels) return pixels.status();
-    const Result<PixelRows> seen = mesh_->gather(context_, std::move(*pixels));
-    if (!seen) return seen.status();
-    const Result<SparseMatrix> matrix = value_rows(context_, *seen, curves);
-    if (!matrix) return matrix.status();
-    std::vector<FourFloats> value(matrix->row_count());
-    status = multiply(context_, *matrix, x, value);
+  return for_each_band(curves, [&](const PixelRows& seen, const SparseMatrix& rows) {
+    std::vector<FourFloats> value(rows.row_count());
+    Status multiplied = multiply(context_, rows, x, value);
     for (std::size_t i = 0; i < value.size(); ++i) {
-      const std::uint32_t at = seen->pixels.pixel[i];
+      const std::uint32_t at = seen.pixels.pixel[i];
       const float opacity = picture_.opacity ? picture_.opacity->value[at] : 1.0f;
       for (std::size_t c = 0; c < 3; ++c) {
         missing[c].value[at] = opacity * (picture_.code[c].value[at] - value[i][c]);
       }
       if (picture_.opacity) missing[3].value[at] = opacity - value[i][3];
     }
-  }
-  return status;
+    return multiplied;
+  });
 }
 
 }  // namespace sfumato::tracing

@@ -6,11 +6,13 @@
 #include <vector>
 
 #include "sfumato/base/context.hpp"
+#include "sfumato/base/function_ref.hpp"
 #include "sfumato/base/status.hpp"
 #include "trace/curve_mesh.hpp"
 #include "trace/picture.hpp"
 #include "trace/sparse.hpp"
 #include "trace/traced_curve.hpp"
+#include "trace/value_equations.hpp"
 
 namespace sfumato::tracing {
 
@@ -33,9 +35,10 @@ class DrawingFit {
   /// and nothing changed since. Errors: limit (memory), cancelled.
   Status fit_radii(std::span<TracedCurve> curves);
 
-  /// Leaves out stops that do little, at most `share` of all, without gathering again.
-  /// Precondition: as fit_radii(). Errors: limit (memory), cancelled.
-  Status prune(std::span<TracedCurve> curves, double share);
+  /// fit_values() to every pixel of the picture; radii stay. `times` times stops that do little are
+  /// left out then, at most `share` of all, and the others fitted again. Errors: limit (memory),
+  /// cancelled.
+  Status fit_to_all(std::span<TracedCurve> curves, double share, int times);
 
   /// As TraceState::psnr_db, of the values that fit_values() found.
   double psnr_db() const { return psnr_db_; }
@@ -48,10 +51,23 @@ class DrawingFit {
 
  private:
   void list_neighbours(std::span<const TracedCurve> curves);
-  void list_targets();
-  Status solve(std::span<const TracedCurve> curves, std::span<const float> weight,
-               std::vector<FourFloats>& x);
+  /// What a picture's pixels are to be, and how much their colours count.
+  struct Targets {
+    std::vector<FourFloats> value;
+    std::vector<float> weight;  ///< empty: 1
+  };
+  /// Of colours and, where the picture has it, of opacity.
+  struct Equations {
+    ValueEquations color, opacity;
+  };
+
+  Targets targets_of(std::span<const std::uint32_t> pixels) const;
+  Status add(const SparseMatrix& rows, const Targets& targets, Equations& equations);
+  Status solve(const Equations& equations, std::span<TracedCurve> curves);
   Status find_residual(std::span<const FourFloats> x);
+  Status for_each_band(std::span<const TracedCurve> curves,
+                       FunctionRef<Status(const PixelRows&, const SparseMatrix&)> visit);
+  Status prune(std::span<TracedCurve> curves, double share, Equations& equations);
 
   Context& context_;
   const Picture& picture_;
@@ -59,11 +75,9 @@ class DrawingFit {
   std::optional<PixelMarks> marks_;
   std::optional<PixelRows> seen_;
   std::optional<SparseMatrix> matrix_;  ///< values of stops to pixels, with the present radii
-  std::vector<FourFloats> target_;      ///< per pixel
-  std::vector<float> weight_;           ///< per pixel, of its colour; empty: 1
+  Targets targets_;                     ///< per pixel of seen_
   std::vector<std::uint8_t> has_next_;  ///< per stop
   std::vector<FourFloats> residual_;    ///< per pixel: target less what was fitted
-  std::vector<float> stop_weight_;      ///< per stop: Σ of the squares of its weights
   double psnr_db_ = 0;
 };
 

@@ -60,6 +60,37 @@ std::vector<std::uint8_t> stops_to_prune(std::span<const TracedCurve> curves,
   return goes;
 }
 
+Result<SparseMatrix> values_without(Context& context, std::span<const TracedCurve> curves,
+                                    std::span<const std::uint8_t> goes) {
+  SparseMatrix out;
+  std::vector<double> place;
+  for (const TracedCurve& curve : curves) {
+    for (const SideStops& side : curve.side) {
+      place.insert(place.end(), side.place.begin(), side.place.end());
+    }
+  }
+  Status status = out.memory.reserve(context, out.begin, place.size() + 1);
+  if (status) status = out.memory.reserve(context, out.column, 2 * place.size());
+  if (status) status = out.memory.reserve(context, out.value, 2 * place.size());
+  if (!status) return status;
+  std::uint32_t kept = 0;  // stops that are left among those looked at
+  for (std::size_t i = 0; i < place.size(); ++i) {
+    if (!goes[i]) {
+      out.column.push_back(kept++);
+      out.value.push_back(1);
+    } else {
+      // No two neighbours go, nor the ends of a side.
+      const double way = place[i + 1] - place[i - 1];
+      const double t = way > 0 ? (place[i] - place[i - 1]) / way : 0.5;
+      out.column.insert(out.column.end(), {kept - 1, kept});
+      out.value.insert(out.value.end(), {static_cast<float>(1 - t), static_cast<float>(t)});
+    }
+    out.begin.push_back(static_cast<std::uint32_t>(out.column.size()));
+  }
+  out.column_count = kept;
+  return out;
+}
+
 void prune_stops(std::span<const std::uint8_t> goes, std::span<TracedCurve> curves) {
   for (TracedCurve& curve : curves) {
     for (SideStops& side : curve.side) {

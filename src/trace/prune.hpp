@@ -4,6 +4,9 @@
 #include <span>
 #include <vector>
 
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
+#include "trace/sparse.hpp"
 #include "trace/traced_curve.hpp"
 
 namespace sfumato::tracing {
@@ -15,6 +18,11 @@ namespace sfumato::tracing {
 /// Returns   per stop 1 where it is to go
 std::vector<std::uint8_t> stops_to_prune(std::span<const TracedCurve> curves,
                                          std::span<const float> weight, double share);
+
+/// What every stop has when the marked ones are gone, from those that are left: a row for each of
+/// all, with one entry, or two where it lay between two. Errors: limit (memory), cancelled.
+Result<SparseMatrix> values_without(Context& context, std::span<const TracedCurve> curves,
+                                    std::span<const std::uint8_t> goes);
 
 /// Leaves out the marked stops.
 void prune_stops(std::span<const std::uint8_t> goes, std::span<TracedCurve> curves);

@@ -154,6 +154,27 @@ Result<SparseMatrix> normal_matrix(Context& context, const SparseMatrix& matrix,
   return with_lower_half(context, *upper, *lower);
 }
 
+Result<SparseMatrix> product(Context& context, const SparseMatrix& a, const SparseMatrix& b) {
+  return build_rows(context, a.row_count(), b.column_count, [&](std::size_t i, RowSummer& sum) {
+    for (std::uint32_t k = a.begin[i]; k < a.begin[i + 1]; ++k) {
+      const std::uint32_t row = a.column[k];
+      for (std::uint32_t e = b.begin[row]; e < b.begin[row + 1]; ++e) {
+        sum.add(b.column[e], a.value[k] * b.value[e]);
+      }
+    }
+  });
+}
+
+Result<SparseMatrix> sum_of(Context& context, const SparseMatrix& a, const SparseMatrix& b) {
+  return build_rows(context, a.row_count(), a.column_count, [&](std::size_t i, RowSummer& sum) {
+    for (const SparseMatrix* matrix : {&a, &b}) {
+      for (std::uint32_t k = matrix->begin[i]; k < matrix->begin[i + 1]; ++k) {
+        sum.add(matrix->column[k], matrix->value[k]);
+      }
+    }
+  });
+}
+
 Status multiply(Context& context, const SparseMatrix& matrix, std::span<const FourFloats> x,
                 std::span<FourFloats> out) {
   return parallel_for(context, matrix.row_count(), 4 * kRows, [&](std::size_t i, std::size_t end) {

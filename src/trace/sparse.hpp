@@ -62,6 +62,12 @@ Result<SparseMatrix> transposed(Context& context, const SparseMatrix& matrix);
 Result<SparseMatrix> normal_matrix(Context& context, const SparseMatrix& matrix,
                                    const SparseMatrix& transpose, std::span<const float> weight);
 
+/// A B.
+Result<SparseMatrix> product(Context& context, const SparseMatrix& a, const SparseMatrix& b);
+
+/// A + B, of one size.
+Result<SparseMatrix> sum_of(Context& context, const SparseMatrix& a, const SparseMatrix& b);
+
 /// out = A x, for four channels.
 Status multiply(Context& context, const SparseMatrix& matrix, std::span<const FourFloats> x,
                 std::span<FourFloats> out);

@@ -26,9 +26,8 @@ constexpr double kStopTolerance = 0.03;
 /// Curves along edges, pixels times √scale.
 constexpr double kTolerance = 0.9;
 constexpr double kMissingTolerance = 1.3;
-/// Pixels to which colours are fitted, about: between rounds and in the end.
+/// Pixels to which colours are fitted between rounds, about.
 constexpr double kFittedPixels = 40000;
-constexpr double kLastFittedPixels = 160000;
 /// Fits of colours, with one of radii between them.
 constexpr int kTurns = 2;
 /// With less blur a curve's radius does not show in its derivative.
@@ -42,9 +41,16 @@ double pixel_count(const Picture& picture) {
   return static_cast<double>(picture.width()) * picture.height();
 }
 
-/// Pixels of which one is fitted to.
-double one_in(const Picture& picture, double fitted) {
-  return std::max(1.0, pixel_count(picture) / fitted);
+int prune_count(TraceStops stops) {
+  switch (stops) {
+    case TraceStops::few:
+      return kPruneFew;
+    case TraceStops::normal:
+      return kPruneNormal;
+    case TraceStops::many:
+      break;
+  }
+  return 0;
 }
 
 std::vector<double> scales_from(double finest) {
@@ -56,13 +62,13 @@ std::vector<double> scales_from(double finest) {
 Result<Document> Tracer::run() {
   Status status = begin();
   if (status) status = add_edges_of_picture();
-  if (status) status = fit(one_in(*picture_, kFittedPixels));
+  if (status) status = fit();
   if (status) note(0);
   for (int round = 1; round <= kRounds && status && goes_on(); ++round) {
     status = fit_->find_missing(curves_, memory_, missing_);
     if (status) status = improve_shapes();
     if (status) status = add_edges_of_missing(round);
-    if (status) status = fit(one_in(*picture_, kFittedPixels));
+    if (status) status = fit();
     if (status) note(round);
   }
   if (status) status = finish();
@@ -134,13 +140,13 @@ Status Tracer::improve_shapes() {
   return tracing::improve_shapes(context_, missing_, curves_);
 }
 
-Status Tracer::fit(double one_in) {
+Status Tracer::fit() {
   const bool fits_radii = options_.blur == TraceBlur::fitted;
   for (TracedCurve& curve : curves_) {
     if (fits_radii && !curve.is_frame) curve.radius = std::max(curve.radius, kFirstRadius);
   }
-  Status status;
-  status = fit_->prepare(curves_, one_in, options_.seed);
+  const double one_in = std::max(1.0, pixel_count(*picture_) / kFittedPixels);
+  Status status = fit_->prepare(curves_, one_in, options_.seed);
   for (int turn = 0; turn < kTurns && status; ++turn) {
     if (turn > 0 && fits_radii) status = fit_->fit_radii(curves_);
     if (status && (turn == 0 || fits_radii)) status = fit_->fit_values(curves_);
@@ -149,7 +155,6 @@ Status Tracer::fit(double one_in) {
 }
 
 Status Tracer::finish() {
-  const double last = one_in(*picture_, kLastFittedPixels);
   Status status;
   if (!options_.edges_only) {
     status = fit_->find_missing(curves_, memory_, missing_);
@@ -158,28 +163,15 @@ Status Tracer::finish() {
   if (status) {
     status = snap_to_curves(context_, picture_->width(), picture_->height(), curves_);
   }
-  if (status) status = fit(last);
+  if (status) status = fit();
   forget_blur();
-  if (status) status = fit_->fit_values(curves_);
-  return status ? prune() : status;
+  return status ? fit_->fit_to_all(curves_, kPruneShare, prune_count(options_.stops)) : status;
 }
 
 void Tracer::forget_blur() {
   for (TracedCurve& curve : curves_) {
     if (curve.radius < kSharpRadius) curve.radius = 0;
   }
-}
-
-Status Tracer::prune() {
-  int times = options_.stops == TraceStops::many     ? 0
-              : options_.stops == TraceStops::normal ? kPruneNormal
-                                                     : kPruneFew;
-  Status status;
-  for (; times > 0 && status; --times) {
-    status = fit_->prune(curves_, kPruneShare);
-    if (status) status = fit_->fit_values(curves_);
-  }
-  return status;
 }
 
 bool Tracer::goes_on() const {

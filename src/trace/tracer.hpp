@@ -33,9 +33,8 @@ class Tracer {
   Status add_edges_of_missing(int round);
   Status add(std::span<const Plane> blurred, Result<std::vector<TracedCurve>> candidates,
              double budget);
-  Status fit(double one_in);
+  Status fit();
   Status finish();
-  Status prune();
   Status improve_shapes();
   void forget_blur();
   bool goes_on() const;

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
+#include "trace/sparse.hpp"
+
+namespace sfumato::tracing {
+
+/// The equations of least squares, AᵀWA x = AᵀWb: Σ over pixels of w |A x - b|² is
+/// xᵀ N x - 2 rᵀ x + s in each channel.
+struct ValueEquations {
+  SparseMatrix normal;                 ///< N
+  std::vector<FourFloats> right_side;  ///< r
+  std::array<double, 4> square{};      ///< s
+  double weight = 0;                   ///< Σ of the weights that a mean is divided by
+};
+
+/// Pixels of which some equations are made.
+struct FittedPixels {
+  const SparseMatrix& rows;            ///< A
+  std::span<const FourFloats> target;  ///< b
+  std::span<const float> weight;       ///< W, per pixel; empty: 1
+};
+
+/// Adds those of some pixels; to empty ones, these. Errors: limit (memory), cancelled.
+Status add_pixels(Context& context, const FittedPixels& pixels, ValueEquations& equations);
+
+/// The equations for the unknowns of which the present ones are `values` times. Errors: limit
+/// (memory), cancelled.
+Result<ValueEquations> reduced(Context& context, const ValueEquations& equations,
+                               const SparseMatrix& values);
+
+/// The mean square of what the values miss in the first three channels, weighted. Errors:
+/// cancelled.
+Result<double> mean_square(Context& context, const ValueEquations& equations,
+                           std::span<const FourFloats> x);
+
+}  // namespace sfumato::tracing
