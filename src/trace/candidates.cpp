@@ -19,6 +19,12 @@ constexpr double kCurvePrice = 12;
 /// A candidate of which more lies on others is dropped.
 constexpr double kLargestOverlap = 0.15;
 constexpr double kLeastScale = 1.5;
+/// A curve may miss a weak edge by more than a strong one, whose error shows more: in proportion to
+/// (kUsualStrength / strength)^kContrastPower, within bounds.
+constexpr float kUsualStrength = 0.05f;
+constexpr double kContrastPower = 0.3;
+constexpr double kLeastSlack = 0.6;
+constexpr double kMostSlack = 1.7;
 
 /// Pixels that curves pass through.
 class PixelMask {
@@ -78,9 +84,18 @@ Status mark_present(Context& context, int width, int height, std::span<const Tra
   return context.check();
 }
 
+double slack_of(const Chain& chain) {
+  std::vector<float> strengths = chain.strength;
+  const auto middle = strengths.begin() + static_cast<std::ptrdiff_t>(strengths.size() / 2);
+  std::nth_element(strengths.begin(), middle, strengths.end());
+  const double weakness = kUsualStrength / std::max(*middle, 1e-4f);
+  return std::clamp(std::pow(weakness, kContrastPower), kLeastSlack, kMostSlack);
+}
+
 TracedCurve curve_of(const Chain& chain, double tolerance) {
   TracedCurve curve;
   curve.scale = chain.scale;
+  tolerance *= slack_of(chain);
   curve.control_points =
       curves::fit_curve(chain.point, {.tolerance = tolerance * std::sqrt(chain.scale)});
   for (const float strength : chain.strength) curve.benefit += double{strength} * strength;

@@ -13,7 +13,7 @@
 namespace sfumato::tracing {
 
 /// Curves fitted to the edges of some channels, without colours.
-/// tolerance   of the fit, pixels, times √scale
+/// tolerance   of the fit to an edge of usual strength, pixels, times √scale
 /// present     curves near which none is to be found
 /// Errors      limit (memory), cancelled
 Result<std::vector<TracedCurve>> find_candidates(Context& context, std::span<const Plane> channels,

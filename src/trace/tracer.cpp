@@ -16,16 +16,16 @@ namespace {
 
 /// Shares of the control points: of all for the picture's own edges, of what is left for a round.
 constexpr double kFirstShare = 0.3;
-constexpr double kRoundShare = 0.6;
+constexpr double kRoundShare = 0.5;
 /// Rounds of edges of what is missing.
 constexpr int kRounds = 4;
 /// Fewer control points than this make no curve worth having.
 constexpr std::size_t kLeastPoints = 20;
 /// Colours along a side, Euclidean in sRGB code values.
-constexpr double kStopTolerance = 0.03;
-/// Curves along edges, pixels times √scale.
-constexpr double kTolerance = 0.9;
-constexpr double kMissingTolerance = 1.3;
+constexpr double kStopTolerance = 0.02;
+/// How far curves may be from edges of usual strength, pixels times √scale.
+constexpr double kTolerance = 1.2;
+constexpr double kMissingTolerance = 2.2;
 /// Pixels to which colours are fitted between rounds, about.
 constexpr double kFittedPixels = 40000;
 /// Fits of colours, with one of radii between them.
