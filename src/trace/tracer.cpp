@@ -62,6 +62,7 @@ std::vector<double> scales_from(double finest) {
 Result<Document> Tracer::run() {
   Status status = begin();
   if (status) status = add_edges_of_picture();
+  if (status && options_.watch) options_.watch->reached(state(0), drawing());
   if (status) status = fit();
   if (status) note(0);
   for (int round = 1; round <= kRounds && status && goes_on(); ++round) {
@@ -199,7 +200,7 @@ Document Tracer::drawing() const {
                     1 / picture_->scale, picture_->opacity.has_value());
 }
 
-void Tracer::note(int round) {
+TraceState Tracer::state(int round) const {
   TraceState state;
   state.round = round;
   state.round_count = options_.edges_only ? 1 : kRounds + 1;
@@ -208,8 +209,12 @@ void Tracer::note(int round) {
   for (const TracedCurve& curve : curves_) state.stops += stop_count(curve);
   state.psnr_db = fit_->psnr_db();
   state.seconds = watch_.seconds();
-  stats_.rounds.push_back(state);
-  if (options_.watch) options_.watch->reached(state, drawing());
+  return state;
+}
+
+void Tracer::note(int round) {
+  stats_.rounds.push_back(state(round));
+  if (options_.watch) options_.watch->reached(stats_.rounds.back(), drawing());
 }
 
 }  // namespace sfumato::tracing

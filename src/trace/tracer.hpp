@@ -38,6 +38,7 @@ class Tracer {
   Status improve_shapes();
   void forget_blur();
   bool goes_on() const;
+  TraceState state(int round) const;
   void note(int round);
   std::size_t point_count() const;
   std::size_t curve_limit() const;

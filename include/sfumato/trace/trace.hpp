@@ -38,7 +38,9 @@ struct TraceState {
   double seconds = 0;  ///< since the beginning
 };
 
-/// Is told what a trace has reached, after each round, from the thread that called.
+/// Is told what a trace has reached, after each round, from the thread that called. Once before
+/// that, too, when edges of the picture were found: their colours are sampled and not fitted yet,
+/// and TraceState::psnr_db is 0.
 class TraceWatch {
  public:
   virtual ~TraceWatch() = default;
