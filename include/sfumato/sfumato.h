@@ -474,6 +474,42 @@ SFUMATO_API int32_t sfumato_add_image(sfumato_context* context, const void* byte
                                       size_t byte_count, const sfumato_image* image);
 
 /** @}
+ * @name Traces
+ * @{ */
+
+/** What a trace has reached. */
+typedef struct sfumato_trace_state {
+  double psnr_db;          /**< to the picture as it is looked at; 0: not known yet */
+  double seconds;          /**< since the beginning */
+  uint32_t round;          /**< 0: edges of the picture alone; then edges of what is missing */
+  uint32_t round_count;    /**< rounds that there will be at most, with round 0 */
+  uint32_t curves;         /**< with the frame along the picture's border */
+  uint32_t control_points; /**< 3 n + 1 of each curve of n pieces */
+  uint32_t stops;          /**< colours on all sides */
+} sfumato_trace_state;
+
+/** Is told what a trace has reached, by the thread that called: when edges were found, whose
+ * colours are rough, and after each round. */
+typedef struct sfumato_trace_watch {
+  /** `drawing` is what the trace has made, borrowed until this returns: to be read, copied, written
+   * or solved, with the trace's context too. It may be told of no round where memory is short. */
+  void (*reached)(void* user, const sfumato_trace_state* state, const sfumato_document* drawing);
+  void* user; /**< handed to `reached` */
+} sfumato_trace_watch;
+
+/** Makes a drawing of a picture, as `sfumato trace` does (docs/cli.md): curves along its edges,
+ * whose colours and blur are fitted. The artboard is the picture, a unit to a pixel. `watch` may be
+ * NULL.
+ *
+ * options: points=N [2000 for 640 x 480] or detail=0...1 for 250 to 16,000 of them, max-curves,
+ * psnr=DB ends as soon as it is reached, smooth=PIXELS [0] of texture that no curve follows,
+ * stops=few|normal|many, blur=on|off|fixed, max-side=PIXELS [1024] at which a larger picture is
+ * looked at, seed, edges-only for a draft, no-alpha for transparent pictures as on white. */
+SFUMATO_API int32_t sfumato_trace(sfumato_context* context, const sfumato_image* image,
+                                  const char* options, const sfumato_trace_watch* watch,
+                                  sfumato_document** document);
+
+/** @}
  * @name Fields
  * @{ */
 

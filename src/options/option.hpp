@@ -69,7 +69,8 @@ enum Call : unsigned {
   kEncode = 32,
   kField = 64,
   kPayload = 128,
-  kLint = 256
+  kLint = 256,
+  kTrace = 512
 };
 
 /// One option of the command and of the C interface: what both say about it, and which values it

@@ -10,6 +10,7 @@
 #include "sfumato/export/svg/svg.hpp"
 #include "sfumato/raster/rasterize.hpp"
 #include "sfumato/solve/diffuse.hpp"
+#include "sfumato/trace/trace.hpp"
 
 /// What options set. Empty optionals were not given.
 namespace sfumato::options {
@@ -83,6 +84,15 @@ struct PictureSettings {
 struct LintSettings {
   bool verbose = false;  ///< with notes
 };
+
+/// Of a trace of a picture.
+struct TraceSettings {
+  TraceOptions trace{};
+  std::optional<double> detail{};  ///< 0 to 1, in the place of TraceOptions::points
+};
+
+/// The control points that a detail from 0 to 1 stands for: 250 to 16,000.
+int points_of_detail(double detail);
 
 /// Of a document that is made from options.
 struct DocumentSettings {

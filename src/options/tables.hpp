@@ -14,10 +14,11 @@ std::span<const Option<Settings>> render_options();
 std::span<const Option<Resources>> resource_options();
 
 /// Those that the C interface alone has from here: for a new context, for a new document, for a
-/// picture, and for hints.
+/// picture, for hints, and for a trace.
 std::span<const Option<ContextSettings>> context_options();
 std::span<const Option<PictureSettings>> picture_options();
 std::span<const Option<LintSettings>> lint_options();
+std::span<const Option<TraceSettings>> trace_options();
 std::span<const Option<DocumentSettings>> document_options();
 
 }  // namespace sfumato::options

@@ -1,0 +1,100 @@
+#include "sfumato/trace/trace.hpp"
+
+#include <optional>
+#include <utility>
+
+#include "base/table_memory.hpp"
+#include "capi/document.hpp"
+#include "capi/pixels.hpp"
+#include "capi/read_options.hpp"
+#include "options/tables.hpp"
+
+namespace sfumato::capi {
+namespace {
+
+std::uint32_t counted(std::size_t count) {
+  return static_cast<std::uint32_t>(count);
+}
+
+/// Tells a function of C.
+class ForeignWatch final : public TraceWatch {
+ public:
+  ForeignWatch(sfumato_context* context, const sfumato_trace_watch& watch)
+      : context_(context), watch_(watch) {}
+
+  void reached(const TraceState& state, const Document& drawing) override {
+    Context& work = context_->workshop->context;
+    ScopedCharge charge;
+    if (!charge.add(work, bytes_of(drawing), "a document")) return;
+    sfumato_document handle(context_->workshop);
+    handle.document = drawing;
+    const sfumato_trace_state told{state.psnr_db,
+                                   state.seconds,
+                                   counted(static_cast<std::size_t>(state.round)),
+                                   counted(static_cast<std::size_t>(state.round_count)),
+                                   counted(state.curves),
+                                   counted(state.control_points),
+                                   counted(state.stops)};
+    // Calls that it makes with the context have a time of their own.
+    const std::optional<Deadline> deadline = work.deadline;
+    watch_.reached(watch_.user, &told, &handle);
+    work.deadline = deadline;
+  }
+
+ private:
+  sfumato_context* context_;
+  const sfumato_trace_watch& watch_;
+};
+
+/// The caller's pixels, row behind row. Errors: limit (memory), cancelled.
+Status copy_rows(const Context& context, const sfumato_image& from, TableMemory& memory,
+                 Image& image) {
+  const auto height = static_cast<std::size_t>(from.height);
+  Status status = memory.reserve(context, image.bytes, height * image.row_bytes());
+  if (!status) return status;
+  const auto* row = static_cast<const std::uint8_t*>(from.pixels);
+  for (std::size_t y = 0; y < height; ++y, row += from.row_bytes) {
+    if (context.cancelled()) return context.cancel_status();
+    image.bytes.insert(image.bytes.end(), row, row + image.row_bytes());
+  }
+  return status;
+}
+
+Outcome read_settings(const char* text, options::TraceSettings& settings) {
+  if (Outcome read = read_options(text, options::kTrace, options::trace_options(), settings);
+      read.code != SFUMATO_OK)
+    return read;
+  if (!settings.detail) return {};
+  if (settings.trace.points > 0) return bad_usage("detail: expected without points");
+  settings.trace.points = options::points_of_detail(*settings.detail);
+  return {};
+}
+
+Outcome trace_image(sfumato_context* context, const sfumato_image* given, const char* text,
+                    const sfumato_trace_watch* watch, sfumato_document** out) {
+  const std::optional<PixelFormat> format = format_of(given);
+  if (!format) return bad_usage(kNoImage);
+  if (watch && !watch->reached) return bad_usage("a watch without a function");
+  options::TraceSettings settings;
+  if (Outcome read = read_settings(text, settings); read.code != SFUMATO_OK) return read;
+  Context& work = context->workshop->context;
+  TableMemory memory("a picture to trace");
+  Image image{.width = given->width, .height = given->height, .format = *format, .bytes = {}};
+  Status status = copy_rows(work, *given, memory, image);
+  if (!status) return status;
+  std::optional<ForeignWatch> told;
+  if (watch) settings.trace.watch = &told.emplace(context, *watch);
+  Result<Document> drawing = trace(work, image, settings.trace);
+  if (!drawing) return drawing.status();
+  return hand_out(context, std::move(*drawing), {}, out);
+}
+
+}  // namespace
+}  // namespace sfumato::capi
+
+int32_t sfumato_trace(sfumato_context* context, const sfumato_image* image, const char* options,
+                      const sfumato_trace_watch* watch, sfumato_document** document) {
+  return sfumato::capi::make(context, document, [&](sfumato::capi::Workshop&) {
+    return sfumato::capi::trace_image(context, image, options, watch, document);
+  });
+}

@@ -1,0 +1,160 @@
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "capi/handles.hpp"
+
+/// Drawings of pictures.
+namespace sfumato::test {
+namespace {
+
+/// A disc on a ramp: red inside, blue to green around.
+std::vector<std::uint8_t> disc(int side) {
+  std::vector<std::uint8_t> pixels;
+  for (int y = 0; y < side; ++y) {
+    for (int x = 0; x < side; ++x) {
+      const int dx = 2 * x - side, dy = 2 * y - side;
+      const bool is_inside = dx * dx + dy * dy < side * side / 4;
+      const auto ramp = static_cast<std::uint8_t>(200 * x / side);
+      const std::uint8_t inside[] = {220, 40, 30, 255};
+      const std::uint8_t outside[] = {20, ramp, static_cast<std::uint8_t>(220 - ramp), 255};
+      pixels.insert(pixels.end(), is_inside ? inside : outside, (is_inside ? inside : outside) + 4);
+    }
+  }
+  return pixels;
+}
+
+constexpr int kSide = 64;
+constexpr std::size_t kRowBytes = std::size_t{4} * kSide;
+
+struct Told {
+  sfumato_context* context = nullptr;
+  std::vector<sfumato_trace_state> states;
+  std::vector<std::string> drawings;
+  bool cancels = false;
+};
+
+void tell(void* user, const sfumato_trace_state* state, const sfumato_document* drawing) {
+  auto& told = *static_cast<Told*>(user);
+  told.states.push_back(*state);
+  told.drawings.push_back(written(told.context, drawing));
+  if (told.cancels) sfumato_cancel(told.context);
+}
+
+class CTrace : public testing::Test {
+ protected:
+  std::int32_t trace(const char* options, const sfumato_trace_watch* watch = nullptr) {
+    sfumato_document* out = nullptr;
+    const std::int32_t code = sfumato_trace(context.get(), &image, options, watch, &out);
+    document.reset(out);
+    EXPECT_EQ(code == SFUMATO_OK, out != nullptr);
+    return code;
+  }
+
+  /// The mean square difference of the drawing's pixels and the picture's, code values.
+  double error() {
+    const PictureHandle picture = solve(context.get(), document.get(), "width=64");
+    std::vector<std::uint8_t> drawn(pixels.size());
+    const sfumato_image into{drawn.data(), kRowBytes, kSide, kSide, SFUMATO_RGBA8};
+    EXPECT_EQ(sfumato_raster(context.get(), picture.get(), &into, ""), SFUMATO_OK);
+    double sum = 0;
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+      const double difference = static_cast<double>(drawn[i]) - pixels[i];
+      sum += difference * difference;
+    }
+    return sum / static_cast<double>(pixels.size());
+  }
+
+  ContextHandle context{sfumato_context_new("threads=1")};
+  std::vector<std::uint8_t> pixels = disc(kSide);
+  sfumato_image image{pixels.data(), kRowBytes, kSide, kSide, SFUMATO_RGBA8};
+  DocumentHandle document;
+};
+
+TEST_F(CTrace, of_a_picture_looks_like_it) {
+  ASSERT_EQ(trace(nullptr), SFUMATO_OK) << sfumato_error_text(context.get());
+  double box[4];
+  sfumato_document_artboard(document.get(), box);
+  EXPECT_EQ(box[2], kSide);
+  EXPECT_EQ(box[3], kSide);
+  EXPECT_GE(sfumato_curve_count(document.get(), 0), 2U);
+  EXPECT_LT(error(), 100);  // 28 dB
+}
+
+TEST_F(CTrace, of_rows_that_are_padded_is_the_same) {
+  ASSERT_EQ(trace(nullptr), SFUMATO_OK);
+  const std::string text = written(context.get(), document.get());
+  std::vector<std::uint8_t> padded;
+  for (std::size_t y = 0; y < kSide; ++y) {
+    const auto row = pixels.begin() + static_cast<std::ptrdiff_t>(y * kRowBytes);
+    padded.insert(padded.end(), row, row + kRowBytes);
+    padded.insert(padded.end(), 12, std::uint8_t{77});
+  }
+  image.pixels = padded.data();
+  image.row_bytes = kRowBytes + 12;
+  ASSERT_EQ(trace(nullptr), SFUMATO_OK);
+  EXPECT_EQ(written(context.get(), document.get()), text);
+}
+
+TEST_F(CTrace, has_as_many_points_as_detail_says) {
+  ASSERT_EQ(trace("detail=0"), SFUMATO_OK);
+  const std::string rough = written(context.get(), document.get());
+  ASSERT_EQ(trace("points=250"), SFUMATO_OK);
+  EXPECT_EQ(written(context.get(), document.get()), rough);
+}
+
+TEST_F(CTrace, tells_of_its_rounds_with_a_drawing_to_be_read) {
+  Told told{context.get(), {}, {}};
+  const sfumato_trace_watch watch{tell, &told};
+  ASSERT_EQ(trace("", &watch), SFUMATO_OK);
+  ASSERT_GE(told.states.size(), 1U);
+  EXPECT_EQ(told.states[0].round, 0U);
+  EXPECT_GT(told.states[0].round_count, 0U);
+  EXPECT_GE(told.states[0].curves, 1U);
+  EXPECT_GT(told.states.back().psnr_db, 20);
+  EXPECT_GE(told.states.back().control_points, told.states[0].control_points);
+  EXPECT_NE(told.drawings[0].find("<path"), std::string::npos);
+}
+
+TEST_F(CTrace, ends_where_the_watch_cancels) {
+  Told told{context.get(), {}, {}, true};
+  const sfumato_trace_watch watch{tell, &told};
+  EXPECT_EQ(trace("", &watch), SFUMATO_CANCELLED);
+  EXPECT_EQ(told.states.size(), 1U);
+  EXPECT_EQ(trace(""), SFUMATO_CANCELLED);
+  sfumato_resume(context.get());
+  EXPECT_EQ(trace(""), SFUMATO_OK);
+}
+
+TEST_F(CTrace, with_wrong_arguments_is_bad_usage_that_names_them) {
+  EXPECT_EQ(trace("pionts=5"), SFUMATO_BAD_USAGE);
+  EXPECT_NE(std::string(sfumato_error_text(context.get())).find("points"), std::string::npos);
+  for (const char* wrong :
+       {"points=0", "detail=1.5", "detail=-1", "psnr=0", "smooth=-1", "stops=none", "blur=1",
+        "max-side=15", "max-curves=0", "seed=-1", "edges-only=yes", "points=300 detail=0.5"}) {
+    EXPECT_EQ(trace(wrong), SFUMATO_BAD_USAGE) << wrong;
+  }
+  const sfumato_trace_watch none{nullptr, nullptr};
+  EXPECT_EQ(trace("", &none), SFUMATO_BAD_USAGE);
+  EXPECT_EQ(sfumato_trace(context.get(), &image, "", nullptr, nullptr), SFUMATO_BAD_USAGE);
+  sfumato_document* out = nullptr;
+  EXPECT_EQ(sfumato_trace(nullptr, &image, "", nullptr, &out), SFUMATO_BAD_USAGE);
+  EXPECT_EQ(sfumato_trace(context.get(), nullptr, "", nullptr, &out), SFUMATO_BAD_USAGE);
+  image.row_bytes = 1;
+  EXPECT_EQ(trace(""), SFUMATO_BAD_USAGE);
+}
+
+TEST_F(CTrace, that_needs_more_than_there_is_is_a_limit) {
+  const ContextHandle small(sfumato_context_new("threads=1 max-memory=1"));
+  const std::vector<std::uint8_t> large(std::size_t{4} * 1024 * 1024);
+  const sfumato_image big{const_cast<std::uint8_t*>(large.data()), 4096, 1024, 1024, SFUMATO_RGBA8};
+  sfumato_document* out = nullptr;
+  EXPECT_EQ(sfumato_trace(small.get(), &big, "", nullptr, &out), SFUMATO_LIMIT);
+  EXPECT_EQ(out, nullptr);
+  const ContextHandle narrow(sfumato_context_new("threads=1 limit.image-side=63"));
+  EXPECT_EQ(sfumato_trace(narrow.get(), &image, "", nullptr, &out), SFUMATO_LIMIT);
+}
+
+}  // namespace
+}  // namespace sfumato::test
