@@ -10,6 +10,12 @@ import { SfumatoField, SfumatoPicture } from "./picture.mjs";
  * @typedef {string | Readonly<Record<string, string | number | boolean>> | null} Options
  */
 
+/**
+ * What a trace has reached: decibels to the picture, seconds since the beginning, and how much there is.
+ * @typedef {{psnr: number, seconds: number, round: number, roundCount: number, curves: number,
+ *   controlPoints: number, stops: number}} TraceState
+ */
+
 const channels = { rgb8: 3, rgba8: 4, rgb16: 3, rgba16: 4 };
 const formats = Object.keys(channels);
 
@@ -20,6 +26,7 @@ export class SfumatoContext extends Handle {
   #callbacks;
   #freed;
   #loader = null;
+  #onRound = null;
 
   /** For Sfumato.context(). */
   constructor(library, options, callbacks, freed) {
@@ -75,16 +82,19 @@ export class SfumatoContext extends Handle {
     const { library } = this;
     library.withBytes(file, (...bytes) => {
       if (!image) return this.run("sfumato_add_image", ...bytes, 0);
-      const { width, height, data } = image;
-      if (data.length !== 4 * width * height) {
-        throw new SfumatoError(Status.badUsage, "expected 4 bytes for each pixel");
-      }
-      return library.withBytes(data, (pixels) =>
-        library.withBytes(
-          new Uint32Array([pixels, 4 * width, width, height, formats.indexOf("rgba8")]),
-          (struct) => this.run("sfumato_add_image", ...bytes, struct),
-        ),
-      );
+      return this.#withImage(image, (struct) => this.run("sfumato_add_image", ...bytes, struct));
+    });
+  }
+
+  /** Runs body() with a sfumato_image of RGBA as ImageData has it. */
+  #withImage({ width, height, data }, body) {
+    const { library } = this;
+    if (data.length !== 4 * width * height) {
+      throw new SfumatoError(Status.badUsage, "expected 4 bytes for each pixel");
+    }
+    return library.withBytes(data, (pixels) => {
+      const image = [pixels, 4 * width, width, height, formats.indexOf("rgba8")];
+      return library.withBytes(new Uint32Array(image), (struct) => body(struct));
     });
   }
 
@@ -110,6 +120,36 @@ export class SfumatoContext extends Handle {
     return this.#withOptions(options, (text) => {
       return new SfumatoDocument(this, this.make("sfumato_document_new", text));
     });
+  }
+
+  /**
+   * Makes a drawing of a picture: curves along its edges, whose colours and blur are fitted.
+   * @param {{width: number, height: number, data: Uint8Array | Uint8ClampedArray}} image RGBA, not
+   *   premultiplied, as ImageData has it
+   * @param {Options} options of sfumato_trace: points or detail, smooth, stops, blur, …
+   * @param {((state: TraceState, drawing: SfumatoDocument) => void) | null} onRound told after each
+   *   round what was reached; the drawing is there until it returns; it may call cancel()
+   */
+  trace(image, options = null, onRound = null) {
+    this.#onRound = onRound;
+    try {
+      return this.#withImage(image, (pixels) =>
+        this.#withOptions(options, (text) =>
+          this.#withWatch((watch) => {
+            return new SfumatoDocument(this, this.make("sfumato_trace", pixels, text, watch));
+          }),
+        ),
+      );
+    } finally {
+      this.#onRound = null;
+    }
+  }
+
+  /** A sfumato_trace_watch that tells this context's; 0 where there is none. */
+  #withWatch(body) {
+    if (!this.#onRound) return body(0);
+    const struct = new Uint32Array([this.#callbacks.traced, this.#callbacks.number]);
+    return this.library.withBytes(struct, (watch) => body(watch));
   }
 
   /** @param {Options} options of sfumato_solve: max-error, width, drags (for pictures of an editor), … */
@@ -249,6 +289,27 @@ export class SfumatoContext extends Handle {
     } catch (error) {
       this.cancel();
       throw error;
+    }
+  }
+
+  /** For Sfumato: a trace tells of a round. What is thrown ends the trace, and is its error. */
+  traced(state, address) {
+    const data = this.library.data();
+    const told = {
+      psnr: data.getFloat64(state, true),
+      seconds: data.getFloat64(state + 8, true),
+    };
+    ["round", "roundCount", "curves", "controlPoints", "stops"].forEach((name, i) => {
+      told[name] = this.library.u32(state + 16 + 4 * i);
+    });
+    const drawing = new SfumatoDocument(this, address, false);
+    try {
+      this.#onRound(told, drawing);
+    } catch (error) {
+      this.cancel();
+      throw error;
+    } finally {
+      drawing.free();
     }
   }
 

@@ -13,8 +13,8 @@ export class SfumatoDocument extends Handle {
   #context;
 
   /** For SfumatoContext. */
-  constructor(context, address) {
-    super(context.library, "document", address);
+  constructor(context, address, isOwn = true) {
+    super(context.library, "document", address, isOwn);
     this.#context = context;
   }
 

@@ -6,11 +6,14 @@ export class Handle {
   #library;
   #address;
   #kind;
+  #isOwn;
 
-  constructor(library, kind, address) {
+  /** @param isOwn false: the library's own, which free() only forgets */
+  constructor(library, kind, address, isOwn = true) {
     this.#library = library;
     this.#kind = kind;
     this.#address = address;
+    this.#isOwn = isOwn;
   }
 
   get library() {
@@ -26,7 +29,7 @@ export class Handle {
   free() {
     const address = this.#address;
     this.#address = 0;
-    if (address !== 0) this.#library.call(`sfumato_${this.#kind}_free`, address);
+    if (address !== 0 && this.#isOwn) this.#library.call(`sfumato_${this.#kind}_free`, address);
   }
 }
 

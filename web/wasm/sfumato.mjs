@@ -28,6 +28,7 @@ export class Sfumato {
   #next = 1;
   #progress;
   #load;
+  #traced;
 
   constructor(library) {
     this.#library = library;
@@ -36,6 +37,9 @@ export class Sfumato {
     );
     this.#load = library.addFunction("iiii>i", 1, (user, href, deliver, sink) =>
       this.#contexts.get(user).loaded(library.string(href), deliver, sink),
+    );
+    this.#traced = library.addFunction("iii>", undefined, (user, state, drawing) =>
+      this.#contexts.get(user).traced(state, drawing),
     );
   }
 
@@ -55,7 +59,12 @@ export class Sfumato {
   /** @param {Options} options threads, max-memory, max-time, limit.NAME */
   context(options = null) {
     const number = this.#next++;
-    const callbacks = { number, progress: this.#progress, load: this.#load };
+    const callbacks = {
+      number,
+      progress: this.#progress,
+      load: this.#load,
+      traced: this.#traced,
+    };
     const context = new SfumatoContext(this.#library, optionText(options), callbacks, () =>
       this.#contexts.delete(number),
     );

@@ -23,6 +23,7 @@ import { testSaving } from "./saving.mjs";
 import { testServedDrawing } from "./served.mjs";
 import { testSunset } from "./sunset.mjs";
 import { testTools } from "./tools.mjs";
+import { testTrace } from "./trace.mjs";
 
 /** The longest first. */
 const themes = [
@@ -39,6 +40,7 @@ const themes = [
   testLayers,
   testGradients,
   testPaints,
+  testTrace,
   testRobust,
   testRecover,
   testDraw,

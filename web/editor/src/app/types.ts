@@ -44,8 +44,17 @@ export interface Toast {
   readonly action: { readonly label: string; readonly run: () => void } | null;
 }
 
+/** A photo to trace. */
+export interface TracedPhoto {
+  readonly blob: Blob;
+  readonly name: string;
+  /** Where it lies on the drawing, from its shares of 0 to 1; null: it does not. */
+  readonly artboardFromPhoto: Affine | null;
+}
+
 /** What is asked for over the page; null: nothing. */
 export type Dialog =
+  | { readonly kind: "trace"; readonly photo: TracedPhoto | null }
   | { readonly kind: "export" | "keys" | "new" | "recover" | "about" | "problem" | "document" }
   | null;
 

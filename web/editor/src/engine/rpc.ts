@@ -27,6 +27,11 @@ export interface Failure {
   readonly column: number;
 }
 
+/** What a worker tells while it works on a call. */
+export interface Note {
+  readonly note: unknown;
+}
+
 interface Answer {
   readonly id: number;
   readonly value?: unknown;
@@ -95,6 +100,8 @@ export interface MessageEndpoint {
 
 /** The page's end: calls a worker's functions. */
 export class Link {
+  /** Hears what the worker tells while it works on a call. */
+  onNote: (note: never) => void = () => {};
   #next = 0;
   #waiting = new Map<number, { resolve: (value: never) => void; reject: (error: Error) => void }>();
   #worker: Worker | null;
@@ -111,7 +118,8 @@ export class Link {
       this.#fail(notStarted);
       return;
     }
-    worker.onmessage = ({ data }: MessageEvent<Answer>) => this.#take(data);
+    worker.onmessage = ({ data }: MessageEvent<Answer | Note>) =>
+      "note" in data ? this.onNote(data.note as never) : this.#take(data);
     worker.onmessageerror = () => this.#fail(notStarted);
     worker.onerror = (event) => this.#fail(event.message || notStarted);
   }

@@ -13,7 +13,7 @@ export interface Host {
 }
 
 /** null: the browser makes none for this page. */
-function workerOf(host: Host): Worker | null {
+export function workerOf(host: Host): Worker | null {
   try {
     return host.worker();
   } catch {
@@ -21,7 +21,7 @@ function workerOf(host: Host): Worker | null {
   }
 }
 
-async function moduleOf(host: Host): Promise<WebAssembly.Module> {
+export async function moduleOf(host: Host): Promise<WebAssembly.Module> {
   if (!("WebAssembly" in globalThis)) throw new Error(words.noWebAssembly);
   try {
     return await host.module();

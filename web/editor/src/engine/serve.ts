@@ -1,8 +1,8 @@
 // Answers a page's calls by a session of its own.
-import { answer, Handed, type MessageEndpoint } from "./rpc.js";
+import { answer, Handed, type MessageEndpoint, type Note } from "./rpc.js";
 import { Session, type GivenImage, type SolveWish } from "./session.js";
 import { buffersOf } from "./tables.js";
-import type { QuickChange, RasterWish } from "./types.js";
+import type { QuickChange, RasterWish, TraceWish } from "./types.js";
 
 export function serve(scope: MessageEndpoint): void {
   let session: Session;
@@ -30,5 +30,7 @@ export function serve(scope: MessageEndpoint): void {
     payload: () => session.payload(),
     lint: () => session.lint(),
     convert: (text: string) => session.convert(text),
+    trace: (wish: TraceWish) =>
+      session.trace(wish, (note) => scope.postMessage({ note } satisfies Note, [])),
   });
 }

@@ -20,7 +20,7 @@ import {
   type Origins,
   type RowCounts,
 } from "./tables.js";
-import type { EngineCurve, LayerUpdate, QuickChange, RasterWish } from "./types.js";
+import type { EngineCurve, LayerUpdate, QuickChange, RasterWish, TraceRound, TraceWish } from "./types.js";
 
 /** Drags begin at once in layers of so many in all, those that were dragged last: 1 kB each. */
 const DRAG_TRIANGLES = 8_000;
@@ -290,6 +290,21 @@ export class Session {
       return document.write();
     } finally {
       document.free();
+    }
+  }
+
+  /**
+   * A picture as SVG; told after each round how far it is, with the SVG by then.
+   * @throws SfumatoError
+   */
+  trace({ photo, options }: TraceWish, told: (round: TraceRound) => void): string {
+    const drawing = this.#context.trace(photo, { ...options }, (state, reached) =>
+      told({ ...state, text: reached.write() }),
+    );
+    try {
+      return drawing.write();
+    } finally {
+      drawing.free();
     }
   }
 

@@ -66,6 +66,40 @@ export interface RasterWish {
   readonly depth: 8 | 16;
 }
 
+/** RGBA as ImageData has it. */
+export interface PhotoPixels {
+  readonly width: number;
+  readonly height: number;
+  readonly data: Uint8ClampedArray<ArrayBuffer>;
+}
+
+/** How a photo is traced: `sfumato_trace`'s options (docs/c-api.md). */
+export interface TraceOptions {
+  readonly points: number;
+  /** Pixels: what is finer is texture, which no curve follows. */
+  readonly smooth: number;
+  readonly stops: "few" | "normal" | "many";
+  readonly blur: "on" | "off";
+}
+
+export interface TraceWish {
+  readonly photo: PhotoPixels;
+  readonly options: TraceOptions;
+}
+
+/** What a trace has reached, and the drawing as SVG. */
+export interface TraceRound {
+  readonly text: string;
+  /** 0: edges of the photo alone; then those of what is missing. */
+  readonly round: number;
+  readonly roundCount: number;
+  readonly curves: number;
+  readonly controlPoints: number;
+  readonly stops: number;
+  /** Decibels to the photo. */
+  readonly psnr: number;
+}
+
 export interface Engine {
   /**
    * The text from now on. While `moving`, pictures come quickly, within the frame's time; once it is

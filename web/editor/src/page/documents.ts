@@ -129,7 +129,7 @@ export class Documents {
 
   async take(opened: Opened, beside: Beside = nothingBeside): Promise<void> {
     if (opened.kind === "problem") return this.#refuse(words.notOpened, opened.reason);
-    if (opened.kind === "photo") return this.#placePhoto(opened);
+    if (opened.kind === "photo") return this.#takePhoto(opened);
     const { target } = opened.place;
     if (target.kind === "handle" && (await isOpenElsewhere(target.handle))) this.editor.say(words.otherTab);
     await this.#show(opened.text, { place: opened.place }, beside);
@@ -223,13 +223,27 @@ export class Documents {
     this.#refuse(words.cannotOpen(name), reason, { line, column, source });
   }
 
-  // Photos to trace over.
+  // Photos to trace over, or by curves.
 
-  async #placePhoto({ blob, name, width, height }: Photo): Promise<void> {
+  /** The dialog that traces takes it, where that is open. */
+  async #takePhoto(photo: Photo): Promise<void> {
+    const { editor } = this;
+    const traced = { blob: photo.blob, name: photo.name, artboardFromPhoto: null };
+    if (editor.dialog.peek()?.kind === "trace") {
+      editor.dialog.value = { kind: "trace", photo: traced };
+    } else if (await this.#placePhoto(photo)) {
+      editor.say(words.photoPlaced, { label: words.traceIt, run: () => editor.command("trace-photo") });
+    }
+  }
+
+  /** @returns whether it lies on the drawing */
+  async #placePhoto({ blob, name, width, height }: Photo): Promise<boolean> {
     const { editor } = this;
     if (editor.welcome.value) await this.begin(blankText(width, height, null), withoutExtension(name));
     const outcome = addReference(editor.drawing, await dataUri(blob), width, height);
-    if (editor.run(words.placePhoto, outcome)) editor.showReference.value = true;
+    const isPlaced = editor.run(words.placePhoto, outcome);
+    if (isPlaced) editor.showReference.value = true;
+    return isPlaced;
   }
 
   // Saving.

@@ -12,6 +12,7 @@ import { dataUri } from "./files.js";
 import { itemOfHint, mendOf } from "./mend.js";
 import { pickColor } from "./pick.js";
 import { previewOf } from "./preview.js";
+import { PhotoTracing } from "./tracing.js";
 
 function sourceOf(editor: DrawingEditor) {
   const { drawing, engine, file } = editor;
@@ -47,6 +48,7 @@ export function servicesOf(editor: DrawingEditor, documents: Documents, picture:
     copyPicture: (wish, watch) => copyPng(wish, sourceOf(editor), watch),
     estimate: (wish) => estimateSize(wish, sourceOf(editor)),
     preview: (viewport, transparent) => previewOf(editor, viewport, transparent),
+    trace: () => new PhotoTracing(editor, documents),
     autosaves: async () => documents.kept.value,
     recover: (id) => documents.recover(id),
     forget: (id) => documents.forget(id),

@@ -2,9 +2,9 @@
 import { createContext } from "preact";
 import { useContext } from "preact/hooks";
 import type { ReadonlySignal } from "@preact/signals";
-import type { Editor } from "../app/types.js";
+import type { Editor, TracedPhoto } from "../app/types.js";
 import type { Box } from "../geometry/affine.js";
-import type { Hint } from "../engine/types.js";
+import type { Hint, PhotoPixels, TraceOptions, TraceRound } from "../engine/types.js";
 import type { ExportWatch, ExportWish } from "../files/export.js";
 import type { Rgb } from "../geometry/color.js";
 import type { Handle, Item } from "../model/types.js";
@@ -52,6 +52,39 @@ export interface Beginnings {
   readonly recent: ReadonlySignal<readonly RecentFile[]>;
 }
 
+/** A photo that is being traced, and what became of it. */
+export interface Traced {
+  readonly photo: TracedPhoto;
+  readonly pixels: PhotoPixels;
+  /** The drawing, SVG. */
+  readonly text: string;
+  readonly curves: number;
+  /** Whether the photo goes into the drawing, too. */
+  readonly keepsPhoto: boolean;
+}
+
+/** What traces photos, and draws what it has reached. */
+export interface Tracing {
+  /** Asks for a photo; null: the person left it. @throws Error, in words */
+  choose(): Promise<TracedPhoto | null>;
+  /** @throws Error, in words */
+  pixels(photo: TracedPhoto): Promise<PhotoPixels>;
+  /** @throws Error, in words; the signal's reason */
+  run(
+    photo: PhotoPixels,
+    options: TraceOptions,
+    heard: (round: TraceRound) => void,
+    signal: AbortSignal,
+  ): Promise<string>;
+  /** Draws a drawing, the latest of several. */
+  draw(text: string, width: number, height: number, show: (pixels: PhotoPixels) => void): void;
+  openAsNew(traced: Traced): Promise<void>;
+  /** As a layer of the drawing, in one step of undo. */
+  insert(traced: Traced): Promise<void>;
+  /** What it holds is given back. */
+  end(): void;
+}
+
 export interface Services {
   readonly version: string;
   readonly problem: ReadonlySignal<Problem | null>;
@@ -66,6 +99,7 @@ export interface Services {
    * be made.
    */
   preview(viewport: Box, transparent: boolean): Promise<string | null>;
+  trace(): Tracing;
   autosaves(): Promise<readonly Autosave[]>;
   recover(id: string): Promise<void>;
   forget(id: string): Promise<void>;

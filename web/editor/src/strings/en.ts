@@ -77,6 +77,8 @@ const page = {
   notOpened: "Nothing was opened",
   otherTab: "Another tab of this browser has this drawing open.",
   placePhoto: "Place photo",
+  photoPlaced: "The photo lies on the drawing.",
+  traceIt: "Trace it",
   saveAnyway: "Save anyway",
   saveElsewhere: "Save elsewhere",
   saved: (name: string) => `“${name}” saved`,
@@ -89,6 +91,7 @@ const engine = {
   noWorker: "This browser starts no worker for this page, and only workers can compute the picture.",
   noWebAssembly: "This browser has no WebAssembly, which computes the picture.",
   noModule: (reason: string) => `What computes the picture could not be loaded (${reason}).`,
+  traceTooLarge: "There is not enough memory to trace this photo. Make it smaller, or ask for less detail.",
 } as const;
 
 const canvas = {
@@ -181,6 +184,7 @@ const panels = {
   save: "Save",
   saveAs: "Save as",
   placePhoto: "Place a photo to trace over",
+  tracePhoto: "Trace photo…",
   export: "Export",
   recover: "Recover",
   document: "Document",
@@ -589,6 +593,46 @@ const dialogs = {
     "MIT licence. Made with Preact and signals (MIT), idb-keyval and browser-fs-access (Apache 2.0), fast-png (MIT) and icons of Lucide (ISC).",
 } as const;
 
+/** The dialog that traces photos. */
+const trace = {
+  title: "Trace photo",
+  insert: "insert traced photo",
+  choose: "Choose a photo",
+  chooseOther: "Another photo",
+  nothing: "Choose a photo, or drop one here. It becomes curves that you can change.",
+  reading: "Reading the photo…",
+  show: "What is shown",
+  shown: { drawing: "Drawing", photo: "Photo" },
+  previewAlt: (name: string) => `The drawing of “${name}” so far`,
+  photoAlt: (name: string) => `The photo “${name}”`,
+  detail: "Detail",
+  points: (count: string) => `${count} control points`,
+  smooth: "Smooth texture",
+  pixels: (count: string) => `${count} px`,
+  noSmoothing: "off",
+  stops: "Colours along the curves",
+  fewerOrMore: { few: "Fewer stops", normal: "Normal", many: "More stops" },
+  sharp: "Sharp curves only",
+  sharpNote: "No curve is blurred",
+  keep: "Keep the photo as reference",
+  keepNote: "Put away at first: View, Reference photo shows it",
+  scaled: (side: number) => `Large: curves are looked for at ${side} pixels on the longer side.`,
+  begin: "Looking for edges…",
+  round: (round: number, count: number) => `Round ${round} of ${count}`,
+  done: "Traced",
+  stopped: "Stopped: what was reached stays",
+  near: (psnr: string) => `${psnr} dB`,
+  nearTip: "How near the drawing is to the photo: 30 dB are near, 40 hard to tell apart",
+  amounts: (curves: string, points: string) => `${curves} curves, ${points} control points`,
+  progress: "Progress of the trace",
+  stop: "Cancel",
+  again: "Trace again",
+  open: "Open as new drawing",
+  insertAsLayer: "Insert as layer",
+  name: (photo: string) => `${photo}, traced`,
+  opened: (curves: string) => `The photo has become ${curves} curves.`,
+} as const;
+
 const welcome = {
   lede: "Paint with curves",
   ledeText: "Give a curve a colour on each side. The picture fills itself in, smooth at any size.",
@@ -667,4 +711,4 @@ const files = {
   clipboardRefused: "The browser did not allow the copy. Export a PNG instead.",
 } as const;
 
-export const en = { page, commands, engine, canvas, tools, panels, layers, picker, dialogs, welcome, tour, files } as const;
+export const en = { page, commands, engine, canvas, tools, panels, layers, picker, dialogs, trace, welcome, tour, files } as const;

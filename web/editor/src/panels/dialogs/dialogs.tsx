@@ -7,6 +7,7 @@ import { KeysDialog } from "./keys.js";
 import { NewDialog } from "./new.js";
 import { ProblemDialog } from "./problem.js";
 import { RecoverDialog } from "./recover.js";
+import { TraceDialog } from "./trace.js";
 
 const dialogs = {
   about: AboutDialog,
@@ -16,6 +17,7 @@ const dialogs = {
   new: NewDialog,
   problem: ProblemDialog,
   recover: RecoverDialog,
+  trace: TraceDialog,
 } as const;
 
 export function Dialogs() {

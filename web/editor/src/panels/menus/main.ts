@@ -14,6 +14,7 @@ const file = (): readonly MenuItem[] => [
   { label: words.export, command: "export" },
   "line",
   { label: words.placePhoto, command: "place-photo" },
+  { label: words.tracePhoto, command: "trace-photo" },
   { label: words.document, command: "document" },
   { label: words.recover, command: "recover" },
   "line",
