@@ -100,6 +100,13 @@ const states = {
     leave: ({ page }) => page.keyboard.press("F8"),
   },
   exporting: dialog("Control+e", "Export"),
+  tracing: {
+    ...dialog("", ""),
+    async enter(editor) {
+      await menuCommand(editor, "File", "Trace photo…");
+      await editor.page.getByRole("status").filter({ hasText: "Traced" }).waitFor();
+    },
+  },
   keys: dialog("?", "Keys"),
   new: dialog("Control+Alt+n", "New drawing"),
   recover: { ...dialog("", ""), enter: (editor) => menuCommand(editor, "File", "Recover") },

@@ -64,6 +64,13 @@ async function testNew(editor) {
   const text = await editor.text;
   check(pathsIn(text) >= 2, `${pathsIn(text)} curves`);
   check(/<image[^>]*sf:reference="true"/.test(text), "the photo is not kept");
+  check(/<g [^>]*id="disc"/.test(text), "the layer has no name");
+  checkEqual((text.match(/<g /g) ?? []).length, 1, "layers");
+  await editor.key("Control+z");
+  await textAfter(page, text);
+  checkEqual(pathsIn(await editor.text), 0, "curves after undo");
+  await editor.key("Control+Shift+z");
+  await shows(page, text);
   checkEqual(await page.locator(".file-name").textContent(), "disc, traced.svg", "the file's name");
   await editor.settled();
   checkEqual((await page.evaluate(() => window.sfumatoEditor.status)).kind, "exact", "the picture of the drawing");

@@ -9,9 +9,9 @@ import { bytesOfDataUri } from "../files/images.js";
 import { pickFile } from "../files/open.js";
 import { photoPixels } from "../files/photo.js";
 import { composed, translation } from "../geometry/affine.js";
-import { fitted, insertTraced } from "../model/commands/index.js";
+import { fitted, insertTraced, replaceByTraced, type TracedDrawing } from "../model/commands/index.js";
 import { blankText } from "../model/drawing.js";
-import type { Drawing } from "../model/types.js";
+import type { Drawing, Outcome } from "../model/types.js";
 import type { Traced, Tracing } from "../panels/services.js";
 import { en } from "../strings/en.js";
 import type { Documents } from "./documents.js";
@@ -38,6 +38,13 @@ function photoOn(drawing: Drawing): TracedPhoto | null {
 export function askToTrace(editor: DrawingEditor): void {
   const photo = editor.welcome.peek() ? null : photoOn(editor.drawing);
   editor.dialog.value = { kind: "trace", photo };
+}
+
+/** With the photo, where it is to be kept. */
+async function drawingOf({ photo, pixels, text, keepsPhoto }: Traced): Promise<TracedDrawing> {
+  const { width, height } = pixels;
+  const kept = keepsPhoto ? { href: await dataUri(photo.blob), width, height } : null;
+  return { text, name: photo.name.replace(/\.[^.]+$/, ""), photo: kept };
 }
 
 export class PhotoTracing implements Tracing {
@@ -75,22 +82,25 @@ export class PhotoTracing implements Tracing {
   }
 
   async openAsNew(traced: Traced): Promise<void> {
+    const { editor } = this;
     const { width, height } = traced.pixels;
-    const name = traced.photo.name.replace(/\.[^.]+$/, "");
-    await this.documents.begin(blankText(width, height, null), `${words.name(name)}.svg`);
-    await this.#put({ ...traced, photo: { ...traced.photo, artboardFromPhoto: null } });
+    const drawing = await drawingOf(traced);
+    await this.documents.begin(blankText(width, height, null), `${words.name(drawing.name)}.svg`);
+    this.#put(traced, replaceByTraced(editor.drawing, drawing));
   }
 
   async insert(traced: Traced): Promise<void> {
-    await this.#put(traced);
+    const { editor } = this;
+    const { width, height } = traced.pixels;
+    const drawing = await drawingOf(traced);
+    const place = traced.photo.artboardFromPhoto ?? fitted(editor.drawing, width, height);
+    this.#put(traced, insertTraced(editor.drawing, drawing, place));
   }
 
-  async #put({ photo, pixels, text, curves, keepsPhoto }: Traced): Promise<void> {
+  /** As a step of undo. */
+  #put({ curves }: Traced, outcome: Outcome | null): void {
     const { editor } = this;
-    const { width, height } = pixels;
-    const kept = keepsPhoto ? { href: await dataUri(photo.blob), width, height } : null;
-    const place = photo.artboardFromPhoto ?? fitted(editor.drawing, width, height);
-    if (!editor.run(words.insert, insertTraced(editor.drawing, text, place, kept))) return;
+    if (!editor.run(words.insert, outcome)) return;
     // The drawing is to be seen, not the photo above it.
     editor.showReference.value = false;
     editor.say(words.opened(curves.toLocaleString("en")));

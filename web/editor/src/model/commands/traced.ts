@@ -5,6 +5,7 @@ import { openDrawing } from "../drawing.js";
 import type { Drawing, Outcome } from "../types.js";
 import { paste } from "./clipboard.js";
 import { addReference } from "./create.js";
+import { rename } from "./naming.js";
 import { transform } from "./transform.js";
 
 /** A photo to be kept with its drawing. */
@@ -25,22 +26,43 @@ export function fitted(d: Drawing, width: number, height: number): Affine {
   return [w, 0, 0, h, (x0 + x1 - w) / 2, (y0 + y1 - h) / 2];
 }
 
+/** What a trace has made of a photo. */
+export interface TracedDrawing {
+  /** SVG, whose artboard begins at 0. */
+  readonly text: string;
+  /** Of the photo, for its layer. */
+  readonly name: string;
+  /** Goes above the layer as a reference, as large as the artboard; null: does not. */
+  readonly photo: KeptPhoto | null;
+}
+
+const changed = (d: Drawing, outcome: Outcome | null): Drawing =>
+  outcome ? openDrawing(applied(d.text, outcome.patch)) : d;
+
+function whole({ text, name, photo }: TracedDrawing): Drawing {
+  const drawn = openDrawing(text);
+  const [layer] = drawn.items;
+  const named = layer ? changed(drawn, rename(drawn, layer.handle, name)) : drawn;
+  return photo ? changed(named, addReference(named, photo.href, photo.width, photo.height)) : named;
+}
+
+/** A traced photo in the place of all that there is. */
+export function replaceByTraced(d: Drawing, traced: TracedDrawing): Outcome {
+  return { patch: [{ at: 0, removed: d.text, inserted: whole(traced).text }] };
+}
+
 /**
- * Puts the layers of another drawing, whose artboard begins at 0, on top of all.
- * @param artboardFromPhoto where its artboard goes, from shares of 0 to 1
- * @param photo goes above them as a reference, as large as the artboard
+ * Puts the layers of a traced photo on top of all.
+ * @param artboardFromPhoto where they go, from shares of 0 to 1
  */
 export function insertTraced(
   d: Drawing,
-  text: string,
+  traced: TracedDrawing,
   artboardFromPhoto: Affine,
-  photo: KeptPhoto | null,
 ): Outcome | null {
-  const traced = openDrawing(text);
-  const kept = photo && addReference(traced, photo.href, photo.width, photo.height);
-  const whole = kept ? openDrawing(applied(text, kept.patch)) : traced;
-  const [, , width, height] = whole.artboard;
+  const from = whole(traced);
+  const [, , width, height] = from.artboard;
   const map = composed(artboardFromPhoto, [1 / width, 0, 0, 1 / height, 0, 0]);
-  const moved = transform(whole, whole.items.map(({ handle }) => handle), map, STEP);
-  return paste(d, moved ? applied(whole.text, moved.patch) : whole.text, null);
+  const handles = from.items.map(({ handle }) => handle);
+  return paste(d, changed(from, transform(from, handles, map, STEP)).text, null);
 }
