@@ -30,6 +30,8 @@ const CASES = [
   ["colors", scene("lady_bug"), ""],
   ["pixels", CONTROLS, "width=64"],
   ["pixels", "tests/wasm/given.svg", ""],
+  ["traced", EVENING, ""],
+  ["traced", CONTROLS, "points=300 blur=off stops=many"],
   ["svg", EVENING, ""],
   ["svg", CONTROLS, ""],
   ["payload", EVENING, ""],
@@ -67,6 +69,11 @@ const ANSWERS = {
   },
   pixels: (context, document, options) =>
     context.raster(context.solve(document, options), { width: 64, height: 64 }),
+  traced(context, document, options) {
+    const size = { width: 64, height: 64 };
+    const data = context.raster(context.solve(document), size);
+    return new TextEncoder().encode(context.trace({ ...size, data }, options).write());
+  },
   lint: (context, document, options) =>
     new TextEncoder().encode(`${JSON.stringify(context.lint(document, options))}\n`),
   svg: (context, document) => new TextEncoder().encode(document.write()),

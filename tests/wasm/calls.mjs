@@ -179,6 +179,58 @@ async function testCallbacks(tap, sfumato) {
   });
 }
 
+/** Red in the middle of blue. */
+function photoOf(side) {
+  const data = new Uint8ClampedArray(4 * side * side);
+  for (let i = 0; i < side * side; ++i) {
+    const isInside = [i % side, Math.floor(i / side)].every((k) => k > side / 4 && k < 0.75 * side);
+    data.set(isInside ? [220, 40, 30, 255] : [20, 60, 200, 255], 4 * i);
+  }
+  return { width: side, height: side, data };
+}
+
+async function testTraces(tap, sfumato) {
+  await tap.test("a photo is traced, and each round is told with its drawing", () => {
+    const context = sfumato.context();
+    const rounds = [];
+    let lent = null;
+    const drawing = context.trace(photoOf(32), { points: 300 }, (state, reached) => {
+      rounds.push(state);
+      lent = reached;
+      check(reached.write().includes("<path"), "no curve was reached");
+      same(reached.copy().curveCount(0), state.curves, "the curves of a copy");
+    });
+    same(drawing.artboard.join(), "0,0,32,32", "the artboard");
+    same(rounds[0].psnr, 0, "the decibels before anything is fitted");
+    check(rounds.at(-1).psnr > 25 && rounds.at(-1).controlPoints <= 300, JSON.stringify(rounds));
+    refusal(Status.badUsage, () => lent.write());
+    check(context.trace(photoOf(32), "points=300").curveCount(0) > 1, "a trace that nobody watches");
+  });
+  await tap.test("a trace ends where its watch cancels or throws", () => {
+    const context = sfumato.context();
+    refusal(Status.cancelled, () => context.trace(photoOf(32), null, () => context.cancel()));
+    context.resume();
+    const mine = new Error("mine");
+    mine.code = 77;
+    const rounds = [];
+    const error = refusal(77, () =>
+      context.trace(photoOf(32), null, (state) => {
+        rounds.push(state);
+        throw mine;
+      }),
+    );
+    check(error === mine && rounds.length === 1, `${error} after ${rounds.length} rounds`);
+    context.resume();
+    context.trace(photoOf(8)).free();
+  });
+  await tap.test("what is no photo, and options that no trace has, are refused", () => {
+    const context = sfumato.context();
+    refusal(Status.badUsage, () => context.trace({ ...photoOf(8), width: 9 }));
+    const error = refusal(Status.badUsage, () => context.trace(photoOf(8), { detial: 1 }));
+    check(error.message.includes("detail"), error.message);
+  });
+}
+
 async function testWork(tap, sfumato, module) {
   await tap.test("the program of the document draws its horizon", async () => {
     const pixels = await drawExample(module);
@@ -285,6 +337,7 @@ async function testWork(tap, sfumato, module) {
 
 export async function testCalls(tap, sfumato, module) {
   await testWork(tap, sfumato, module);
+  await testTraces(tap, sfumato);
   await testErrors(tap, sfumato);
   await testLimits(tap, sfumato, module);
   await testCallbacks(tap, sfumato);

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sfumato/sfumato.h"
@@ -96,6 +97,22 @@ bool put_pixels(Work& work) {
   return true;
 }
 
+/// A trace of 64 by 64 pixels of the drawing, as SVG.
+bool put_traced(Work& work) {
+  constexpr int kSide = 64;
+  std::vector<std::uint8_t> pixels(4 * kSide * kSide);
+  const sfumato_image image{pixels.data(), 4 * kSide, kSide, kSide, SFUMATO_RGBA8};
+  const std::string options = std::exchange(work.options, "");
+  if (!solve(work) || sfumato_raster(work.context, work.picture, &image, "")) return false;
+  sfumato_document* traced = nullptr;
+  sfumato_bytes* bytes = nullptr;
+  if (!sfumato_trace(work.context, &image, options.c_str(), nullptr, &traced)) {
+    sfumato_document_write(work.context, traced, &bytes);
+  }
+  sfumato_document_free(traced);
+  return put_and_free(bytes);
+}
+
 bool answer(const std::string& question, Work& work) {
   sfumato_bytes* bytes = nullptr;  // stays null where a call fails
   if (question == "tables") return solve(work) && put_tables(work.picture);
@@ -103,6 +120,7 @@ bool answer(const std::string& question, Work& work) {
   if (question == "rough") return put_moved(work, 2);
   if (question == "colors") return put_colors(work);
   if (question == "pixels") return put_pixels(work);
+  if (question == "traced") return put_traced(work);
   if (question == "lint") {
     sfumato_lint(work.context, work.document, work.options.c_str(), &bytes);
   }
@@ -121,8 +139,8 @@ bool answer(const std::string& question, Work& work) {
 int main(int argc, char** argv) {
   if (argc < 3) {
     std::fputs(
-        "usage: native_answers tables|dragged|colors|pixels|svg|payload|stack|lint "
-        "IN [OPTIONS]\n",
+        "usage: native_answers tables|dragged|colors|pixels|traced|svg|payload|stack|"
+        "lint IN [OPTIONS]\n",
         stderr);
     return 2;
   }
