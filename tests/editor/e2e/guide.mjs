@@ -7,6 +7,7 @@ import { mkdtempSync, readFileSync, rmSync, statSync, writeFileSync } from "node
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 import { Artist } from "./artist.mjs";
+import { drop } from "./disk.mjs";
 import { check, EditorPage, launch, pathOf, serve } from "./harness.mjs";
 
 /** Bytes of a picture of a document. */
@@ -62,6 +63,17 @@ const pictures = {
     await editor.page.getByRole("button", { name: "Export", exact: true }).click();
     await editor.page.getByRole("dialog").getByRole("img").first().waitFor();
     return editor.page.screenshot();
+  },
+  async "editor-trace"(editor, artist) {
+    const { page } = editor;
+    await editor.load(sunset, "sunset.svg");
+    await artist.menu("File", "Trace photo…");
+    const bytes = readFileSync(pathOf("examples/photos/lake.jpg"));
+    await drop(page, [{ name: "lake.jpg", bytes, type: "image/jpeg" }], "dialog");
+    await page.getByRole("status").filter({ hasText: /Round 3/ }).waitFor();
+    // The picture of a round comes after its numbers.
+    await page.waitForTimeout(3000);
+    return page.screenshot();
   },
   async "editor-keys"(editor) {
     await editor.load(sunset, "sunset.svg");
