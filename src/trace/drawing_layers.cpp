@@ -58,32 +58,57 @@ Status mesh_layer(Context& context, const Sight& sight, const LaidPicture& pictu
   mesh::MeshOptions meshing;
   const double longer = std::max(picture.width, picture.height);
   meshing.unit_size = std::min(longer / kNominalSidePx, 1.0) / sight.px_per_unit;
-  meshing.frame = within_coordinates(sight.box.grown_by(2 * meshing.unit_size));
+  const Box shown = united(sight.box, layer.opacity_box);
+  meshing.frame = within_coordinates(shown.grown_by(2 * meshing.unit_size));
   Result<mesh::Mesher> mesher = mesh::Mesher::build(context, layer.flat, meshing);
   if (!mesher) return mesher.status();
   Result<mesh::TriangleMesh> mesh = mesher->visibility_mesh(context);
   if (!mesh) return mesh.status();
   layer.mesh = std::move(*mesh);
+  layer.frame = meshing.frame;
   layer.memory.take(mesher->release_extracted());
   return ok_status();
 }
 
-/// Where segments lie among the stops of the opacities, and what these are.
-Status place_opacities(Context& context, const std::vector<Curve>& curves, DrawnLayer& layer) {
-  Result<curves::SegmentAttributes> places =
-      curves::sample_stop_places(context, layer.flat, curves, StopAttribute::opacity, layer.memory);
-  if (!places) return places.status();
-  layer.opacity_places = std::move(*places);
+Status prepare_opacities(Context& context, const std::vector<Curve>& curves, DrawnLayer& layer) {
+  Result<curves::SegmentAttributes> sampled =
+      curves::sample_opacities(context, layer.flat, curves, layer.memory);
+  if (!sampled) return sampled.status();
+  layer.opacities = std::move(*sampled);
+  Result<gather::Gatherer> gatherer =
+      gather::Gatherer::create(context, layer.mesh, *layer.opacities, gather::Ends::soft);
+  if (!gatherer) return gatherer.status();
+  layer.opacity_gatherer.emplace(std::move(*gatherer));
+  return ok_status();
+}
+
+/// The box around all curves that bear opacity, and what these blur.
+Box box_of_opacity(const std::vector<Curve>& curves) {
+  Box box;
   for (const Curve& curve : curves) {
+    if (!bears_opacity(curve)) continue;
+    Box around;
+    for (const Vec2 p : curve.control_points) around.extend(p);
+    box = united(box, around.grown_by(double{largest_radius(curve)}));
+  }
+  return box.empty() ? box : box.grown_by(1e-3 * (box.width() + box.height()));
+}
+
+Status list_colors(const Context& context, const Document& drawing, std::uint32_t index,
+                   DrawnLayer& layer) {
+  Status status;
+  for (const Curve& curve : drawing.layers[index].curves) {
     for (const Side* side : {&curve.left, &curve.right}) {
-      if (side->opacity.kind != ShaderKind::curve_domain) continue;
-      for (const Stop<float>& stop : side->opacity.stops.stops) {
-        Status status = layer.memory.push_back(context, layer.opacity, stop.value);
-        if (!status) return status;
+      if (side->color.kind != ShaderKind::curve_domain) continue;
+      for (const Stop<Rgb>& stop : side->color.stops.stops) {
+        const Rgb color = from_srgb(drawing.interpolation, stop.value);
+        if (status) {
+          status = layer.memory.push_back(context, layer.color, {color.r, color.g, color.b, 0});
+        }
       }
     }
   }
-  return ok_status();
+  return status;
 }
 
 /// The smallest radius of a side.
@@ -125,6 +150,7 @@ Result<std::optional<DrawnLayer>> prepare_layer(Context& context, const Document
   if (curves.empty() || sight.box.empty()) return std::optional<DrawnLayer>();
   std::optional<DrawnLayer> out(std::in_place);
   out->px_per_unit = sight.px_per_unit;
+  out->opacity_box = box_of_opacity(curves);
   const double tolerance = kFlatnessPx / sight.px_per_unit;
   curves::FlattenOptions flattening;
   flattening.focuses.push_back({sight.box, tolerance, tolerance});
@@ -138,7 +164,8 @@ Result<std::optional<DrawnLayer>> prepare_layer(Context& context, const Document
       curves::sample_stop_places(context, out->flat, curves, StopAttribute::color, out->memory);
   if (!places) return places.status();
   out->color_places = std::move(*places);
-  if (std::ranges::any_of(curves, bears_opacity)) status = place_opacities(context, curves, *out);
+  status = list_colors(context, drawing, layer, *out);
+  if (status && !out->opacity_box.empty()) status = prepare_opacities(context, curves, *out);
   if (!status) return status;
   return out;
 }

@@ -8,12 +8,15 @@
 #include "base/table_memory.hpp"
 #include "curves/attributes.hpp"
 #include "curves/flatten.hpp"
+#include "gather/gather.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "sfumato/base/affine.hpp"
+#include "sfumato/base/box.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
 #include "sfumato/document/document.hpp"
 #include "trace/sample_pixels.hpp"
+#include "trace/sparse.hpp"
 
 namespace sfumato::tracing {
 
@@ -24,14 +27,17 @@ struct LaidPicture {
   Affine artboard_from_pixel;
 };
 
-/// A layer of a drawing, prepared for the rows of its colours and opacities.
+/// A layer of a drawing, prepared for its opacities and for rows of its colours.
 struct DrawnLayer {
   curves::FlatCurves flat;
   ScopedCharge flat_charge;
   mesh::TriangleMesh mesh;
+  Box frame;  ///< covered by the mesh
   curves::SegmentAttributes color_places;
-  std::optional<curves::SegmentAttributes> opacity_places;  ///< none: it is opaque
-  std::vector<float> opacity;                               ///< of each stop of opacity
+  std::vector<FourFloats> color;  ///< of each stop, in the drawing's interpolation space
+  std::optional<curves::SegmentAttributes> opacities{};  ///< none: it is opaque
+  std::optional<gather::Gatherer> opacity_gatherer{};
+  Box opacity_box;         ///< around all curves that bear opacity, and what these blur
   double px_per_unit = 1;  ///< of the instance that enlarges it most
   TableMemory memory{"the layers of a drawing"};
 };

@@ -7,307 +7,303 @@
 #include <utility>
 
 #include "base/parallel.hpp"
-#include "base/poll.hpp"
+#include "base/pixel_rect.hpp"
 #include "raster/local_stroke.hpp"
-#include "raster/shader_set.hpp"
 #include "trace/plane.hpp"
 
 namespace sfumato::tracing {
 namespace {
 
-/// What shows less than this is not seen.
-constexpr float kUnseen = 1.0f / 1024;
-/// Terms of rows below this share of a point's weight are left out.
-constexpr float kNegligible = 2e-4f;
-/// Points, and rows of pixels, that one task looks at.
-constexpr std::size_t kPoints = 1024;
+/// Rows of pixels that one task paints.
 constexpr std::size_t kPixelRows = 64;
+
+float largest(const FourFloats& channels) {
+  return std::max({channels[0], channels[1], channels[2]});
+}
+
+/// What a point has of an item that is not fitted: premultiplied code values and alpha.
+using Source = FourFloats;
 
 class StackWalk {
  public:
   StackWalk(Context& context, const Document& drawing,
             std::span<const std::optional<DrawnLayer>> layers, const LaidPicture& picture,
             const SamplePixels& pixels)
-      : context_(context), drawing_(drawing), layers_(layers), picture_(picture), pixels_(pixels) {}
+      : context_(context),
+        drawing_(drawing),
+        layers_(layers),
+        picture_(picture),
+        pixels_(pixels),
+        looker_(context, drawing, layers, pixels) {}
 
   Result<StackPoints> run(const Rgb& backdrop);
 
  private:
   /// A group whose items are being followed.
   struct Level {
-    std::vector<float> outside;  ///< per point: what passes all that is above the group
-    float opacity = 1;
-    bool is_mixed = false;  ///< it or a group around it has another mode than normal
+    GroupBegin group;
+    bool is_source = false;           ///< it is followed by itself, since it has a mode
+    std::vector<FourFloats> through;  ///< of the stack above it
+    std::vector<FourFloats> fixed;    ///< if it is a source: of the stack above it
     TableMemory memory{"what a drawing shows"};
   };
 
   Status begin();
+  Status find_kept_layers();
+  Status follow();
   Status add(const LayerInstance& instance);
   Status add(const LocalStroke& stroke);
   Status enter(const GroupBegin& group);
   Status leave();
-  Status find_seen(const std::vector<Vec2>& place, const DrawnLayer& layer,
-                   const LayerInstance& instance, ShownInstance& shown);
-  Status find_opacities(const DrawnLayer& layer, std::span<const Vec2> points,
-                        const Affine& layer_from_pixel, std::span<float> opacity);
-  Status prepare_shaders(std::span<const std::uint32_t> named, InterpolationSpace space,
-                         ImageShaders& shaders);
-  void take(const LayerInstance& instance, const ShownInstance& shown);
-  bool is_mixed() const { return !levels_.empty() && levels_.back().is_mixed; }
-  void leave_out(std::size_t point) { out_.is_left_out[pixel_of_[point]] = 1; }
+  Status add_kept(const LayerInstance& instance, const InstanceSight& sight);
+  Status add_fitted(const LayerInstance& instance, InstanceSight sight);
+  void mix(std::size_t point, const Source& source, BlendMode mode);
+  Result<PixelRect> paint(const LocalStroke& stroke);
+  void leave_out(std::size_t point) { out_.is_left_out[out_.pixel_of[point]] = 1; }
 
   Context& context_;
   const Document& drawing_;
   std::span<const std::optional<DrawnLayer>> layers_;
   const LaidPicture& picture_;
   const SamplePixels& pixels_;
+  LayerLooker looker_;
   StackPoints out_;
-  std::vector<std::uint32_t> pixel_of_;  ///< per point: index into SamplePixels::pixel
-  std::vector<float> through_;           ///< per point: what passes all that was met, 0 to 1
+  std::vector<std::uint8_t> is_kept_;        ///< per layer: whether its colours are not fitted
+  std::vector<const GroupBegin*> begin_of_;  ///< per item: of the group that ends there
+  std::vector<FourFloats> through_;          ///< per point: what passes all that was met, 0 to 1
   std::vector<Level> levels_;
-  ImageShaders opacity_shaders_;
   std::array<Plane, 4> stroke_;  ///< a stroke painted onto nothing, premultiplied
   TableMemory memory_{"what a drawing shows"};
 };
 
 Status StackWalk::begin() {
   const std::size_t points = pixels_.point.size(), pixels = pixels_.pixel.size();
-  Status status = memory_.resize(context_, through_, points, 1.0f);
-  if (status) status = memory_.resize(context_, pixel_of_, points);
+  Status status = memory_.resize(context_, through_, points, {1, 1, 1, 0});
+  if (status) status = out_.memory.resize(context_, out_.pixel_of, points);
   if (status) status = out_.memory.resize(context_, out_.fixed, points);
   if (status) status = out_.memory.resize(context_, out_.is_left_out, pixels);
   if (!status) return status;
   for (std::uint32_t i = 0; i < pixels; ++i) {
     for (std::uint32_t p = pixels_.point_begin[i]; p < pixels_.point_begin[i + 1]; ++p) {
-      pixel_of_[p] = i;
+      out_.pixel_of[p] = i;
     }
   }
-  out_.color_shaders.resize(drawing_.shaders.size());
-  opacity_shaders_.resize(drawing_.shaders.size());
+  return find_kept_layers();
+}
+
+Status StackWalk::find_kept_layers() {
+  is_kept_.resize(drawing_.layers.size());
+  Status status = memory_.resize(context_, begin_of_, drawing_.stack.size());
+  if (!status) return status;
+  std::vector<const GroupBegin*> open;
+  std::size_t mixed = 0;
+  for (std::size_t i = 0; i < drawing_.stack.size(); ++i) {
+    const StackItem& item = drawing_.stack[i];
+    if (const auto* group = std::get_if<GroupBegin>(&item)) {
+      open.push_back(group);
+      mixed += group->blend != BlendMode::normal;
+    } else if (std::holds_alternative<GroupEnd>(item)) {
+      begin_of_[i] = open.back();
+      mixed -= open.back()->blend != BlendMode::normal;
+      open.pop_back();
+    } else if (const auto* instance = std::get_if<LayerInstance>(&item)) {
+      if (mixed > 0 || instance->blend != BlendMode::normal) is_kept_[instance->layer] = 1;
+    }
+  }
+  return ok_status();
+}
+
+Status StackWalk::follow() {
+  for (std::size_t i = drawing_.stack.size(); i-- > 0;) {
+    Status status = context_.check();
+    const StackItem& item = drawing_.stack[i];
+    if (!status) return status;
+    if (const auto* instance = std::get_if<LayerInstance>(&item)) status = add(*instance);
+    if (const auto* stroke = std::get_if<LocalStroke>(&item)) status = add(*stroke);
+    if (begin_of_[i]) status = enter(*begin_of_[i]);
+    if (std::holds_alternative<GroupBegin>(item)) status = leave();
+    if (!status) return status;
+  }
   return ok_status();
 }
 
 Result<StackPoints> StackWalk::run(const Rgb& backdrop) {
   Status status = begin();
-  std::vector<const GroupBegin*> open, begin_of;
-  if (status) status = memory_.resize(context_, begin_of, drawing_.stack.size());
-  if (!status) return status;
-  for (std::size_t i = 0; i < drawing_.stack.size(); ++i) {
-    if (const auto* group = std::get_if<GroupBegin>(&drawing_.stack[i])) open.push_back(group);
-    if (!std::holds_alternative<GroupEnd>(drawing_.stack[i])) continue;
-    begin_of[i] = open.back();
-    open.pop_back();
-  }
-  for (std::size_t i = drawing_.stack.size(); i-- > 0 && status;) {
-    if (context_.cancelled()) return context_.cancel_status();
-    const StackItem& item = drawing_.stack[i];
-    if (const auto* instance = std::get_if<LayerInstance>(&item)) status = add(*instance);
-    if (const auto* stroke = std::get_if<LocalStroke>(&item)) status = add(*stroke);
-    if (begin_of[i]) status = enter(*begin_of[i]);
-    if (std::holds_alternative<GroupBegin>(item)) status = leave();
-  }
+  if (status) status = follow();
   if (!status) return status;
   for (std::size_t p = 0; p < through_.size(); ++p) {
-    const float share = through_[p];
-    out_.fixed[p][0] += share * backdrop.r;
-    out_.fixed[p][1] += share * backdrop.g;
-    out_.fixed[p][2] += share * backdrop.b;
+    mix(p, {backdrop.r, backdrop.g, backdrop.b, 1}, BlendMode::normal);
   }
   for (ShownInstance& shown : out_.shown) {
-    for (std::size_t i = 0; i < shown.point.size(); ++i) {
-      if (out_.is_left_out[pixel_of_[shown.point[i]]]) shown.coefficient[i] = 0;
+    for (std::size_t i = 0; i < shown.coefficient.size(); ++i) {
+      if (out_.is_left_out[out_.pixel_of[shown.sight.point[i]]]) shown.coefficient[i] = {};
     }
   }
+  out_.color_shaders = looker_.take_color_shaders();
   return std::move(out_);
 }
 
+/// Composites what is fixed under all that was met.
+void StackWalk::mix(std::size_t point, const Source& source, BlendMode mode) {
+  const auto& [r, g, b, alpha] = source;
+  FourFloats& through = through_[point];
+  const bool is_known =
+      mode == BlendMode::normal ||
+      (levels_.empty() && (mode == BlendMode::multiply || mode == BlendMode::screen));
+  if (!is_known && alpha * largest(through) > kUnseen) leave_out(point);
+  for (std::size_t c = 0; c < 3; ++c) {
+    // Premultiplied, over an opaque colour C: s C + (1 - a) C, and s + (1 - s) C.
+    if (mode != BlendMode::multiply) out_.fixed[point][c] += through[c] * source[c];
+    const float passes = mode == BlendMode::multiply ? source[c] + 1 - alpha
+                         : mode == BlendMode::screen ? 1 - source[c]
+                                                     : 1 - alpha;
+    through[c] *= std::max(passes, 0.0f);
+  }
+}
+
+/// A group with a mode is followed by itself, where it may show.
 Status StackWalk::enter(const GroupBegin& group) {
   Level level;
-  level.opacity = group.opacity;
-  level.is_mixed = is_mixed() || group.blend != BlendMode::normal;
-  Status status = level.memory.assign(context_, through_, level.outside);
+  level.group = group;
+  level.is_source = group.blend != BlendMode::normal;
+  Status status = level.memory.assign(context_, through_, level.through);
+  if (status && level.is_source) {
+    status = level.memory.assign(context_, out_.fixed, level.fixed);
+    std::ranges::fill(out_.fixed, FourFloats{});
+  }
   if (!status) return status;
-  for (float& through : through_) through *= group.opacity;
+  for (FourFloats& through : through_) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      through[c] =
+          level.is_source ? (largest(through) > kUnseen ? 1.0f : 0.0f) : through[c] * group.opacity;
+    }
+  }
   levels_.push_back(std::move(level));
   return ok_status();
 }
 
 /// A group of opacity g, of which P passes its items, lets 1 - g + g P pass.
 Status StackWalk::leave() {
-  const Level& level = levels_.back();
-  for (std::size_t p = 0; p < through_.size(); ++p) {
-    through_[p] += level.outside[p] * (1 - level.opacity);
-  }
+  const Level level = std::move(levels_.back());
   levels_.pop_back();
-  return ok_status();
-}
-
-Status StackWalk::prepare_shaders(std::span<const std::uint32_t> named, InterpolationSpace space,
-                                  ImageShaders& shaders) {
-  for (const std::uint32_t index : named) {
-    if (shaders[index]) continue;
-    Result<raster::ImageShader> made =
-        raster::ImageShader::create(context_, drawing_.shaders[index], space);
-    if (!made) return made.status();
-    shaders[index].emplace(std::move(*made));
-  }
-  return ok_status();
-}
-
-/// The opacities of a layer at points of its frame.
-Status StackWalk::find_opacities(const DrawnLayer& layer, std::span<const Vec2> points,
-                                 const Affine& layer_from_pixel, std::span<float> opacity) {
-  const curves::SegmentAttributes& places = *layer.opacity_places;
-  Status status = prepare_shaders(places.shader, InterpolationSpace::srgb, opacity_shaders_);
-  if (!status) return status;
-  const Result<gather::Rows> rows =
-      gather::gather_rows(context_, layer.mesh, places, points, {.negligible = kNegligible});
-  if (!rows) return rows.status();
-  const Affine pixel_from_layer = inverse(layer_from_pixel);
-  return parallel_for(context_, points.size(), kPoints, [&](std::size_t i, std::size_t end) {
-    for (; i < end; ++i) {
-      double sum = 0;
-      for (std::uint32_t k = rows->begin[i]; k < rows->begin[i + 1]; ++k) {
-        const gather::RowTerm& term = rows->term[k];
-        const gather::RowSource& source = rows->source[term.source];
-        const double radius = gather::radius_at(source, term.moment);
-        gather::for_each_entry(source, term, radius, [&](std::uint32_t column, double weight) {
-          sum += weight * layer.opacity[column];
-        });
-        gather::for_each_side(source, term, radius, [&](const gather::RowSide& side, double w) {
-          if (side.shader < 0) return;
-          const std::uint32_t shader = places.shader[static_cast<std::size_t>(side.shader)];
-          const auto [color, alpha] =
-              opacity_shaders_[shader]->at(layer_from_pixel, pixel_from_layer(points[i]));
-          sum += w * raster::opacity_of(color.r, color.g, color.b, alpha);
-        });
+  if (!level.is_source) {
+    for (std::size_t p = 0; p < through_.size(); ++p) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        through_[p][c] += level.through[p][c] * (1 - level.group.opacity);
       }
-      opacity[i] = static_cast<float>(std::clamp(sum, 0.0, 1.0));
     }
-  });
-}
-
-/// Lists the points that show an instance, with its rows there.
-/// place  per point of the picture: where it lies in the layer's frame
-Status StackWalk::find_seen(const std::vector<Vec2>& place, const DrawnLayer& layer,
-                            const LayerInstance& instance, ShownInstance& shown) {
-  TableMemory memory("what a drawing shows");
-  std::vector<Vec2> points;
-  Status status;
-  for (std::uint32_t p = 0; p < place.size() && status; ++p) {
-    if (instance.opacity * through_[p] < kUnseen) continue;
-    status = shown.memory.push_back(context_, shown.point, p);
-    if (status) {
-      status = shown.memory.push_back(context_, shown.coefficient, instance.opacity * through_[p]);
-    }
-    if (status) status = memory.push_back(context_, points, place[p]);
+    return context_.check();
   }
-  if (status && layer.opacity_places) {
-    std::vector<float> opacity;
-    status = memory.resize(context_, opacity, points.size());
-    if (status) status = find_opacities(layer, points, shown.layer_from_pixel, opacity);
-    if (!status) return status;
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const float coefficient = shown.coefficient[i] * opacity[i];
-      if (coefficient < kUnseen) continue;
-      shown.point[kept] = shown.point[i];
-      shown.coefficient[kept] = coefficient;
-      points[kept] = points[i];
-      ++kept;
-    }
-    shown.point.resize(kept);
-    shown.coefficient.resize(kept);
-    points.resize(kept);
+  for (std::size_t p = 0; p < through_.size(); ++p) {
+    const float opacity = level.group.opacity;
+    const FourFloats& own = out_.fixed[p];
+    const float alpha = largest(level.through[p]) > kUnseen ? 1 - through_[p][0] : 0.0f;
+    const Source source{opacity * own[0], opacity * own[1], opacity * own[2], opacity * alpha};
+    through_[p] = level.through[p];
+    out_.fixed[p] = level.fixed[p];
+    mix(p, source, level.group.blend);
   }
-  if (!status) return status;
-  Result<gather::Rows> rows = gather::gather_rows(context_, layer.mesh, layer.color_places, points,
-                                                  {.negligible = kNegligible});
-  if (!rows) return rows.status();
-  shown.rows = std::move(*rows);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (shown.rows.begin[i] == shown.rows.begin[i + 1]) shown.coefficient[i] = 0;
-  }
-  return ok_status();
-}
-
-void StackWalk::take(const LayerInstance& instance, const ShownInstance& shown) {
-  const bool is_left_out = is_mixed() || instance.blend != BlendMode::normal;
-  for (std::size_t i = 0; i < shown.point.size(); ++i) {
-    const std::uint32_t p = shown.point[i];
-    through_[p] = std::max(through_[p] - shown.coefficient[i], 0.0f);
-    if (is_left_out && shown.coefficient[i] > 0) leave_out(p);
-  }
+  return context_.check();
 }
 
 Status StackWalk::add(const LayerInstance& instance) {
-  const std::optional<DrawnLayer>& layer = layers_[instance.layer];
   const Affine pixel_from_layer =
       inverse(picture_.artboard_from_pixel) * instance.artboard_from_layer;
   // A map onto a line paints nothing.
-  if (!layer || instance.opacity == 0 || !std::isfinite(1 / pixel_from_layer.determinant())) {
-    return ok_status();
-  }
-  ShownInstance shown;
-  shown.layer = instance.layer;
-  shown.layer_from_pixel = inverse(pixel_from_layer);
-  Status status =
-      prepare_shaders(layer->color_places.shader, drawing_.interpolation, out_.color_shaders);
+  const bool is_shown = layers_[instance.layer] && instance.opacity > 0 &&
+                        std::isfinite(1 / pixel_from_layer.determinant());
+  if (!is_shown) return ok_status();
+  Result<InstanceSight> sight = looker_.look(
+      instance.layer, inverse(pixel_from_layer),
+      [&](std::uint32_t point) { return instance.opacity * largest(through_[point]) > kUnseen; });
+  if (!sight) return sight.status();
+  if (sight->point.empty()) return ok_status();
+  return is_kept_[instance.layer] ? add_kept(instance, *sight)
+                                  : add_fitted(instance, std::move(*sight));
+}
+
+Status StackWalk::add_kept(const LayerInstance& instance, const InstanceSight& sight) {
   TableMemory memory("what a drawing shows");
-  std::vector<Vec2> place;
-  if (status) status = memory.reserve(context_, place, pixels_.point.size());
+  std::vector<Rgb> code;
+  Status status = memory.resize(context_, code, sight.point.size());
+  if (status) status = looker_.find_colors(instance.layer, sight, code);
   if (!status) return status;
-  for (const Vec2 p : pixels_.point) place.push_back(shown.layer_from_pixel(p));
-  status = find_seen(place, *layer, instance, shown);
-  if (!status) return status;
-  take(instance, shown);
-  const bool is_fitted = !is_mixed() && instance.blend == BlendMode::normal;
-  if (is_fitted && !shown.point.empty()) out_.shown.push_back(std::move(shown));
+  for (std::size_t i = 0; i < code.size(); ++i) {
+    const float alpha = instance.opacity * sight.opacity[i];
+    mix(sight.point[i], {alpha * code[i].r, alpha * code[i].g, alpha * code[i].b, alpha},
+        instance.blend);
+  }
   return ok_status();
 }
 
-Status StackWalk::add(const LocalStroke& stroke) {
-  Result<raster::StrokePainter> painter = raster::StrokePainter::create(
+Status StackWalk::add_fitted(const LayerInstance& instance, InstanceSight sight) {
+  ShownInstance shown;
+  shown.layer = instance.layer;
+  Status status = sight.memory.resize(context_, shown.coefficient, sight.point.size());
+  if (!status) return status;
+  for (std::size_t i = 0; i < sight.point.size(); ++i) {
+    FourFloats& through = through_[sight.point[i]];
+    FourFloats& coefficient = shown.coefficient[i];
+    const float alpha = instance.opacity * sight.opacity[i];
+    for (std::size_t c = 0; c < 3; ++c) {
+      coefficient[c] = alpha * through[c];
+      through[c] *= 1 - alpha;
+    }
+    coefficient[3] = std::min({coefficient[0], coefficient[1], coefficient[2]});
+  }
+  shown.sight = std::move(sight);
+  out_.shown.push_back(std::move(shown));
+  return ok_status();
+}
+
+/// Paints a local curve into `stroke_`. Returns the pixels that it may touch.
+Result<PixelRect> StackWalk::paint(const LocalStroke& stroke) {
+  const Result<raster::StrokePainter> painter = raster::StrokePainter::create(
       context_, stroke, inverse(picture_.artboard_from_pixel), drawing_.interpolation);
   if (!painter) return painter.status();
   const Box box = painter->bounds_px();
-  if (box.empty()) return ok_status();
+  if (box.empty()) return PixelRect{};
   const auto within = [](double at, int most) {
     return static_cast<int>(std::clamp(at, 0.0, static_cast<double>(most)));
   };
-  const int x0 = within(std::floor(box.min.x), picture_.width);
-  const int x1 = within(std::ceil(box.max.x), picture_.width);
-  const int y0 = within(std::floor(box.min.y), picture_.height);
-  const int y1 = within(std::ceil(box.max.y), picture_.height);
+  const PixelRect rect{
+      within(std::floor(box.min.x), picture_.width), within(std::floor(box.min.y), picture_.height),
+      within(std::ceil(box.max.x), picture_.width), within(std::ceil(box.max.y), picture_.height)};
   Status status;
   for (Plane& plane : stroke_) {
-    if (status && plane.value.empty()) {
-      status = make_plane(context_, picture_.width, picture_.height, memory_, plane);
-    }
+    if (!status || !plane.value.empty()) continue;
+    status = make_plane(context_, picture_.width, picture_.height, memory_, plane);
   }
-  if (!status || x0 >= x1 || y0 >= y1) return status;
-  const auto rows = static_cast<std::size_t>(y1 - y0);
+  if (!status) return status;
+  if (rect.empty()) return rect;
+  const auto rows = static_cast<std::size_t>(rect.y1 - rect.y0);
   status = try_parallel_for(context_, rows, kPixelRows, [&](std::size_t begin, std::size_t end) {
-    const int top = y0 + static_cast<int>(begin), height = static_cast<int>(end - begin);
+    const int top = rect.y0 + static_cast<int>(begin), height = static_cast<int>(end - begin);
     for (Plane& plane : stroke_) {
-      for (int y = top; y < top + height; ++y) std::fill(plane.row(y) + x0, plane.row(y) + x1, 0.f);
+      for (int y = top; y < top + height; ++y) {
+        std::fill(plane.row(y) + rect.x0, plane.row(y) + rect.x1, 0.0f);
+      }
     }
-    const auto at = [&](std::size_t i) { return stroke_[i].row(top) + x0; };
-    return painter->paint(x0, top, x1 - x0, height, at(0), at(1), at(2), at(3),
+    const auto at = [&](std::size_t i) { return stroke_[i].row(top) + rect.x0; };
+    return painter->paint(rect.x0, top, rect.x1 - rect.x0, height, at(0), at(1), at(2), at(3),
                           static_cast<std::size_t>(picture_.width));
   });
   if (!status) return status;
+  return rect;
+}
+
+Status StackWalk::add(const LocalStroke& stroke) {
+  const Result<PixelRect> rect = paint(stroke);
+  if (!rect) return rect.status();
+  if (rect->empty()) return ok_status();
   for (std::size_t p = 0; p < through_.size(); ++p) {
-    const std::uint32_t pixel = pixels_.pixel[pixel_of_[p]];
+    const std::uint32_t pixel = pixels_.pixel[out_.pixel_of[p]];
     const int x = static_cast<int>(pixel) % picture_.width;
     const int y = static_cast<int>(pixel) / picture_.width;
-    if (x < x0 || x >= x1 || y < y0 || y >= y1) continue;
-    const float alpha = stroke_[3].value[pixel];
-    if (is_mixed() && alpha * through_[p] > kUnseen) leave_out(p);
-    for (std::size_t c = 0; c < 3; ++c) {
-      out_.fixed[p][c] += through_[p] * stroke_[c].value[pixel];
-    }
-    through_[p] *= 1 - alpha;
+    if (x < rect->x0 || x >= rect->x1 || y < rect->y0 || y >= rect->y1) continue;
+    const Source source{stroke_[0].value[pixel], stroke_[1].value[pixel], stroke_[2].value[pixel],
+                        stroke_[3].value[pixel]};
+    mix(p, source, BlendMode::normal);
   }
   return ok_status();
 }

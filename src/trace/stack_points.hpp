@@ -6,49 +6,48 @@
 #include <vector>
 
 #include "base/table_memory.hpp"
-#include "gather/rows.hpp"
-#include "raster/image_shader.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
 #include "sfumato/document/document.hpp"
 #include "trace/drawing_layers.hpp"
+#include "trace/instance_sight.hpp"
+#include "trace/row_color.hpp"
 #include "trace/sample_pixels.hpp"
 #include "trace/sparse.hpp"
 
 namespace sfumato::tracing {
 
-/// What some points show of an instance of a layer: `coefficient` times its colour, in code values.
+/// What some points show of an instance of a layer whose colours are fitted.
 struct ShownInstance {
   std::uint32_t layer = 0;
-  Affine layer_from_pixel;
-  std::vector<std::uint32_t> point;  ///< indices of SamplePixels::point, ascending
-  std::vector<float> coefficient;    ///< per point: its opacity there, through all above it
-  gather::Rows rows;                 ///< of its colours, per point
-  TableMemory memory{"what a drawing shows"};
+  InstanceSight sight;
+  /// Per point of the sight and channel: what the instance's colour counts there, through all that
+  /// is above it; and the least of the three. 0 where nothing is fitted to the pixel.
+  std::vector<FourFloats> coefficient;
 };
 
-/// The image-domain shaders that sides name, as indices of Document::shaders.
-using ImageShaders = std::vector<std::optional<raster::ImageShader>>;
-
-/// A drawing at points of a picture: the colour of a point, in code values, is the sum of what it
-/// shows of all instances and `fixed`.
+/// A drawing at points of a picture: the code values of a point are the sum of coefficients times
+/// colours of all instances, and `fixed`.
 struct StackPoints {
   std::vector<ShownInstance> shown;
-  std::vector<FourFloats> fixed;  ///< per point: of strokes and the backdrop
-  /// Per pixel: 1 where something shows that is mixed by another mode than normal. Coefficients
-  /// are 0 there.
-  std::vector<std::uint8_t> is_left_out;
-  ImageShaders color_shaders;  ///< in the drawing's interpolation space
+  std::vector<FourFloats> fixed;          ///< per point: of all that is not fitted
+  std::vector<std::uint32_t> pixel_of;    ///< per point: index into SamplePixels::pixel
+  std::vector<std::uint8_t> is_left_out;  ///< per pixel: 1 where that is not true
+  ImageShaders color_shaders;             ///< in the drawing's interpolation space
   TableMemory memory{"what a drawing shows"};
 };
 
-/// Follows the stack of a drawing, from above, at the points of pixels.
+/// Follows the stack of a drawing from above at the points of pixels.
+///
+/// Layers that are mixed by another mode than normal anywhere, themselves or in a group, are fixed,
+/// and so are local curves. Modes `multiply` and `screen` outside of groups are affine in what lies
+/// below, which is opaque. Where another mode or one in a group shows, pixels are left out.
 ///
 /// layers    of the drawing, as prepare_layer() gives them
 /// backdrop  behind all items
 /// Errors    limit (memory, counts), cancelled
 /// Cost      the rows of each instance's colours, and if it has any opacities, at all points at
-///           which what is above it does not hide it; strokes as they are painted
+///           which it may show and is not hidden; local curves as they are painted
 Result<StackPoints> look_through(Context& context, const Document& drawing,
                                  std::span<const std::optional<DrawnLayer>> layers,
                                  const LaidPicture& picture, const SamplePixels& pixels,

@@ -1,6 +1,7 @@
 #include "trace/stop_fit.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -9,7 +10,7 @@
 #include "base/poll.hpp"
 #include "trace/bounded_solve.hpp"
 #include "trace/drawing_stops.hpp"
-#include "trace/stop_ranges.hpp"
+#include "trace/row_color.hpp"
 
 namespace sfumato::tracing {
 namespace {
@@ -19,8 +20,8 @@ constexpr double kFittedPixels = 60000;
 /// Weights of the two regularisers of colours.
 constexpr float kPull = 0.3f;
 constexpr float kEven = 0.3f;
-/// An instance that counts for less than this in a pixel is mixed there with others.
-constexpr double kSolid = 0.9;
+/// A layer that counts for less than this in a pixel is mixed there with others.
+constexpr float kSolid = 0.9f;
 /// Beyond the colours of any space.
 constexpr float kUnbound = 1e3f;
 /// Pixels, and numbers of a plane, that one task looks at.
@@ -31,13 +32,8 @@ FourFloats four(const Rgb& color) {
   return {color.r, color.g, color.b, 0};
 }
 
-Rgb rgb_of(const FourFloats& value) {
-  return {value[0], value[1], value[2]};
-}
-
-Rgb clamped(const Rgb& code) {
-  return {std::clamp(code.r, 0.0f, 1.0f), std::clamp(code.g, 0.0f, 1.0f),
-          std::clamp(code.b, 0.0f, 1.0f)};
+bool counts(const FourFloats& coefficient) {
+  return coefficient[0] > 0 || coefficient[1] > 0 || coefficient[2] > 0;
 }
 
 }  // namespace
@@ -99,7 +95,7 @@ Status StopFit::list_stops() {
     curves += layer.curves.size();
   }
   Status status = memory_.resize_all(context_, stops, x_, low_, high_);
-  if (status) status = memory_.resize_all(context_, stops, weight_, mixed_);
+  if (status) status = memory_.resize(context_, weight_, stops);
   if (status) status = memory_.resize(context_, has_next_, stops);
   if (status) status = memory_.resize_all(context_, curves, factor_, radius_px_);
   if (status) status = memory_.resize(context_, missing_, pixels_.pixel.size());
@@ -111,9 +107,9 @@ Status StopFit::list_parts() {
   if (!status) return status;
   RarePoll<65536> poll(context_);
   for (const ShownInstance& shown : points_.shown) {
-    for (std::size_t i = 0; i < shown.point.size(); ++i) {
+    for (std::size_t i = 0; i < shown.coefficient.size(); ++i) {
       if (poll.cancelled()) return context_.cancel_status();
-      part_begin_[shown.point[i] + 1] += shown.coefficient[i] > 0;
+      part_begin_[shown.sight.point[i] + 1] += counts(shown.coefficient[i]);
     }
   }
   for (std::size_t p = 1; p < part_begin_.size(); ++p) part_begin_[p] += part_begin_[p - 1];
@@ -124,9 +120,9 @@ Status StopFit::list_parts() {
   if (!status) return status;
   for (std::uint32_t s = 0; s < points_.shown.size(); ++s) {
     const ShownInstance& shown = points_.shown[s];
-    for (std::uint32_t i = 0; i < shown.point.size(); ++i) {
+    for (std::uint32_t i = 0; i < shown.coefficient.size(); ++i) {
       if (poll.cancelled()) return context_.cancel_status();
-      if (shown.coefficient[i] > 0) part_[next[shown.point[i]]++] = {s, i};
+      if (counts(shown.coefficient[i])) part_[next[shown.sight.point[i]]++] = {s, i};
     }
   }
   return ok_status();
@@ -182,9 +178,9 @@ Status StopFit::build_matrix() {
   matrix_ = {};
   Result<SparseMatrix> matrix =
       build_rows(context_, pixels_.pixel.size(), columns, [&](std::size_t i, RowSummer& sum) {
-        for_each_part(i, [&](const Part& part, double share) {
+        for_each_part(i, [&](const Part& part, double share, const FourFloats& coefficient) {
           for_each_stop(part, [&](std::uint32_t column, double weight) {
-            sum.add(column, static_cast<float>(share * weight));
+            sum.add(column, static_cast<float>(share * coefficient[3] * weight));
           });
         });
       });
@@ -199,22 +195,6 @@ Status StopFit::count_weights() {
   for (std::size_t k = 0; k < matrix_.column.size(); ++k) {
     if (poll.cancelled()) return context_.cancel_status();
     weight_[matrix_.column[k]] += matrix_.value[k] * matrix_.value[k];
-  }
-  std::vector<float> whole;
-  TableMemory memory("the colours of a fit");
-  Status status = memory.resize(context_, whole, x_.size());
-  if (!status) return status;
-  for (const Part& part : part_) {
-    if (poll.cancelled()) return context_.cancel_status();
-    const double coefficient = points_.shown[part.shown].coefficient[part.row];
-    for_each_stop(part, [&](std::uint32_t column, double weight) {
-      const auto share = static_cast<float>(coefficient * weight);
-      whole[column] += share;
-      if (coefficient < kSolid) mixed_[column] += share;
-    });
-  }
-  for (std::size_t i = 0; i < x_.size(); ++i) {
-    if (whole[i] > 0) mixed_[i] /= whole[i];
   }
   std::size_t at = 0;
   return for_each_color_list(context_, drawing_, [&](const ColorStops& list) {
@@ -233,26 +213,47 @@ Status StopFit::find_bounds() {
     low_[i] = least;
     high_[i] = {1, 1, 1, 0};
   }
-  for (std::uint32_t i = 0; i < layers_.size(); ++i) {
-    std::vector<Affine> pixel_from_layer;
-    for (const ShownInstance& shown : points_.shown) {
-      if (shown.layer == i) pixel_from_layer.push_back(inverse(shown.layer_from_pixel));
-    }
-    const std::vector<Curve>& curves = drawing_.layers[i].curves;
-    const std::size_t first = first_stop_[i];
-    const std::size_t count = curves::stop_count(curves, StopAttribute::color);
-    Status status = find_stop_ranges(
-        context_, curves, pixel_from_layer, is_in_srgb() ? picture_.code : color_,
-        std::span(mixed_).subspan(first, count), std::span(low_).subspan(first, count),
-        std::span(high_).subspan(first, count));
-    if (!status) return status;
+  Result<SolidBlocks> blocks = SolidBlocks::create(context_, laid_.width, laid_.height);
+  if (!blocks) return blocks.status();
+  std::vector<float> counts;
+  TableMemory memory("the colours of a fit");
+  Status status = memory.resize(context_, counts, pixels_.pixel.size());
+  for (std::uint32_t i = 0; i < layers_.size() && status; ++i) {
+    status = narrow_bounds(i, *blocks, counts);
   }
+  if (!status) return status;
   for (std::size_t i = 0; i < x_.size(); ++i) {
     if (is_shown(i)) continue;
     low_[i].fill(-kUnbound);
     high_[i].fill(kUnbound);
   }
   return ok_status();
+}
+
+/// Of the stops of a layer. blocks, counts: tables for this, the latter a number a pixel
+Status StopFit::narrow_bounds(std::uint32_t layer, SolidBlocks& blocks,
+                              std::vector<float>& counts) {
+  std::vector<Affine> pixel_from_layer;
+  blocks.clear();
+  std::ranges::fill(counts, 0.0f);
+  for (const ShownInstance& shown : points_.shown) {
+    if (shown.layer != layer) continue;
+    pixel_from_layer.push_back(inverse(shown.sight.layer_from_pixel));
+    for (std::size_t i = 0; i < shown.coefficient.size(); ++i) {
+      const std::uint32_t pixel = points_.pixel_of[shown.sight.point[i]];
+      const std::uint32_t points = pixels_.point_begin[pixel + 1] - pixels_.point_begin[pixel];
+      counts[pixel] += shown.coefficient[i][3] / static_cast<float>(points);
+    }
+  }
+  if (pixel_from_layer.empty()) return context_.check();
+  for (std::size_t i = 0; i < counts.size(); ++i) blocks.add(pixels_.pixel[i], counts[i] > kSolid);
+  const std::vector<Curve>& curves = drawing_.layers[layer].curves;
+  const std::size_t first = first_stop_[layer];
+  const std::size_t count = curves::stop_count(curves, StopAttribute::color);
+  return find_stop_ranges(context_, curves, pixel_from_layer, is_in_srgb() ? picture_.code : color_,
+                          blocks, std::span(weight_).subspan(first, count),
+                          std::span(low_).subspan(first, count),
+                          std::span(high_).subspan(first, count));
 }
 
 double StopFit::radius_of(const ShownInstance& shown, const gather::RowSource& source,
@@ -264,59 +265,49 @@ double StopFit::radius_of(const ShownInstance& shown, const gather::RowSource& s
 /// In the interpolation space.
 Rgb StopFit::color_of(const Part& part) const {
   const ShownInstance& shown = points_.shown[part.shown];
-  double sum[3] = {};
-  for_each_stop(part, [&](std::uint32_t column, double weight) {
-    for (std::size_t c = 0; c < 3; ++c) sum[c] += weight * x_[column][c];
-  });
-  const auto& shaders = layers_[shown.layer]->color_places.shader;
-  const std::uint32_t end = shaders.empty() ? 0 : shown.rows.begin[part.row + 1];
-  for (std::uint32_t k = shown.rows.begin[part.row]; k < end; ++k) {
-    const gather::RowTerm& term = shown.rows.term[k];
-    const gather::RowSource& source = shown.rows.source[term.source];
-    gather::for_each_side(
-        source, term, radius_of(shown, source, term),
-        [&](const gather::RowSide& side, double weight) {
-          if (side.shader < 0) return;
-          const auto& shader =
-              *points_.color_shaders[shaders[static_cast<std::size_t>(side.shader)]];
-          const Rgb color =
-              shader.at(shown.layer_from_pixel, pixels_.point[shown.point[part.row]]).color;
-          sum[0] += weight * color.r;
-          sum[1] += weight * color.g;
-          sum[2] += weight * color.b;
-        });
-  }
-  return {static_cast<float>(sum[0]), static_cast<float>(sum[1]), static_cast<float>(sum[2])};
+  const InstanceSight& sight = shown.sight;
+  const ShadersAt shaders{points_.color_shaders, layers_[shown.layer]->color_places.shader,
+                          sight.layer_from_pixel, pixels_.point[sight.point[part.row]]};
+  const auto radius = [&](const gather::RowSource& source, const gather::RowTerm& term) {
+    return radius_of(shown, source, term);
+  };
+  return row_color(sight.rows, part.row, std::span(x_).subspan(first_stop_[shown.layer]), radius,
+                   shaders);
 }
 
 StopFit::Missing StopFit::missing_of(std::size_t pixel) const {
   Missing missing{};
   if (points_.is_left_out[pixel]) return missing;
+  const InterpolationSpace space = drawing_.interpolation;
   const std::uint32_t first = pixels_.point_begin[pixel], end = pixels_.point_begin[pixel + 1];
-  FourFloats code{};
+  std::array<double, 3> code{}, whole{};
   for (std::uint32_t p = first; p < end; ++p) {
-    for (std::size_t c = 0; c < 3; ++c) code[c] += points_.fixed[p][c] / (end - first);
+    for (std::size_t c = 0; c < 3; ++c) code[c] += double{points_.fixed[p][c]} / (end - first);
   }
-  double whole = 0;
-  for_each_part(pixel, [&](const Part& part, double share) {
-    const FourFloats shown = four(clamped(to_srgb(drawing_.interpolation, color_of(part))));
-    for (std::size_t c = 0; c < 3; ++c) code[c] += static_cast<float>(share * shown[c]);
-    whole += share;
-  });
-  for (std::size_t c = 0; c < 3; ++c) {
-    missing.code[c] = picture_.code[c].value[pixels_.pixel[pixel]] - code[c];
-  }
-  missing.color = missing.code;
-  if (is_in_srgb()) return missing;
-  missing.color = {};
-  for_each_part(pixel, [&](const Part& part, double share) {
-    const Rgb color = color_of(part);
-    FourFloats wanted = four(clamped(to_srgb(drawing_.interpolation, color)));
-    for (std::size_t c = 0; c < 3; ++c) wanted[c] += static_cast<float>(missing.code[c] / whole);
-    const FourFloats to = four(from_srgb(drawing_.interpolation, clamped(rgb_of(wanted))));
-    const FourFloats from = four(color);
+  for_each_part(pixel, [&](const Part& part, double share, const FourFloats& coefficient) {
+    const FourFloats shown = four(clamped_color(to_srgb(space, color_of(part))));
     for (std::size_t c = 0; c < 3; ++c) {
-      missing.color[c] += static_cast<float>(share * (double{to[c]} - from[c]));
+      code[c] += share * coefficient[c] * shown[c];
+      whole[c] += share * coefficient[c];
+    }
+  });
+  FourFloats change{};  // of each part
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double lacks = picture_.code[c].value[pixels_.pixel[pixel]] - code[c];
+    missing.code[c] = static_cast<float>(lacks);
+    change[c] = static_cast<float>(whole[c] > 0 ? lacks / whole[c] : 0.0);
+  }
+  for_each_part(pixel, [&](const Part& part, double share, const FourFloats& coefficient) {
+    FourFloats step = change;
+    if (!is_in_srgb()) {
+      const Rgb color = color_of(part);
+      const Rgb shown = clamped_color(to_srgb(space, color));
+      const Rgb to = from_srgb(
+          space, clamped_color({shown.r + change[0], shown.g + change[1], shown.b + change[2]}));
+      step = {to.r - color.r, to.g - color.g, to.b - color.b, 0};
+    }
+    for (std::size_t c = 0; c < 3; ++c) {
+      missing.color[c] += static_cast<float>(share * coefficient[3] * step[c]);
     }
   });
   return missing;

@@ -14,16 +14,18 @@
 #include "trace/sample_pixels.hpp"
 #include "trace/sparse.hpp"
 #include "trace/stack_points.hpp"
+#include "trace/stop_ranges.hpp"
 
 namespace sfumato::tracing {
 
 /// Fits the colours of an existing drawing's stops, and factors of its radii of blur, to a picture.
 ///
 /// What a pixel shows of an instance is a coefficient times its colour, which is linear in the
-/// stops in the drawing's interpolation space. In sRGB code values that is least squares for all
-/// layers at once. In another space a step asks of each instance, in that space, for what turns its
-/// present colour into one that adds what the pixel lacks in code values: where pixels show one
-/// layer alone, that is least squares in that space.
+/// stops in the drawing's interpolation space. Every instance is asked, in that space, for what
+/// turns its present colour into one that adds what the pixel lacks in code values, all of them for
+/// the same change. In sRGB that is least squares for all layers at once; in another space it is
+/// least squares in that space where pixels show one layer alone, and else a step towards what they
+/// lack.
 class StopFit {
  public:
   /// picture   opaque: code values as the drawing is to look
@@ -73,6 +75,7 @@ class StopFit {
   Status convert_picture();
   Status count_weights();
   Status find_bounds();
+  Status narrow_bounds(std::uint32_t layer, SolidBlocks& blocks, std::vector<float>& counts);
   Status build_matrix();
   Status find_missing();
   Missing missing_of(std::size_t pixel) const;
@@ -82,13 +85,14 @@ class StopFit {
   void add_radius_terms(const Part& part, double share, std::size_t channel, RowSummer& sum) const;
   Result<SparseMatrix> radius_rows() const;
 
-  /// Calls visit(part, share of the pixel) for all that a pixel shows.
+  /// Calls visit(part, share, coefficient) for all that a pixel shows: so much of it shows the
+  /// part, which counts so much there.
   template <class Visit>
   void for_each_part(std::size_t pixel, Visit&& visit) const {
     const std::uint32_t first = pixels_.point_begin[pixel], end = pixels_.point_begin[pixel + 1];
     for (std::uint32_t k = part_begin_[first]; k < part_begin_[end]; ++k) {
       const Part& part = part_[k];
-      visit(part, double{points_.shown[part.shown].coefficient[part.row]} / (end - first));
+      visit(part, 1.0 / (end - first), points_.shown[part.shown].coefficient[part.row]);
     }
   }
   /// Calls visit(column, weight) for the stops that a part has its colour from.
@@ -96,9 +100,10 @@ class StopFit {
   void for_each_stop(const Part& part, Visit&& visit) const {
     const ShownInstance& shown = points_.shown[part.shown];
     const std::uint32_t first = first_stop_[shown.layer];
-    for (std::uint32_t k = shown.rows.begin[part.row]; k < shown.rows.begin[part.row + 1]; ++k) {
-      const gather::RowTerm& term = shown.rows.term[k];
-      const gather::RowSource& source = shown.rows.source[term.source];
+    const gather::Rows& rows = shown.sight.rows;
+    for (std::uint32_t k = rows.begin[part.row]; k < rows.begin[part.row + 1]; ++k) {
+      const gather::RowTerm& term = rows.term[k];
+      const gather::RowSource& source = rows.source[term.source];
       gather::for_each_entry(
           source, term, radius_of(shown, source, term),
           [&](std::uint32_t column, double weight) { visit(first + column, weight); });
@@ -123,7 +128,6 @@ class StopFit {
   std::vector<FourFloats> low_, high_;  ///< per stop
   std::vector<std::uint8_t> has_next_;  ///< per stop: whether the next is to be like it
   std::vector<float> weight_;           ///< per stop: its column's sum of squares
-  std::vector<float> mixed_;            ///< per stop: the share mixed with other items
   std::vector<float> factor_;           ///< per curve: of its radii
   std::vector<float> radius_px_;        ///< per curve: its largest radius; 0: it does not change
   SparseMatrix matrix_;                 ///< values of stops to pixels, with the present radii

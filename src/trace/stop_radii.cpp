@@ -56,9 +56,10 @@ void StopFit::add_radius_terms(const Part& part, double share, std::size_t chann
   const ShownInstance& shown = points_.shown[part.shown];
   const std::uint32_t first = first_curve_[shown.layer];
   const std::span x = std::span(x_).subspan(first_stop_[shown.layer]);
-  for (std::uint32_t k = shown.rows.begin[part.row]; k < shown.rows.begin[part.row + 1]; ++k) {
-    const gather::RowTerm& term = shown.rows.term[k];
-    const gather::RowSource& source = shown.rows.source[term.source];
+  const gather::Rows& rows = shown.sight.rows;
+  for (std::uint32_t k = rows.begin[part.row]; k < rows.begin[part.row + 1]; ++k) {
+    const gather::RowTerm& term = rows.term[k];
+    const gather::RowSource& source = rows.source[term.source];
     const std::uint32_t curve = first + source.curve;
     const bool has_stops = source.front.shader < 0 && source.back.shader < 0;
     if (!(radius_px_[curve] > 0) || !source.back.has_value || !has_stops) continue;
@@ -74,8 +75,8 @@ void StopFit::add_radius_terms(const Part& part, double share, std::size_t chann
 Result<SparseMatrix> StopFit::radius_rows() const {
   const auto columns = static_cast<std::uint32_t>(factor_.size());
   return build_rows(context_, 3 * missing_.size(), columns, [&](std::size_t row, RowSummer& sum) {
-    for_each_part(row / 3, [&](const Part& part, double share) {
-      add_radius_terms(part, share, row % 3, sum);
+    for_each_part(row / 3, [&](const Part& part, double share, const FourFloats& coefficient) {
+      add_radius_terms(part, share * coefficient[3], row % 3, sum);
     });
   });
 }

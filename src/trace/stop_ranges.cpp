@@ -1,79 +1,122 @@
 #include "trace/stop_ranges.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <vector>
+#include <limits>
 
 #include "base/parallel.hpp"
+#include "curves/attributes.hpp"
 #include "curves/bezier.hpp"
 #include "curves/stop_parameters.hpp"
 #include "trace/drawing_layers.hpp"
+#include "trace/drawing_stops.hpp"
 
 namespace sfumato::tracing {
 namespace {
 
-constexpr float kMixed = 0.1f;
-/// With blur the square looked at reaches as far as this, at most so many pixels.
+/// Half the side of the square looked at, pixels; with blur one radius, but at most so many.
+constexpr double kNearPx = 8;
 constexpr double kFarthestPx = 32;
+/// Stops may leave the range near them by this much, and by more the more pixels tell of them.
+constexpr float kWider = 0.1f;
+constexpr float kWiderPerPixel = 0.05f;
+/// Pixels that make a range.
+constexpr int kLeastPixels = 24;
 /// Curves that one task looks at.
 constexpr std::size_t kCurves = 4;
 
-class CurveRanges {
- public:
-  CurveRanges(std::span<const Affine> pixel_from_layer, const Channels& color)
-      : pixel_from_layer_(pixel_from_layer), color_(color) {}
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-  /// Of the stops of one side.
-  void find(const Curve& curve, const Side& side, std::span<const float> mixed,
-            std::span<FourFloats> low, std::span<FourFloats> high) const {
-    const std::vector<double> parameter =
-        curves::stop_parameters(curve.control_points, side.color.stops);
-    double radius = 0;
-    for (const Stop<float>& stop : side.blur_radius.stops) {
-      radius = std::max(radius, double{stop.value});
-    }
+struct Ranges {
+  FourFloats low{kInfinity, kInfinity, kInfinity, 0};
+  FourFloats high{-kInfinity, -kInfinity, -kInfinity, 0};
+  int pixels = 0;
+};
+
+class RangeFinder {
+ public:
+  RangeFinder(std::span<const Affine> pixel_from_layer, const Channels& color,
+              const SolidBlocks& blocks)
+      : pixel_from_layer_(pixel_from_layer), color_(color), blocks_(blocks) {}
+
+  /// Narrows what the stops of one side may be.
+  void narrow(const Curve& curve, const ColorStops& list, std::span<const float> weight,
+              std::span<FourFloats> low, std::span<FourFloats> high) const {
+    const std::vector<double> parameter = curves::stop_parameters(curve.control_points, list);
+    const double radius = largest_radius(curve);
+    const double last = static_cast<double>(curve.piece_count()) - 1;
     for (std::size_t i = 0; i < parameter.size(); ++i) {
-      if (mixed[i] > kMixed) continue;
-      const double last = static_cast<double>(curve.piece_count()) - 1;
       const double piece = std::clamp(std::floor(parameter[i]), 0.0, last);
-      const Vec2 place =
-          curves::point_at(curves::piece(curve.control_points, static_cast<std::size_t>(piece)),
-                           parameter[i] - piece);
-      extend(place, radius, low[i], high[i]);
+      const curves::Cubic cubic =
+          curves::piece(curve.control_points, static_cast<std::size_t>(piece));
+      const Ranges near = ranges_near(curves::point_at(cubic, parameter[i] - piece), radius);
+      if (near.pixels < kLeastPixels) continue;
+      const float wider = kWider + kWiderPerPixel * weight[i];
+      for (std::size_t c = 0; c < 3; ++c) {
+        low[i][c] = std::max(low[i][c], near.low[c] - wider);
+        high[i][c] = std::min(high[i][c], near.high[c] + wider);
+      }
     }
   }
 
  private:
-  void extend(Vec2 place, double radius, FourFloats& low, FourFloats& high) const {
-    Range range[3];
-    const double width = color_[0].width, height = color_[0].height;
+  Ranges ranges_near(Vec2 place, double radius) const {
+    Ranges ranges;
     for (const Affine& map : pixel_from_layer_) {
-      const Vec2 p = map(place);
-      const double reach = std::clamp(radius * largest_scale(map), kNearPx, kFarthestPx);
-      if (!(p.x > -reach && p.y > -reach && p.x < width + reach && p.y < height + reach)) continue;
-      for (std::size_t c = 0; c < 3; ++c) {
-        const Range near = range_near(color_[c], p, static_cast<int>(reach));
-        range[c].extend(near.low);
-        range[c].extend(near.high);
-      }
+      extend(map(place), std::clamp(radius * largest_scale(map), kNearPx, kFarthestPx), ranges);
     }
-    for (std::size_t c = 0; c < 3; ++c) {
-      if (range[c].low > range[c].high) continue;
-      low[c] = std::max(low[c], range[c].low - kWiderRange);
-      high[c] = std::min(high[c], range[c].high + kWiderRange);
+    return ranges;
+  }
+
+  void extend(Vec2 p, double reach, Ranges& ranges) const {
+    const auto within = [](double at, int side) {
+      return static_cast<int>(std::clamp(at, 0.0, static_cast<double>(side)));
+    };
+    const int x0 = within(p.x - reach, color_[0].width), y0 = within(p.y - reach, color_[0].height);
+    const int x1 = within(p.x + reach + 1, color_[0].width);
+    const int y1 = within(p.y + reach + 1, color_[0].height);
+    for (int y = y0; y < y1; ++y) {
+      for (int x = x0; x < x1; ++x) {
+        if (!blocks_.is_solid(x, y)) continue;
+        ++ranges.pixels;
+        for (std::size_t c = 0; c < 3; ++c) {
+          const float value = color_[c].at(x, y);
+          ranges.low[c] = std::min(ranges.low[c], value);
+          ranges.high[c] = std::max(ranges.high[c], value);
+        }
+      }
     }
   }
 
   std::span<const Affine> pixel_from_layer_;
   const Channels& color_;
+  const SolidBlocks& blocks_;
 };
 
 }  // namespace
 
+Result<SolidBlocks> SolidBlocks::create(Context& context, int width, int height) {
+  SolidBlocks blocks;
+  blocks.width_ = width;
+  blocks.columns_ = (width + kSide - 1) / kSide;
+  const int rows = (height + kSide - 1) / kSide;
+  Status status = blocks.memory_.resize(
+      context, blocks.state_,
+      static_cast<std::size_t>(blocks.columns_) * static_cast<std::size_t>(rows));
+  if (!status) return status;
+  return blocks;
+}
+
+void SolidBlocks::add(std::uint32_t pixel, bool is_solid) {
+  const int x = static_cast<int>(pixel) % width_, y = static_cast<int>(pixel) / width_;
+  State& state = state_[index(x, y)];
+  if (!is_solid) state = mixed;
+  if (is_solid && state == unknown) state = solid;
+}
+
 Status find_stop_ranges(Context& context, const std::vector<Curve>& curves,
                         std::span<const Affine> pixel_from_layer, const Channels& color,
-                        std::span<const float> mixed, std::span<FourFloats> low,
-                        std::span<FourFloats> high) {
+                        const SolidBlocks& blocks, std::span<const float> weight,
+                        std::span<FourFloats> low, std::span<FourFloats> high) {
   TableMemory memory("the colours of a fit");
   std::vector<std::size_t> first;
   Status status = memory.resize(context, first, curves.size());
@@ -83,19 +126,20 @@ Status find_stop_ranges(Context& context, const std::vector<Curve>& curves,
     first[i] = count;
     count += curves::stop_count({&curves[i], 1}, StopAttribute::color);
   }
-  const CurveRanges ranges(pixel_from_layer, color);
-  return parallel_for(context, curves.size(), kCurves, [&](std::size_t i, std::size_t end) {
+  const RangeFinder finder(pixel_from_layer, color, blocks);
+  return try_parallel_for(context, curves.size(), kCurves, [&](std::size_t i, std::size_t end) {
     for (; i < end; ++i) {
       std::size_t at = first[i];
       for (const Side* side : {&curves[i].left, &curves[i].right}) {
-        if (context.cancelled()) return;
+        if (context.cancelled()) return context.cancel_status();
         if (side->color.kind != ShaderKind::curve_domain) continue;
         const std::size_t stops = side->color.stops.stops.size();
-        ranges.find(curves[i], *side, mixed.subspan(at, stops), low.subspan(at, stops),
-                    high.subspan(at, stops));
+        finder.narrow(curves[i], side->color.stops, weight.subspan(at, stops),
+                      low.subspan(at, stops), high.subspan(at, stops));
         at += stops;
       }
     }
+    return ok_status();
   });
 }
 
