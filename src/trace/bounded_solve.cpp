@@ -13,6 +13,8 @@ constexpr int kSteps = 60;
 constexpr double kTolerance = 1e-4;
 /// How often unknowns outside their bounds are held and the rest is solved again.
 constexpr int kRounds = 3;
+/// Against weights of pixels that add up to some dozen for a stop.
+constexpr float kTie = 300;
 
 using FourDoubles = std::array<double, 4>;
 
@@ -47,6 +49,10 @@ class BoundedSolver {
       if (i > 0 && problem_.has_next[i - 1]) own += problem_.even;
       diagonal_[i] = own;
     }
+    for (const Tie& tie : problem_.ties) {
+      diagonal_[tie.first] += kTie;
+      diagonal_[tie.second] += kTie;
+    }
   }
 
   /// image = (N + diag(pull) + even D) v.
@@ -60,6 +66,13 @@ class BoundedSolver {
         const float step = problem_.even * (v[i][c] - v[i + 1][c]);
         image_[i][c] += step;
         image_[i + 1][c] -= step;
+      }
+    }
+    for (const auto& [first, second] : problem_.ties) {
+      for (std::size_t c = 0; c < 4; ++c) {
+        const float step = kTie * (v[first][c] - v[second][c]);
+        image_[first][c] += step;
+        image_[second][c] -= step;
       }
     }
     return status;

@@ -10,6 +10,11 @@
 
 namespace sfumato::tracing {
 
+/// Two unknowns that are to be one: Σ kTie (x_first - x_second)² is added for them.
+struct Tie {
+  std::uint32_t first, second;
+};
+
 /// Minimise for each channel xᵀN x - 2 bᵀx + Σ pull_i (x_i - x⁰_i)² + even Σ (x_i - x_{i+1})², the
 /// latter over neighbours on a side, with low <= x <= high.
 struct BoundedProblem {
@@ -19,6 +24,7 @@ struct BoundedProblem {
   std::span<const FourFloats> low, high;
   std::span<const float> pull;
   float even = 0;
+  std::span<const Tie> ties{};
 };
 
 /// x   in: x⁰, where the search begins; out: the solution, by conjugate gradients with the diagonal

@@ -53,6 +53,12 @@ class PixelMask {
     return count > 0 ? set / count : 1.0;
   }
 
+  /// The pixels along the border of the picture, where its frame runs.
+  void draw_border() {
+    for (int x = 0; x < width_; ++x) at(x, 0) = at(x, height_ - 1) = 1;
+    for (int y = 0; y < height_; ++y) at(0, y) = at(width_ - 1, y) = 1;
+  }
+
   /// Sets a diamond around each pixel of the curve.
   void draw(const TracedCurve& curve, int reach) {
     along(curve, [&](int x, int y) {
@@ -136,6 +142,7 @@ Result<std::vector<TracedCurve>> choose_curves(Context& context,
   std::ranges::stable_sort(
       candidates, [](const TracedCurve& a, const TracedCurve& b) { return worth(a) > worth(b); });
   PixelMask mask(width, height);
+  mask.draw_border();
   for (const TracedCurve& curve : present) {
     if (!curve.is_frame) mask.draw(curve, 0);
   }

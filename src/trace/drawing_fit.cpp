@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "trace/bounded_solve.hpp"
 #include "trace/local_range.hpp"
 #include "trace/prune.hpp"
 
@@ -81,8 +80,13 @@ Status DrawingFit::prepare(std::span<const TracedCurve> curves, double one_in, s
 
 void DrawingFit::list_neighbours(std::span<const TracedCurve> curves) {
   has_next_.clear();
+  ties_.clear();
   for (const TracedCurve& curve : curves) {
+    const bool is_closed = curve.control_points.front() == curve.control_points.back();
     for (const SideStops& side : curve.side) {
+      const auto first = static_cast<std::uint32_t>(has_next_.size());
+      const auto count = static_cast<std::uint32_t>(side.place.size());
+      if (is_closed && count > 1) ties_.push_back({first, first + count - 1});
       for (std::size_t i = 0; i < side.place.size(); ++i) {
         has_next_.push_back(i + 1 < side.place.size());
       }
@@ -117,7 +121,8 @@ Status DrawingFit::solve(const Equations& equations, std::span<TracedCurve> curv
   const std::vector<float> pull(x.size(), kPull);
   const auto solve_one = [&](const ValueEquations& of, std::vector<FourFloats>& values) {
     return solve_bounded(
-        context_, {of.normal, of.right_side, has_next_, bounds->low, bounds->high, pull, kEven},
+        context_,
+        {of.normal, of.right_side, has_next_, bounds->low, bounds->high, pull, kEven, ties_},
         values);
   };
   Status status;
@@ -130,6 +135,7 @@ Status DrawingFit::solve(const Equations& equations, std::span<TracedCurve> curv
     status = solve_one(equations.color, x);
   }
   if (!status) return status;
+  for (const Tie& tie : ties_) x[tie.second] = x[tie.first];
   std::size_t at = 0;
   for (TracedCurve& curve : curves) {
     for (SideStops& side : curve.side) {
@@ -236,7 +242,7 @@ Status DrawingFit::fit_radii(std::span<TracedCurve> curves) {
   for (float& own : pull) own = kRadiusDamping * own + kRadiusPull;
   const std::vector<std::uint8_t> no_next(curves.size());
   const std::vector<FourFloats> low(curves.size(), {-kAny}), high(curves.size(), {kAny});
-  status = solve_bounded(context_, {*normal, right_side, no_next, low, high, pull, 0}, step);
+  status = solve_bounded(context_, {*normal, right_side, no_next, low, high, pull, 0, {}}, step);
   if (!status) return status;
   for (std::size_t i = 0; i < curves.size(); ++i) {
     if (curves[i].is_frame) continue;

@@ -8,6 +8,7 @@
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/function_ref.hpp"
 #include "sfumato/base/status.hpp"
+#include "trace/bounded_solve.hpp"
 #include "trace/curve_mesh.hpp"
 #include "trace/picture.hpp"
 #include "trace/sparse.hpp"
@@ -77,6 +78,7 @@ class DrawingFit {
   std::optional<SparseMatrix> matrix_;  ///< values of stops to pixels, with the present radii
   Targets targets_;                     ///< per pixel of seen_
   std::vector<std::uint8_t> has_next_;  ///< per stop
+  std::vector<Tie> ties_;               ///< where sides of closed curves begin and end
   std::vector<FourFloats> residual_;    ///< per pixel: target less what was fitted
   double psnr_db_ = 0;
 };

@@ -219,9 +219,6 @@ void improve(std::span<const Plane> missing, TracedCurve& curve) {
     const double far = length(shift[i]);
     const Vec2 by = far > kLargestShift ? kLargestShift / far * shift[i] : shift[i];
     points[i] = points[i] + by;
-    if (i % 3 == 0) {
-      points[i] = {std::clamp(points[i].x, 0.0, width), std::clamp(points[i].y, 0.0, height)};
-    }
   }
   for (std::size_t i = 3; i + 3 < points.size(); i += 3) {
     smooth_joint(before, i - 1, i, i + 1, points);
@@ -231,6 +228,8 @@ void improve(std::span<const Plane> missing, TracedCurve& curve) {
     smooth_joint(before, points.size() - 2, points.size() - 1, 1, points);
     points.front() = points.back();
   }
+  // Within the hull of its control points, a curve is within the picture.
+  for (Vec2& p : points) p = {std::clamp(p.x, 0.0, width), std::clamp(p.y, 0.0, height)};
 }
 
 }  // namespace

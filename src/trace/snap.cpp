@@ -17,14 +17,16 @@ constexpr double kStep = 0.5;  ///< between samples of curves, pixels
 constexpr double kReach = 1.5;
 constexpr double kMostReach = 3;
 constexpr double kLeastCosine = -0.3;
-/// …and straight ahead, within 45°, to what is this near.
-constexpr double kAheadReach = 4.5;
+/// …and straight ahead, within 45°, to what is this near: pixels, and a share of the picture's
+/// longer side, since a gap that shows at a glance is meant.
+constexpr double kAheadPx = 4.5;
+constexpr double kAheadShare = 4.5 / 512;
 constexpr double kAhead = 0.7071;
 /// Of its own curve an end does not see what is nearer along it, in reaches and pixels.
 constexpr double kOwnReaches = 3;
 constexpr double kOwnPixels = 4;
 /// Sides that differ less in every channel leak nothing that shows.
-constexpr float kLeak = 0.15f;
+constexpr float kLeak = 0.08f;
 /// A piece is continued by at most this share of itself.
 constexpr double kLongest = 1.5;
 /// Before its end a curve that snaps to another is not to cross it, over this length, pixels.
@@ -167,23 +169,73 @@ double crossing_before_end(const curves::Cubic& cubic, const Landing& landing) {
   return 1;
 }
 
+/// What is left of a curve that is shorter, pixels, shows nothing.
+constexpr double kLeastLength = 3;
+/// Within this distance of where a tangent is crossed, pixels, the curve is.
+constexpr double kCrossed = 0.5;
+
 class Snapper {
  public:
-  Snapper(const PlaceGrid& grid, std::vector<TracedCurve>& curves) : grid_(grid), curves_(curves) {}
+  Snapper(const PlaceGrid& grid, double ahead, std::vector<TracedCurve>& curves)
+      : grid_(grid), ahead_(ahead), curves_(curves) {}
 
+  /// Leads an end on, or back, to the curve that it almost meets.
   void snap(std::uint32_t index, bool is_last) {
-    TracedCurve& curve = curves_[index];
-    if (!leaks(curve, is_last)) return;
-    std::vector<Vec2>& points = curve.control_points;
+    if (!leaks(curves_[index], is_last)) return;
+    change_end(index, is_last, [&](curves::Cubic& cubic) { return lead(index, is_last, cubic); });
+  }
+
+  /// Cuts off what sticks out beyond a curve that is crossed shortly before the end.
+  void trim(std::uint32_t index, bool is_last) {
+    change_end(index, is_last, [&](curves::Cubic& cubic) { return cut(index, is_last, cubic); });
+  }
+
+ private:
+  /// change(cubic) may change the last piece, which runs outwards; it says whether it did.
+  template <class Change>
+  void change_end(std::uint32_t index, bool is_last, Change change) {
+    std::vector<Vec2>& points = curves_[index].control_points;
     const std::size_t first = is_last ? points.size() - 4 : 0;
     curves::Cubic cubic = curves::piece(points, first / 3);
     if (!is_last) std::ranges::reverse(cubic);
-    if (!lead(index, is_last, cubic)) return;
+    if (!change(cubic)) return;
     if (!is_last) std::ranges::reverse(cubic);
     std::ranges::copy(cubic, points.begin() + static_cast<std::ptrdiff_t>(first));
   }
 
- private:
+  bool cut(std::uint32_t index, bool is_last, curves::Cubic& cubic) const {
+    double first = 1;
+    Vec2 to;
+    for (const PlaceGrid::Place& place : nearest_places(index, cubic[3], is_last)) {
+      const TracedCurve& other = curves_[place.curve];
+      const double t = crossing_before_end(cubic, landing_on(other, place.parameter, cubic[3]));
+      if (t >= first) continue;
+      const Vec2 crossed = curves::point_at(cubic, t);
+      const Landing landing = landing_on(other, place.parameter, crossed);
+      if (length(landing.point - crossed) > kCrossed) continue;
+      first = t;
+      to = landing.point;
+    }
+    if (first == 1) return false;
+    cubic = ended_at(cubic, first, to);
+    return true;
+  }
+
+  /// Of each curve near an end the place that is nearest to it.
+  std::vector<PlaceGrid::Place> nearest_places(std::uint32_t index, Vec2 end, bool is_last) const {
+    const double whole = length_of(curves_[index]);
+    const double own = kOwnReaches * kBackPx + kOwnPixels;
+    std::vector<PlaceGrid::Place> nearest;
+    grid_.near(end, kBackPx, [&](const PlaceGrid::Place& place) {
+      const double along = is_last ? whole - place.from_start : place.from_start;
+      if (place.curve == index && along < own) return;
+      const auto same = std::ranges::find(nearest, place.curve, &PlaceGrid::Place::curve);
+      if (same == nearest.end()) return nearest.push_back(place);
+      if (length(place.point - end) < length(same->point - end)) *same = place;
+    });
+    return nearest;
+  }
+
   /// Makes the last piece of a curve, which runs outwards, end on a curve; false: on none.
   bool lead(std::uint32_t index, bool is_last, curves::Cubic& cubic) const {
     const std::optional<PlaceGrid::Place> place = target(index, cubic, is_last);
@@ -207,13 +259,13 @@ class Snapper {
     const double whole = length_of(curve), own = kOwnReaches * reach + kOwnPixels;
     std::optional<PlaceGrid::Place> best;
     double least = 0;
-    grid_.near(end, kAheadReach, [&](const PlaceGrid::Place& place) {
+    grid_.near(end, ahead_, [&](const PlaceGrid::Place& place) {
       const double along = is_last ? whole - place.from_start : place.from_start;
       if (place.curve == index && along < own) return;
       const Vec2 way = place.point - end;
       const double far = length(way);
       const double cosine = far > 0 ? dot(way, out) / (far * std::max(length(out), 1e-9)) : 1.0;
-      if (far > kAheadReach || cosine < (far > reach ? kAhead : kLeastCosine)) return;
+      if (far > ahead_ || cosine < (far > reach ? kAhead : kLeastCosine)) return;
       const double cost = far * (1.5 - cosine);
       if (best && cost >= least) return;
       best = place;
@@ -223,6 +275,7 @@ class Snapper {
   }
 
   const PlaceGrid& grid_;
+  double ahead_;  ///< pixels
   std::vector<TracedCurve>& curves_;
 };
 
@@ -230,24 +283,36 @@ class Snapper {
 
 Status snap_to_curves(const Context& context, int width, int height,
                       std::vector<TracedCurve>& curves) {
-  for (TracedCurve& curve : curves) close_if_nearly(curve);
-  // The second time for those whose curve was itself moved when another snapped to it.
-  for (int pass = 0; pass < 2; ++pass) {
+  const double ahead = std::max(kAheadPx, kAheadShare * std::max(width, height));
+  const auto for_each_end = [&](auto change) {
     PlaceGrid grid(width, height);
     for (std::uint32_t i = 0; i < curves.size(); ++i) {
       if (context.cancelled()) return context.cancel_status();
       grid.add(i, curves[i]);
     }
-    Snapper snapper(grid, curves);
+    Snapper snapper(grid, ahead, curves);
     for (std::uint32_t i = 0; i < curves.size(); ++i) {
       if (context.cancelled()) return context.cancel_status();
-      if (is_closed(curves[i])) continue;
-      snapper.snap(i, false);
-      snapper.snap(i, true);
+      for (const bool is_last : {false, true}) {
+        if (!is_closed(curves[i])) change(snapper, i, is_last);
+      }
     }
-  }
+    return ok_status();
+  };
+  const auto trim = [](Snapper& snapper, std::uint32_t i, bool is_last) {
+    snapper.trim(i, is_last);
+  };
+  const auto snap = [](Snapper& snapper, std::uint32_t i, bool is_last) {
+    snapper.snap(i, is_last);
+  };
+  Status status = for_each_end(trim);
   for (TracedCurve& curve : curves) close_if_nearly(curve);
-  return ok_status();
+  // The second time for those whose curve was itself moved when another snapped to it.
+  for (int pass = 0; pass < 2 && status; ++pass) status = for_each_end(snap);
+  if (status) status = for_each_end(trim);
+  for (TracedCurve& curve : curves) close_if_nearly(curve);
+  std::erase_if(curves, [](const TracedCurve& curve) { return length_of(curve) < kLeastLength; });
+  return status;
 }
 
 }  // namespace sfumato::tracing

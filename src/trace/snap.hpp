@@ -9,7 +9,8 @@
 namespace sfumato::tracing {
 
 /// Moves ends of open curves that almost touch another curve, or the curve itself, onto it: colours
-/// would leak through the gap. Errors: cancelled.
+/// would leak through the gap. Cuts off ends that stick out a little beyond a curve, and closes
+/// curves that are nearly closed. Curves of which little is left go. Errors: cancelled.
 /// width, height   of the picture, pixels
 Status snap_to_curves(const Context& context, int width, int height,
                       std::vector<TracedCurve>& curves);
