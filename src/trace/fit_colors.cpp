@@ -16,8 +16,10 @@ namespace sfumato {
 namespace tracing {
 namespace {
 
-/// Solutions for colours; radii are improved between them.
+/// Solutions for colours: as many as radii need, which are improved between the first, and where
+/// code values are not linear in the colours.
 constexpr int kTurns = 3;
+constexpr int kCurvedTurns = 6;
 constexpr std::size_t kValues = 4096;
 
 Status validate(const Context& context, const ColorFit& options) {
@@ -85,10 +87,13 @@ Result<Document> fit(Context& context, const Document& drawing, const Image& ima
   status = lay_on(context, backdrop, *picture);
   StopFit fit(context, *picture, drawing);
   if (status) status = fit.prepare(backdrop, options.seed);
+  const bool is_in_srgb = drawing.interpolation == InterpolationSpace::srgb;
   const double psnr_before = fit.psnr_db(), seconds_before = watch.seconds();
-  for (int turn = 0; turn < kTurns && status; ++turn) {
-    if (turn > 0 && options.blur == TraceBlur::fitted) status = fit.fit_radii();
-    if (status) status = fit.fit_colors();
+  const int turns = is_in_srgb ? kTurns : kCurvedTurns;
+  for (int turn = 0; turn < turns && status; ++turn) {
+    if (turn > 0 && turn < kTurns && options.blur == TraceBlur::fitted) status = fit.fit_radii();
+    if (!status) break;
+    status = turn > 0 && !is_in_srgb ? fit.improve_colors() : fit.fit_colors();
   }
   Document fitted = drawing;
   if (status) status = fit.write(fitted);

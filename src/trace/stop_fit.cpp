@@ -17,9 +17,6 @@ namespace {
 
 /// Pixels that colours are fitted to, about.
 constexpr double kFittedPixels = 60000;
-/// Weights of the two regularisers of colours.
-constexpr float kPull = 0.3f;
-constexpr float kEven = 0.3f;
 /// A layer that counts for less than this in a pixel is mixed there with others.
 constexpr float kSolid = 0.9f;
 /// Beyond the colours of any space.

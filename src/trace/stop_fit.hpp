@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -25,7 +26,7 @@ namespace sfumato::tracing {
 /// turns its present colour into one that adds what the pixel lacks in code values, all of them for
 /// the same change. In sRGB that is least squares for all layers at once; in another space it is
 /// least squares in that space where pixels show one layer alone, and else a step towards what they
-/// lack.
+/// lack, after which improve_colors() makes the squares of code values least.
 class StopFit {
  public:
   /// picture   opaque: code values as the drawing is to look
@@ -36,9 +37,13 @@ class StopFit {
   /// Gathers the rows of pixels. backdrop: behind all items. Errors: limit, cancelled.
   Status prepare(const Rgb& backdrop, std::uint64_t seed);
 
-  /// One solution for all stops. Precondition of this and the next: prepare(). Errors of all that
-  /// follows: limit (memory), cancelled.
+  /// One solution for all stops. Precondition of this and what follows: prepare(). Errors of all:
+  /// limit (memory), cancelled.
   Status fit_colors();
+
+  /// One step of Gauss and Newton's method for the colours of all stops, for a space other than
+  /// sRGB. Precondition: fit_colors().
+  Status improve_colors();
 
   /// One step of Gauss and Newton's method for the factors of radii.
   Status fit_radii();
@@ -56,6 +61,12 @@ class StopFit {
  private:
   /// Pixels.
   static constexpr float kLeastWeight = 1e-3f;
+  /// Weights of the two regularisers of colours.
+  static constexpr float kPull = 0.3f;
+  static constexpr float kEven = 0.3f;
+
+  /// Of code value c by coordinate k at 3 c + k.
+  using Slopes = std::array<float, 9>;
 
   /// What a point shows of an instance.
   struct Part {
@@ -84,6 +95,8 @@ class StopFit {
   Rgb color_of(const Part& part) const;
   void add_radius_terms(const Part& part, double share, std::size_t channel, RowSummer& sum) const;
   Result<SparseMatrix> radius_rows() const;
+  Status find_slopes(std::span<Slopes> slopes) const;
+  Result<SparseMatrix> slope_rows() const;
 
   /// Calls visit(part, share, coefficient) for all that a pixel shows: so much of it shows the
   /// part, which counts so much there.

@@ -102,16 +102,45 @@ Result<Document> trace(Context& context, const Image& picture, const TraceOption
 
 /// How fit_colors() changes a drawing.
 struct ColorFit {
-  TraceBlur blur = TraceBlur::fitted;  ///< sharp: radii stay as they are
-  int max_side = 1024;                 ///< as TraceOptions
-  std::uint64_t seed = 0;              ///< as TraceOptions
+  /// fitted: each curve's radii of blur are multiplied by a number of its own; else they stay.
+  TraceBlur blur = TraceBlur::fitted;
+  int max_side = 1024;     ///< as TraceOptions, 1 to limits::kImageSide
+  std::uint64_t seed = 0;  ///< as TraceOptions
+
+  /// Exact comparison of all members.
+  friend bool operator==(const ColorFit&, const ColorFit&) = default;
 };
 
-/// Gives the stops of a drawing's curves the colours with which it looks most like a picture, that
-/// is laid over its artboard. Curves, stops' places, opacities, shaders, strokes and the order of
-/// painting stay; layers that another mode than normal mixes with those below keep their colours.
+/// Gives the stops of a drawing's curves the colours with which it looks most like a picture, which
+/// is laid over its artboard and fills it. A transparent picture counts as it looks on the
+/// drawing's background, or if there is none on white.
 ///
-/// Errors: as trace(), and bad_input where no curve has colours.
+/// All layers are fitted at once, through all that lies above them, by least squares of code values
+/// (docs/mathematics.md, "Colours from a picture"). Only colours of stops change, to ones of 8
+/// bits, and radii if they are fitted. These stay as they are:
+///
+/// - curves, places of stops, opacities, image-domain shaders, local curves, the stack, the
+///   background: they are looked past
+/// - stops of which the picture shows nothing, as in a layer below an opaque one
+/// - layers that are anywhere mixed with those below by another mode than normal, themselves or in
+/// a
+///   group. What lies below `multiply` and `screen` outside of groups is fitted through them. Where
+///   another mode shows, or one within a group, nothing is fitted to the pixels
+/// - the radii of curves that bear opacity, and of those without blur
+///
+/// If nothing looks more like the picture, the drawing is returned as it is.
+///
+/// The same input gives the same drawing, whatever the threads and the instruction set.
+///
+/// stats    unless null: `scale`, and two rounds, the drawing as it was and as returned, whose
+///          numbers are those of the layers that are painted
+/// Errors   bad_input (options out of range, a picture or a drawing that is not valid, no curve
+/// that
+///          is painted has colours), limit, cancelled, out_of_memory
+/// Cost     for each instance a gather of 1 to 4 µs at each of about 60,000 to 100,000 points at
+///          which it may show, and a quarter of a second for the equations of 4,000 stops, thrice;
+///          in other spaces than sRGB several times that. On one core drawings of 100 to 500 curves
+///          take 0.5 to 10 s
 Result<Document> fit_colors(Context& context, const Document& drawing, const Image& picture,
                             const ColorFit& options = {}, TraceStats* stats = nullptr);
 
