@@ -4,7 +4,7 @@ BEGIN {
   # `export` is a word of the language, and so is `import` at the beginning of a line; `lint` is the
   # verb itself.
   named["export", "outputs"] = named["import", "svg_import"] = named["lint", "lint_detail"] = 1
-  named["base", "limits"] = named["document", "rules"] = 1
+  named["base", "limits"] = named["document", "rules"] = named["trace", "tracing"] = 1
   # Of the parts of a name those that tell that `stop` is the verb.
   stops_work = "_(must|should|shall|can|may|will|is|to|or|please|request|asked|early)_stop_|" \
                "_stop_(now|early|at|if|when|on|status|reason|code|flag|token|source|requested|work)_"
@@ -203,7 +203,7 @@ FNR == 1 {
   is_native = inner_path(FILENAME) ~ /^base\/native\//
   core = folder ~ /^(base|document|curves|picture|mesh|gather|raster|solve)$/ &&
          !is_native
-  has_stops = folder ~ /^(base|document|curves|formats|import|solve|raster|lint|export|options|capi|cli)$/
+  has_stops = folder ~ /^(base|document|curves|formats|import|trace|solve|raster|lint|export|options|capi|cli)$/
   has_scenes = room ~ /^(gather|gather\/kernels|formats\/orzan|export\/glb)$/
   looks_are_checked = FILENAME ~ /^src\// && !(inner_path(FILENAME) in is_flag_itself)
   charges_are_checked = FILENAME ~ /^src\// && !(inner_path(FILENAME) in is_estimate)

@@ -123,7 +123,7 @@ class StopFit {
     }
   }
   /// Whether the picture shows a stop enough to tell its colour.
-  bool is_shown(std::size_t stop) const { return weight_[stop] > kLeastWeight; }
+  bool is_shown(std::size_t column) const { return weight_[column] > kLeastWeight; }
   bool is_in_srgb() const { return drawing_.interpolation == InterpolationSpace::srgb; }
 
   Context& context_;
