@@ -76,11 +76,11 @@ Status scale_down(Context& context, const Image& image, bool keeps_opacity, Pict
   const PixelReader reader(image);
   const auto width = static_cast<std::size_t>(picture.width());
   const auto height = static_cast<std::size_t>(picture.height());
-  return parallel_for(context, height, kRows, [&](std::size_t begin, std::size_t end) {
+  return try_parallel_for(context, height, kRows, [&](std::size_t begin, std::size_t end) {
     for (std::size_t y = begin; y < end; ++y) {
       const Cover rows = cover_of(y, height, static_cast<std::size_t>(image.height));
       for (std::size_t x = 0; x < width; ++x) {
-        if (context.cancelled()) return;
+        if (context.cancelled()) return context.cancel_status();
         const Cover columns = cover_of(x, width, static_cast<std::size_t>(image.width));
         Premultiplied mean;
         for (std::size_t j = 0; j < rows.share.size(); ++j) {
@@ -99,6 +99,7 @@ Status scale_down(Context& context, const Image& image, bool keeps_opacity, Pict
         }
       }
     }
+    return ok_status();
   });
 }
 

@@ -8,7 +8,7 @@ namespace {
 
 struct Price {
   double cost;
-  std::uint32_t stop;
+  std::uint32_t stop_index;
 };
 
 /// How far a stop's value is from what its neighbours would give there, squared.
@@ -53,8 +53,8 @@ std::vector<std::uint8_t> stops_to_prune(std::span<const TracedCurve> curves,
   for (const Price& price : prices) {
     if (count == most) break;
     // The first and the last stop of a side have no price, so that both neighbours are of the side.
-    if (goes[price.stop - 1] || goes[price.stop + 1]) continue;
-    goes[price.stop] = 1;
+    if (goes[price.stop_index - 1] || goes[price.stop_index + 1]) continue;
+    goes[price.stop_index] = 1;
     ++count;
   }
   return goes;

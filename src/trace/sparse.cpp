@@ -92,14 +92,15 @@ Result<SparseMatrix> build_rows(Context& context, std::size_t row_count, std::ui
   SparseMatrix out;
   out.column_count = column_count;
   std::vector<RowBlock> blocks((row_count + kRows - 1) / kRows);
-  Status status = parallel_for(context, row_count, kRows, [&](std::size_t i, std::size_t end) {
+  Status status = try_parallel_for(context, row_count, kRows, [&](std::size_t i, std::size_t end) {
     RowSummer sum(column_count);
     RowBlock& block = blocks[i / kRows];
     for (; i < end; ++i) {
-      if (context.cancelled()) return;
+      if (context.cancelled()) return context.cancel_status();
       fill(i, sum);
       block.count.push_back(sum.list(block.column, block.value));
     }
+    return ok_status();
   });
   if (status) status = join(context, blocks, out);
   if (!status) return status;
