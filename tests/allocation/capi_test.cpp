@@ -163,6 +163,24 @@ void show(Session& session, sfumato_context* c, Drawing& drawing) {
   sfumato_bytes_free(bytes);
 }
 
+void write_reached(void* user, const sfumato_trace_state*, const sfumato_document* drawing) {
+  sfumato_bytes* bytes = nullptr;
+  sfumato_document_write(static_cast<sfumato_context*>(user), drawing, &bytes);
+  sfumato_bytes_free(bytes);
+}
+
+/// Black beside white, with someone who looks at the rounds.
+void trace(Session& session, sfumato_context* c, Drawing& drawing) {
+  std::uint8_t pixels[3 * 8 * 8] = {};
+  for (int i = 0; i < 8 * 8; ++i) {
+    const int x = i % 8;
+    for (int channel = 0; channel < 3; ++channel) pixels[3 * i + channel] = x < 4 ? 0 : 255;
+  }
+  const sfumato_image image{pixels, 24, 8, 8, SFUMATO_RGB8};
+  const sfumato_trace_watch watch{write_reached, c};
+  session.take(sfumato_trace(c, &image, "points=40", &watch, &drawing.document), &drawing.document);
+}
+
 using Calls = void (*)(Session&, sfumato_context*, Drawing&);
 
 struct Part {
@@ -228,7 +246,8 @@ INSTANTIATE_TEST_SUITE_P(Of, CAllocation,
                                          Part{"a_frame_in_a_hurry", begin_move, hurry},
                                          Part{"curves_that_change", begin_picture, move_two},
                                          Part{"the_end_of_changes", begin_move, end_changes},
-                                         Part{"outputs", begin_picture, show}),
+                                         Part{"outputs", begin_picture, show},
+                                         Part{"a_trace", begin_nothing, trace}),
                          [](const testing::TestParamInfo<Part>& part) { return part.param.name; });
 
 TEST(CContextAllocation, a_context_is_there_or_null) {

@@ -1,5 +1,6 @@
 // Photos that become curves: workers that trace and draw, what a dialog does with them, and the drawing after.
 import { describe, expect, it, test, vi } from "vitest";
+import { Status } from "../../../web/wasm/sfumato.mjs";
 import { TracePreviews, tracePhoto } from "../../../web/editor/src/engine/photo-trace.js";
 import type { PhotoPixels, TraceOptions, TraceRound } from "../../../web/editor/src/engine/types.js";
 import { sizeRead } from "../../../web/editor/src/files/photo.js";
@@ -77,6 +78,20 @@ describe.skipIf(!hasModule)("a photo in a worker", () => {
     previews.end();
     await vi.waitFor(() => expect(host.living).toBe(0));
   });
+});
+
+test("where memory is out, it is said for people", async () => {
+  const failure = { message: "the module has ended", reason: "the module has ended", code: Status.outOfMemory, line: 0, column: 0 };
+  const worker = {
+    onmessage: null as ((event: MessageEvent) => void) | null,
+    postMessage({ id, name }: { id: number; name: string }) {
+      const data = name === "start" ? { id, value: "0" } : { id, failure };
+      queueMicrotask(() => this.onmessage?.({ data } as MessageEvent));
+    },
+    terminate() {},
+  };
+  const host = { module: () => Promise.resolve({} as WebAssembly.Module), worker: () => worker as unknown as Worker };
+  await expect(tracePhoto(host, { photo: square(), options }, () => {}, never())).rejects.toThrow(/not enough memory/);
 });
 
 const choice: TraceChoice = { detail: 0.5, smooth: 0, stops: "normal", isSharp: false };
