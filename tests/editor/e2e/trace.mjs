@@ -55,7 +55,7 @@ async function testNew(editor) {
   await drop(page, [await picture(page, 96, 64)], dialog);
   await said(page, /Round \d of \d|Traced/, `${dialog} [role=status]`);
   await page.waitForFunction(() => document.querySelector("dialog.trace canvas")?.ariaLabel?.startsWith("The drawing"));
-  const words = await said(page, /Traced\d+(\.\d)? dB/, `${dialog} [role=status]`);
+  const words = await said(page, /Traced \d+(\.\d)? dB/, `${dialog} [role=status]`);
   check(Number(/[\d.]+/.exec(words)[0]) > 25, `a disc is traced at ${words}`);
   checkEqual(await page.locator(`${dialog} progress`).getAttribute("value"), "1", "the progress at the end");
   await press(page, "Open as new drawing");

@@ -3,7 +3,7 @@
 import { en } from "../strings/en.js";
 import { EngineError, Link } from "./rpc.js";
 import { moduleOf, workerOf, type Host } from "./seat.js";
-import type { PhotoPixels, TraceRound, TraceWish } from "./types.js";
+import type { PhotoPixels, RasterWish, TraceRound, TraceWish } from "./types.js";
 import { Status } from "../../../wasm/library.mjs";
 
 const words = en.engine;
@@ -53,6 +53,14 @@ export async function tracePhoto(
   }
 }
 
+export interface PreviewWish {
+  readonly text: string;
+  readonly width: number;
+  readonly height: number;
+  /** Another one follows: it is to be there soon. */
+  readonly isDraft: boolean;
+}
+
 /** Draws texts, the latest of those that are asked for while it works. */
 export class TracePreviews {
   #link: Promise<Link> | null = null;
@@ -63,11 +71,11 @@ export class TracePreviews {
   constructor(private readonly host: Host) {}
 
   /** @param show gets the pixels, unless another text was asked for before its turn came */
-  draw(text: string, width: number, height: number, show: (pixels: PhotoPixels) => void): void {
+  draw({ text, isDraft, width, height }: PreviewWish, show: (pixels: PhotoPixels) => void): void {
     this.#next = async () => {
       const link = await (this.#link ??= started(this.host));
       await link.call("read", text);
-      const wish = { width, height, viewport: null, background: null, depth: 8 };
+      const wish: RasterWish = { width, height, viewport: null, background: null, depth: 8, isDraft };
       const data = await link.call<Uint8ClampedArray<ArrayBuffer>>("raster", wish);
       if (!this.#isOver) show({ width, height, data });
     };

@@ -251,9 +251,10 @@ export class Session {
   }
 
   /** The pixels that the command draws. */
-  raster({ width, height, viewport, background, depth }: RasterWish): Uint8ClampedArray | Uint16Array {
+  raster({ width, height, viewport, background, depth, isDraft }: RasterWish): Uint8ClampedArray | Uint16Array {
     const options: Record<string, string | number> = { width, height };
     if (depth === 16) options["max-error"] = 0.25;
+    else if (isDraft) options["max-error"] = "off";
     if (viewport) {
       const [x0, y0, x1, y1] = viewport;
       options.viewport = [x0, y0, x1 - x0, y1 - y0].join(",");

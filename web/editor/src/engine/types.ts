@@ -64,6 +64,8 @@ export interface RasterWish {
   /** CSS colour, "none", or null for the document's. */
   readonly background: string | null;
   readonly depth: 8 | 16;
+  /** To look at for a while: the mesh is not refined where it misses. */
+  readonly isDraft?: boolean;
 }
 
 /** RGBA as ImageData has it. */

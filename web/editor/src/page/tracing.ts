@@ -3,7 +3,7 @@ import type { DrawingEditor } from "../app/editor.js";
 import type { TracedPhoto } from "../app/types.js";
 import { referenceAt } from "../canvas/photo.js";
 import { createWorker, getModule } from "../engine/host.js";
-import { TracePreviews, tracePhoto } from "../engine/photo-trace.js";
+import { TracePreviews, tracePhoto, type PreviewWish } from "../engine/photo-trace.js";
 import type { PhotoPixels, TraceOptions, TraceRound } from "../engine/types.js";
 import { bytesOfDataUri } from "../files/images.js";
 import { pickFile } from "../files/open.js";
@@ -77,8 +77,8 @@ export class PhotoTracing implements Tracing {
     return tracePhoto(host, { photo, options }, heard, signal);
   }
 
-  draw(text: string, width: number, height: number, show: (pixels: PhotoPixels) => void): void {
-    this.#previews.draw(text, width, height, show);
+  draw(wish: PreviewWish, show: (pixels: PhotoPixels) => void): void {
+    this.#previews.draw(wish, show);
   }
 
   async openAsNew(traced: Traced): Promise<void> {

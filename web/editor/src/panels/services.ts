@@ -4,6 +4,7 @@ import { useContext } from "preact/hooks";
 import type { ReadonlySignal } from "@preact/signals";
 import type { Editor, TracedPhoto } from "../app/types.js";
 import type { Box } from "../geometry/affine.js";
+import type { PreviewWish } from "../engine/photo-trace.js";
 import type { Hint, PhotoPixels, TraceOptions, TraceRound } from "../engine/types.js";
 import type { ExportWatch, ExportWish } from "../files/export.js";
 import type { Rgb } from "../geometry/color.js";
@@ -77,7 +78,7 @@ export interface Tracing {
     signal: AbortSignal,
   ): Promise<string>;
   /** Draws a drawing, the latest of several. */
-  draw(text: string, width: number, height: number, show: (pixels: PhotoPixels) => void): void;
+  draw(wish: PreviewWish, show: (pixels: PhotoPixels) => void): void;
   openAsNew(traced: Traced): Promise<void>;
   /** As a layer of the drawing, in one step of undo. */
   insert(traced: Traced): Promise<void>;

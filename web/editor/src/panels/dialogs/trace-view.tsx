@@ -51,7 +51,7 @@ function Progress({ run }: { readonly run: TraceRun }) {
     <div class="trace-state">
       <progress aria-label={words.progress} max={1} value={share} />
       <p role="status">
-        {stageText(stage, run)}
+        {`${stageText(stage, run)} `}
         {round && round.psnr > 0 && <b title={words.nearTip}>{words.near(decimal(round.psnr, 1))}</b>}
       </p>
       <p class="muted">{round && words.amounts(count(round.curves), count(round.controlPoints))}</p>

@@ -80,22 +80,22 @@ export class TraceRun {
     this.#stop = own;
     this.round.value = this.reason.value = null;
     this.stage.value = "running";
-    const heard = (round: TraceRound) => !own.signal.aborted && this.#hear(round, pixels);
+    const heard = (round: TraceRound) => !own.signal.aborted && this.#hear(round, pixels, true);
     try {
       const text = await this.tracing.run(pixels, optionsOf(choice), heard, own.signal);
       if (own.signal.aborted) return;
       const last = this.round.peek();
-      if (last) this.#hear({ ...last, text }, pixels);
+      if (last) this.#hear({ ...last, text }, pixels, false);
       this.stage.value = "done";
     } catch (error) {
       if (!own.signal.aborted) this.fail(error);
     }
   }
 
-  #hear(round: TraceRound, pixels: PhotoPixels): void {
+  #hear(round: TraceRound, pixels: PhotoPixels, isDraft: boolean): void {
     this.round.value = round;
-    const { width, height } = shownSize(pixels.width, pixels.height);
-    this.tracing.draw(round.text, width, height, (drawn) => {
+    const size = shownSize(pixels.width, pixels.height);
+    this.tracing.draw({ text: round.text, ...size, isDraft }, (drawn) => {
       // Of another photo or choice by now: a drawing that is shown stays until there is a newer one.
       if (this.pixels.value === pixels) this.preview.value = drawn;
     });
