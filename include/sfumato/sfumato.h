@@ -509,6 +509,16 @@ SFUMATO_API int32_t sfumato_trace(sfumato_context* context, const sfumato_image*
                                   const char* options, const sfumato_trace_watch* watch,
                                   sfumato_document** document);
 
+/** Makes a copy of a document whose curves have the colours of a picture that is laid over the
+ * artboard: those with which it looks most like it. Curves, places of stops, gradients and layers
+ * stay. SFUMATO_BAD_INPUT where no curve has colours.
+ *
+ * options: blur=on|off|fixed, where off leaves radii as they are, max-side, seed, as of
+ * sfumato_trace(). */
+SFUMATO_API int32_t sfumato_fit_colors(sfumato_context* context, const sfumato_document* drawing,
+                                       const sfumato_image* image, const char* options,
+                                       sfumato_document** document);
+
 /** @}
  * @name Fields
  * @{ */

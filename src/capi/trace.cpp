@@ -60,8 +60,8 @@ Status copy_rows(const Context& context, const sfumato_image& from, TableMemory&
   return status;
 }
 
-Outcome read_settings(const char* text, options::TraceSettings& settings) {
-  if (Outcome read = read_options(text, options::kTrace, options::trace_options(), settings);
+Outcome read_settings(const char* text, options::Call call, options::TraceSettings& settings) {
+  if (Outcome read = read_options(text, call, options::trace_options(), settings);
       read.code != SFUMATO_OK)
     return read;
   if (!settings.detail) return {};
@@ -70,23 +70,54 @@ Outcome read_settings(const char* text, options::TraceSettings& settings) {
   return {};
 }
 
-Outcome trace_image(sfumato_context* context, const sfumato_image* given, const char* text,
-                    const sfumato_trace_watch* watch, sfumato_document** out) {
+/// The caller's pixels, and what the options say.
+struct Wish {
+  TableMemory memory{"a picture to trace"};
+  Image image{};
+  options::TraceSettings settings{};
+};
+
+Outcome read_wish(const Context& context, const sfumato_image* given, const char* text,
+                  options::Call call, Wish& wish) {
   const std::optional<PixelFormat> format = format_of(given);
   if (!format) return bad_usage(kNoImage);
+  if (Outcome read = read_settings(text, call, wish.settings); read.code != SFUMATO_OK) return read;
+  wish.image = {.width = given->width, .height = given->height, .format = *format, .bytes = {}};
+  return copy_rows(context, *given, wish.memory, wish.image);
+}
+
+Outcome trace_image(sfumato_context* context, const sfumato_image* given, const char* text,
+                    const sfumato_trace_watch* watch, sfumato_document** out) {
   if (watch && !watch->reached) return bad_usage("a watch without a function");
-  options::TraceSettings settings;
-  if (Outcome read = read_settings(text, settings); read.code != SFUMATO_OK) return read;
   Context& work = context->workshop->context;
-  TableMemory memory("a picture to trace");
-  Image image{.width = given->width, .height = given->height, .format = *format, .bytes = {}};
-  Status status = copy_rows(work, *given, memory, image);
-  if (!status) return status;
+  Wish wish;
+  if (Outcome read = read_wish(work, given, text, options::kTrace, wish); read.code != SFUMATO_OK)
+    return read;
   std::optional<ForeignWatch> told;
-  if (watch) settings.trace.watch = &told.emplace(context, *watch);
-  Result<Document> drawing = trace(work, image, settings.trace);
+  if (watch) wish.settings.trace.watch = &told.emplace(context, *watch);
+  Result<Document> drawing = trace(work, wish.image, wish.settings.trace);
   if (!drawing) return drawing.status();
   return hand_out(context, std::move(*drawing), {}, out);
+}
+
+Outcome fit_image(sfumato_context* context, const sfumato_document* handle,
+                  const sfumato_image* given, const char* text, sfumato_document** out) {
+  if (!handle) return bad_usage("NULL given, expected a document");
+  Context& work = context->workshop->context;
+  Wish wish;
+  if (Outcome read = read_wish(work, given, text, options::kFitColors, wish);
+      read.code != SFUMATO_OK)
+    return read;
+  const TraceOptions& asked = wish.settings.trace;
+  const ColorFit fit{.blur = asked.blur, .max_side = asked.max_side, .seed = asked.seed};
+  Result<Document> drawing = fit_colors(work, handle->document, wish.image, fit);
+  if (!drawing) return drawing.status();
+  ScopedCharge charge;
+  Status status = charge.add(work, bytes_of(handle->origin), "a document");
+  if (!status) return status;
+  Origin origin = handle->origin;
+  charge = {};
+  return hand_out(context, std::move(*drawing), std::move(origin), out);
 }
 
 }  // namespace
@@ -96,5 +127,13 @@ int32_t sfumato_trace(sfumato_context* context, const sfumato_image* image, cons
                       const sfumato_trace_watch* watch, sfumato_document** document) {
   return sfumato::capi::make(context, document, [&](sfumato::capi::Workshop&) {
     return sfumato::capi::trace_image(context, image, options, watch, document);
+  });
+}
+
+int32_t sfumato_fit_colors(sfumato_context* context, const sfumato_document* drawing,
+                           const sfumato_image* image, const char* options,
+                           sfumato_document** document) {
+  return sfumato::capi::make(context, document, [&](sfumato::capi::Workshop&) {
+    return sfumato::capi::fit_image(context, drawing, image, options, document);
   });
 }

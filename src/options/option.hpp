@@ -70,7 +70,8 @@ enum Call : unsigned {
   kField = 64,
   kPayload = 128,
   kLint = 256,
-  kTrace = 512
+  kTrace = 512,
+  kFitColors = 1024
 };
 
 /// One option of the command and of the C interface: what both say about it, and which values it

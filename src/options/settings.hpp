@@ -85,7 +85,7 @@ struct LintSettings {
   bool verbose = false;  ///< with notes
 };
 
-/// Of a trace of a picture.
+/// Of a trace of a picture; of colours from one, what ColorFit has.
 struct TraceSettings {
   TraceOptions trace{};
   std::optional<double> detail{};  ///< 0 to 1, in the place of TraceOptions::points

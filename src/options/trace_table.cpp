@@ -1,7 +1,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 
 #include "options/tables.hpp"
 
@@ -14,6 +13,8 @@ namespace {
 constexpr double kFewestPoints = 250;
 constexpr double kPointsFactor = 64;
 constexpr std::uint64_t kLeastSide = 16;
+
+static_assert(TraceOptions::kMostSmooth == 32, "smooth says so");
 
 constexpr std::string_view kBlurs[] = {"on", "off", "fixed"};
 constexpr std::string_view kStops[] = {"few", "normal", "many"};
@@ -39,24 +40,24 @@ constexpr Option<TraceSettings> kTraceOptions[] = {
      [](TraceSettings& s, const Value& v) { s.trace.psnr_db = *v.number; }},
     {{.key = "smooth",
       .kind = ValueKind::number,
-      .numbers = {0, std::numeric_limits<double>::max(), false},
-      .expected = "a number of pixels, at least 0",
+      .numbers = {0, TraceOptions::kMostSmooth, false},
+      .expected = "a number of pixels from 0 to 32",
       .calls = kTrace},
      [](TraceSettings& s, const Value& v) { s.trace.smooth_px = *v.number; }},
     {{.key = "stops", .kind = ValueKind::word, .words = kStops, .calls = kTrace},
      [](TraceSettings& s, const Value& v) {
        s.trace.stops = std::array{TraceStops::few, TraceStops::normal, TraceStops::many}[v.word];
      }},
-    {{.key = "blur", .kind = ValueKind::word, .words = kBlurs, .calls = kTrace},
+    {{.key = "blur", .kind = ValueKind::word, .words = kBlurs, .calls = kTrace | kFitColors},
      [](TraceSettings& s, const Value& v) {
        s.trace.blur = std::array{TraceBlur::fitted, TraceBlur::sharp, TraceBlur::estimated}[v.word];
      }},
     {{.key = "max-side",
       .kind = ValueKind::whole,
       .wholes = {kLeastSide, limits::kImageSide},
-      .calls = kTrace},
+      .calls = kTrace | kFitColors},
      [](TraceSettings& s, const Value& v) { s.trace.max_side = static_cast<int>(v.whole); }},
-    {{.key = "seed", .kind = ValueKind::whole, .calls = kTrace},
+    {{.key = "seed", .kind = ValueKind::whole, .calls = kTrace | kFitColors},
      [](TraceSettings& s, const Value& v) { s.trace.seed = v.whole; }},
     {{.key = "edges-only", .kind = ValueKind::flag, .calls = kTrace},
      [](TraceSettings& s, const Value&) { s.trace.edges_only = true; }},

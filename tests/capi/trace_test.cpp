@@ -130,9 +130,9 @@ TEST_F(CTrace, ends_where_the_watch_cancels) {
 TEST_F(CTrace, with_wrong_arguments_is_bad_usage_that_names_them) {
   EXPECT_EQ(trace("pionts=5"), SFUMATO_BAD_USAGE);
   EXPECT_NE(std::string(sfumato_error_text(context.get())).find("points"), std::string::npos);
-  for (const char* wrong :
-       {"points=0", "detail=1.5", "detail=-1", "psnr=0", "smooth=-1", "stops=none", "blur=1",
-        "max-side=15", "max-curves=0", "seed=-1", "edges-only=yes", "points=300 detail=0.5"}) {
+  for (const char* wrong : {"points=0", "detail=1.5", "detail=-1", "psnr=0", "smooth=-1",
+                            "smooth=33", "stops=none", "blur=1", "max-side=15", "max-curves=0",
+                            "seed=-1", "edges-only=yes", "points=300 detail=0.5"}) {
     EXPECT_EQ(trace(wrong), SFUMATO_BAD_USAGE) << wrong;
   }
   const sfumato_trace_watch none{nullptr, nullptr};
@@ -143,6 +143,51 @@ TEST_F(CTrace, with_wrong_arguments_is_bad_usage_that_names_them) {
   EXPECT_EQ(sfumato_trace(context.get(), nullptr, "", nullptr, &out), SFUMATO_BAD_USAGE);
   image.row_bytes = 1;
   EXPECT_EQ(trace(""), SFUMATO_BAD_USAGE);
+}
+
+TEST_F(CTrace, gives_a_drawing_the_colors_of_a_picture) {
+  const DocumentHandle drawing = read_text(context.get(), R"(<svg
+      xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1" viewBox="0 0 8 8">
+      <g sf:diffuse="true"><path id="one" d="M-1 4 L9 4" sf:left="red" sf:right="red"/></g>
+    </svg>)");
+  for (std::size_t i = 0; i < pixels.size(); i += 4) {
+    const bool is_above = i < pixels.size() / 2;
+    pixels[i] = is_above ? 0 : 255;
+    pixels[i + 1] = is_above ? 204 : 255;
+    pixels[i + 2] = is_above ? 51 : 0;
+  }
+  const auto fit = [&](const char* options) {
+    sfumato_document* out = nullptr;
+    const std::int32_t code =
+        sfumato_fit_colors(context.get(), drawing.get(), &image, options, &out);
+    document.reset(out);
+    EXPECT_EQ(code == SFUMATO_OK, out != nullptr);
+    return code;
+  };
+  ASSERT_EQ(fit("blur=off"), SFUMATO_OK) << sfumato_error_text(context.get());
+  double left[4] = {}, right[4] = {};
+  sfumato_curve_stops(document.get(), 0, 0, SFUMATO_LEFT, SFUMATO_COLOR, nullptr, nullptr, left, 1);
+  sfumato_curve_stops(document.get(), 0, 0, SFUMATO_RIGHT, SFUMATO_COLOR, nullptr, nullptr, right,
+                      1);
+  EXPECT_NEAR(left[1], 0, 0.02);
+  EXPECT_NEAR(left[2], 0.8, 0.02);
+  EXPECT_NEAR(right[1], 1, 0.02);
+  EXPECT_NEAR(right[3], 0, 0.02);
+  EXPECT_STREQ(sfumato_curve_id(document.get(), 0, 0), "one");
+  std::size_t at = 0, at_before = 0;
+  sfumato_curve_source(document.get(), 0, 0, &at, nullptr);
+  sfumato_curve_source(drawing.get(), 0, 0, &at_before, nullptr);
+  EXPECT_EQ(at, at_before);
+  EXPECT_GT(at, 0U);
+  EXPECT_EQ(fit("points=5"), SFUMATO_BAD_USAGE);
+  image.width = 0;
+  EXPECT_EQ(fit(""), SFUMATO_BAD_USAGE);
+  sfumato_document* out = nullptr;
+  EXPECT_EQ(sfumato_fit_colors(context.get(), nullptr, &image, "", &out), SFUMATO_BAD_USAGE);
+  EXPECT_EQ(sfumato_document_new(context.get(), "artboard=0,0,8,8", &out), SFUMATO_OK);
+  const DocumentHandle empty(out);
+  image.width = kSide;
+  EXPECT_EQ(sfumato_fit_colors(context.get(), empty.get(), &image, "", &out), SFUMATO_BAD_INPUT);
 }
 
 TEST_F(CTrace, that_needs_more_than_there_is_is_a_limit) {

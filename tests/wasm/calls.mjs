@@ -206,6 +206,18 @@ async function testTraces(tap, sfumato) {
     refusal(Status.badUsage, () => lent.write());
     check(context.trace(photoOf(32), "points=300").curveCount(0) > 1, "a trace that nobody watches");
   });
+  await tap.test("a drawing takes the colours of a photo", () => {
+    const context = sfumato.context();
+    const document = twoHalves(context);
+    const photo = photoOf(32);
+    photo.data.forEach((_, i) => (photo.data[i] = i % 4 === 3 ? 255 : i < 2048 ? 51 : 204));
+    const fitted = context.fitColors(document, photo, { blur: "off" });
+    const colorOf = (side) => fitted.stops(0, 0, side, Attribute.color).rows[0].slice(1);
+    check(colorOf(Side.left).every((k) => Math.abs(k - 0.2) < 0.02), `above ${colorOf(Side.left)}`);
+    check(colorOf(Side.right).every((k) => Math.abs(k - 0.8) < 0.02), `below ${colorOf(Side.right)}`);
+    same(document.stops(0, 0, Side.left, Attribute.color).rows[0][1], 1, "the red of the original");
+    refusal(Status.badUsage, () => context.fitColors(document, photo, "detail=1"));
+  });
   await tap.test("a trace ends where its watch cancels or throws", () => {
     const context = sfumato.context();
     refusal(Status.cancelled, () => context.trace(photoOf(32), null, () => context.cancel()));

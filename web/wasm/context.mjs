@@ -145,6 +145,21 @@ export class SfumatoContext extends Handle {
     }
   }
 
+  /**
+   * A copy of a document whose curves have the colours of a picture over its artboard.
+   * @param {SfumatoDocument} document
+   * @param {{width: number, height: number, data: Uint8Array | Uint8ClampedArray}} image as of trace()
+   * @param {Options} options of sfumato_fit_colors
+   */
+  fitColors(document, image, options = null) {
+    return this.#withImage(image, (pixels) =>
+      this.#withOptions(options, (text) => {
+        const asked = [document.address, pixels, text];
+        return new SfumatoDocument(this, this.make("sfumato_fit_colors", ...asked));
+      }),
+    );
+  }
+
   /** A sfumato_trace_watch that tells this context's; 0 where there is none. */
   #withWatch(body) {
     if (!this.#onRound) return body(0);
