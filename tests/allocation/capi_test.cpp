@@ -178,7 +178,8 @@ void trace(Session& session, sfumato_context* c, Drawing& drawing) {
   }
   const sfumato_image image{pixels, 24, 8, 8, SFUMATO_RGB8};
   const sfumato_trace_watch watch{write_reached, c};
-  session.take(sfumato_trace(c, &image, "points=40", &watch, &drawing.document), &drawing.document);
+  session.take(sfumato_trace(c, &image, "points=40 edges-only", &watch, &drawing.document),
+               &drawing.document);
 }
 
 using Calls = void (*)(Session&, sfumato_context*, Drawing&);
