@@ -19,6 +19,9 @@ constexpr double kHopeless = 4;
 constexpr std::size_t kEndReach = 3;
 /// Handles longer than so many chords belong to a curve that runs wild.
 constexpr double kLongestHandle = 3;
+/// Runs are split where they miss by most, but from so many splits in one another on in their
+/// middle: a chain that is all corners would else lose one point at each.
+constexpr int kDeepest = 24;
 
 using Points = std::span<const Vec2>;
 
@@ -101,7 +104,7 @@ class Fitter {
   explicit Fitter(double tolerance) : tolerance_(tolerance) {}
 
   /// Appends pieces through a run of points without corners.
-  void add_run(Points points, EndDirections direction) {
+  void add_run(Points points, EndDirections direction, int depth = 0) {
     if (points.size() < 3) {
       const double handle = length(points.back() - points.front()) / 3;
       return append({points.front(), points.front() + handle * direction.first,
@@ -119,17 +122,18 @@ class Fitter {
       miss = largest_miss(cubic, points, parameter);
     }
     if (miss.distance <= tolerance_) return append(cubic);
-    split(points, direction, std::clamp<std::size_t>(miss.point, 1, points.size() - 2));
+    const std::size_t at = depth < kDeepest ? miss.point : points.size() / 2;
+    split(points, direction, std::clamp<std::size_t>(at, 1, points.size() - 2), depth + 1);
   }
 
   std::vector<Vec2> take() { return std::move(control_points_); }
 
  private:
-  void split(Points points, EndDirections direction, std::size_t at) {
+  void split(Points points, EndDirections direction, std::size_t at, int depth) {
     const std::size_t reach = std::min<std::size_t>({4, at, points.size() - 1 - at});
     const Vec2 along = unit(points[at + reach] - points[at - reach]);
-    add_run(points.first(at + 1), {direction.first, -1.0 * along});
-    add_run(points.subspan(at), {along, direction.last});
+    add_run(points.first(at + 1), {direction.first, -1.0 * along}, depth);
+    add_run(points.subspan(at), {along, direction.last}, depth);
   }
 
   void append(const Cubic& cubic) {

@@ -22,7 +22,7 @@ struct FitOptions {
 ///
 /// points    at least 2, not all the same
 /// Returns   3 n + 1 control points; the first and the last are points, and so are corners
-/// Cost      O(points · pieces) at worst
+/// Cost      O(points · log points + corners²)
 std::vector<Vec2> fit_curve(std::span<const Vec2> points, const FitOptions& options);
 
 }  // namespace sfumato::curves
