@@ -1,0 +1,116 @@
+// Whatever ends a trace early ends it cleanly: cancelled, or short of memory.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <set>
+
+#include "support/cancel_at.hpp"
+#include "support/flat_art.hpp"
+#include "support/poll_recorder.hpp"
+#include "support/sanitizers.hpp"
+#include "support/synthetic_photo.hpp"
+#include "trace/tracing.hpp"
+
+namespace sfumato {
+namespace {
+
+/// Tells the places in the code that look at the flag, and which polls were theirs.
+class PollPlaces : public PollWatch {
+ public:
+  bool wants_every_turn() const override { return true; }
+  void polled() override {
+    std::uint64_t& polls = places_[__builtin_return_address(0)];
+    ++polls_;
+    if (std::has_single_bit(++polls) && std::countr_zero(polls) % 4 == 0) chosen_.insert(polls_);
+  }
+
+  /// Of each place the first poll, the 16th, the 256th and so on, and some evenly spread.
+  std::set<std::uint64_t> chosen() const {
+    std::set<std::uint64_t> polls = chosen_;
+    constexpr std::uint64_t kSpread = 20;
+    for (std::uint64_t i = 1; i <= kSpread; ++i) polls.insert(1 + (polls_ - 1) * i / kSpread);
+    return polls;
+  }
+
+ private:
+  std::map<const void*, std::uint64_t> places_;
+  std::set<std::uint64_t> chosen_;
+  std::uint64_t polls_ = 0;
+};
+
+TEST(TraceLimits, each_poll_can_cancel) {
+  Context plain;
+  const Result<Image> picture = test::flat_picture(plain, "gear", false, 0.15);
+  ASSERT_TRUE(picture.ok());
+  Context context;
+  PollPlaces places;
+  context.poll_watch = &places;
+  ASSERT_TRUE(trace(context, *picture, {.points = 100}).ok());
+  const std::set<std::uint64_t> chosen = places.chosen();
+  EXPECT_GT(chosen.size(), 20u);
+  for (const std::uint64_t poll : chosen) {
+    Context cancelled;
+    CancelFlag& flag = cancelled.cancel;
+    test::CancelAt watch(poll, flag);
+    cancelled.poll_watch = &watch;
+    EXPECT_EQ(trace(cancelled, *picture, {.points = 100}).status().code, StatusCode::cancelled)
+        << "poll " << poll;
+    EXPECT_EQ(cancelled.budget.used(), 0u) << "poll " << poll;
+  }
+}
+
+#if SFUMATO_HAS_SANITIZER || !defined(NDEBUG)
+constexpr double kSlowdown = 20;  // sanitizers, and builds that are not optimised
+#else
+constexpr double kSlowdown = 1;
+#endif
+
+TEST(TraceLimits, it_looks_at_the_flag_within_50_ms) {
+  const Image photo = test::synthetic_photo(640);
+  Context context;
+  test::PollRecorder recorder;
+  context.poll_watch = &recorder;
+  recorder.start();
+  ASSERT_TRUE(trace(context, photo).ok());
+  recorder.stop();
+  EXPECT_LT(recorder.longest_seconds(), 0.05 * kSlowdown);
+}
+
+TEST(TraceLimits, little_memory_is_a_limit_or_enough) {
+  const Image photo = test::synthetic_photo(160);
+  bool was_refused = false, was_enough = false;
+  for (std::size_t mebibytes = 1; mebibytes <= 256; mebibytes *= 2) {
+    Context context{.budget = Budget(mebibytes << 20)};
+    const StatusCode code = trace(context, photo).status().code;
+    EXPECT_TRUE(code == StatusCode::ok || code == StatusCode::limit) << mebibytes;
+    EXPECT_FALSE(was_enough && code != StatusCode::ok) << mebibytes;
+    (code == StatusCode::ok ? was_enough : was_refused) = true;
+    EXPECT_EQ(context.budget.used(), 0u) << mebibytes;
+  }
+  EXPECT_TRUE(was_refused);
+  EXPECT_TRUE(was_enough);
+}
+
+TEST(TraceLimits, a_time_that_has_passed_is_a_limit) {
+  Context context;
+  context.deadline = Deadline::in(-1);
+  const Status status = trace(context, test::synthetic_photo(120)).status();
+  EXPECT_EQ(status.code, StatusCode::limit);
+  EXPECT_EQ(status.limit, "time");
+}
+
+TEST(TraceLimits, few_curves_are_allowed_few_are_made) {
+  Context context;
+  context.limits.curves = 5;
+  const Result<Document> drawing = trace(context, test::synthetic_photo(120));
+  ASSERT_TRUE(drawing.ok()) << to_string(drawing.status());
+  EXPECT_LE(test::curve_count(*drawing), 5u);
+  EXPECT_TRUE(validate(context, *drawing).ok());
+}
+
+}  // namespace
+}  // namespace sfumato

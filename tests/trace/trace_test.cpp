@@ -1,0 +1,245 @@
+// trace(): drawings that look like their pictures, and what options ask of them.
+#include "sfumato/trace/trace.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "sfumato/lint/lint.hpp"
+#include "support/flat_art.hpp"
+#include "support/found_curves.hpp"
+#include "support/synthetic_photo.hpp"
+#include "trace/tracing.hpp"
+
+namespace sfumato {
+namespace {
+
+Image flat(const std::string& name, bool has_background = true, double scale = 1) {
+  Context context;
+  const Result<Image> image = test::flat_picture(context, name, has_background, scale);
+  EXPECT_TRUE(image.ok()) << to_string(image.status());
+  return image.ok() ? *image : Image{};
+}
+
+TEST(Trace, draws_a_photo_and_predicts_how_well) {
+  const Image photo = test::synthetic_photo(240);
+  TraceStats stats;
+  const Document drawing = test::trace_of(photo, {.points = 1000}, &stats);
+  const double rendered = test::rendered_psnr_db(drawing, photo);
+  RecordProperty("psnr", std::to_string(rendered));
+  EXPECT_GE(rendered, 34);
+  ASSERT_FALSE(stats.rounds.empty());
+  EXPECT_NEAR(stats.rounds.back().psnr_db, rendered, 0.15);
+  EXPECT_NEAR(stats.noise, 2 / 255.0, 1 / 255.0);
+  EXPECT_EQ(stats.scale, 1);
+}
+
+TEST(Trace, says_what_the_drawing_has) {
+  TraceStats stats;
+  const Document drawing = test::trace_of(test::synthetic_photo(120), {}, &stats);
+  const TraceState& end = stats.rounds.back();
+  EXPECT_EQ(end.curves, test::curve_count(drawing));
+  EXPECT_EQ(end.control_points, test::point_count(drawing));
+  std::size_t stops = 0;
+  for (const Curve& curve : drawing.layers[0].curves) {
+    stops += curve.left.color.stops.stops.size() + curve.right.color.stops.stops.size();
+  }
+  EXPECT_EQ(end.stops, stops);
+  for (std::size_t i = 1; i < stats.rounds.size(); ++i) {
+    EXPECT_GE(stats.rounds[i].round, stats.rounds[i - 1].round);
+    EXPECT_GE(stats.rounds[i].seconds, stats.rounds[i - 1].seconds);
+    EXPECT_LT(stats.rounds[i].round, stats.rounds[i].round_count);
+  }
+}
+
+TEST(Trace, finds_the_curves_of_a_drawing_again) {
+  const Document truth = test::evening();
+  const Image picture = test::picture_of(truth, 512);
+  const Document drawing = test::trace_of(picture, {.points = 870});
+  EXPECT_GE(test::rendered_psnr_db(drawing, picture), 34.5);
+  const test::FoundCurves found = test::find_curves(truth, drawing, test::planes_of(picture));
+  EXPECT_GE(found.found_share, 0.85);
+  Context context;
+  const auto hints = lint(context, drawing);
+  ASSERT_TRUE(hints.ok()) << to_string(hints.status());
+  std::string text;
+  std::size_t count = 0;
+  for (const Hint& hint : *hints) {
+    if (is_note(hint.kind)) continue;
+    ++count;
+    text += std::string(hint_name(hint.kind)) + ": " + hint.message + '\n';
+  }
+  EXPECT_LE(count, 0u) << text;
+}
+
+/// What a trace of flat art reaches at least.
+struct FlatCase {
+  const char* name;
+  double psnr_db;
+  double found_share;
+  double true_share;
+};
+
+class FlatTrace : public testing::TestWithParam<FlatCase> {};
+
+TEST_P(FlatTrace, looks_like_it_with_its_curves) {
+  const FlatCase& least = GetParam();
+  const Image picture = flat(least.name);
+  Context context;
+  const Result<Document> truth = test::flat_art(context, least.name);
+  ASSERT_TRUE(truth.ok());
+  const Document drawing = test::trace_of(picture);
+  const test::FoundCurves found = test::find_curves(*truth, drawing, test::planes_of(picture));
+  const double rendered = test::rendered_psnr_db(drawing, picture);
+  EXPECT_GE(rendered, least.psnr_db);
+  EXPECT_GE(found.found_share, least.found_share);
+  EXPECT_GE(found.true_share, least.true_share);
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, FlatTrace,
+                         testing::Values(FlatCase{"gear", 34.2, 0.95, 0.95},
+                                         FlatCase{"map", 37.9, 0.95, 0.73},
+                                         FlatCase{"flag", 33.3, 0.95, 0.74},
+                                         FlatCase{"logo", 32.4, 0.95, 0.86},
+                                         FlatCase{"checker", 32.9, 0.95, 0.52}),
+                         [](const auto& instance) { return std::string(instance.param.name); });
+
+TEST(Trace, gives_a_transparent_picture_opacity) {
+  const Image picture = flat("gear", false);
+  const Document drawing = test::trace_of(picture);
+  EXPECT_GE(test::rendered_psnr_db(drawing, picture, {1, 1, 1}), 30);
+  EXPECT_GE(test::rendered_psnr_db(drawing, picture, {0, 0, 0}), 30);
+  const Document solid = test::trace_of(picture, {.has_opacity = false});
+  EXPECT_GE(test::rendered_psnr_db(solid, picture, {1, 1, 1}), 30);
+  EXPECT_LT(test::rendered_psnr_db(solid, picture, {0, 0, 0}), 15);
+}
+
+TEST(Trace, loses_little_where_it_leaves_stops_out) {
+  const Image photo = test::synthetic_photo(160);
+  std::vector<double> psnr;
+  std::vector<std::size_t> stops;
+  for (const TraceStops amount : {TraceStops::many, TraceStops::normal, TraceStops::few}) {
+    TraceStats stats;
+    psnr.push_back(test::rendered_psnr_db(test::trace_of(photo, {.stops = amount}, &stats), photo));
+    stops.push_back(stats.rounds.back().stops);
+  }
+  EXPECT_LT(static_cast<double>(stops[1]), 0.75 * static_cast<double>(stops[0]));
+  EXPECT_LT(static_cast<double>(stops[2]), 0.5 * static_cast<double>(stops[0]));
+  EXPECT_GE(psnr[1], psnr[0] - 0.3);
+}
+
+TEST(Trace, ends_once_it_has_reached_the_psnr) {
+  const Image photo = test::synthetic_photo(120);
+  TraceStats all, some;
+  test::trace_of(photo, {}, &all);
+  test::trace_of(photo, {.psnr_db = all.rounds[0].psnr_db + 0.01}, &some);
+  EXPECT_LT(some.rounds.size(), all.rounds.size());
+  EXPECT_GE(some.rounds.back().psnr_db, all.rounds[0].psnr_db - 0.5);
+}
+
+TEST(Trace, has_at_most_the_points_and_curves_that_are_asked_for) {
+  const Image photo = test::synthetic_photo(120);
+  constexpr std::size_t kFrame = 13;
+  for (const int points : {1, 13, 40, 100, 400}) {
+    const Document drawing = test::trace_of(photo, {.points = points});
+    EXPECT_LE(test::point_count(drawing), std::max<std::size_t>(points, kFrame));
+  }
+  for (const int curves : {1, 2, 7}) {
+    EXPECT_LE(test::curve_count(test::trace_of(photo, {.max_curves = curves})), curves);
+  }
+}
+
+TEST(Trace, ends_after_the_edges_for_a_draft) {
+  const Image photo = test::synthetic_photo(120);
+  TraceStats draft, whole;
+  test::trace_of(photo, {.edges_only = true}, &draft);
+  test::trace_of(photo, {}, &whole);
+  EXPECT_EQ(draft.rounds.back().round, 0);
+  EXPECT_EQ(draft.rounds.back().round_count, 1);
+  EXPECT_GT(draft.rounds.back().curves, 1u);
+  EXPECT_LT(draft.rounds.back().curves, whole.rounds.back().curves);
+  EXPECT_EQ(draft.rounds.front().control_points, whole.rounds.front().control_points);
+}
+
+double largest_radius(const Document& drawing) {
+  double most = 0;
+  for (const Curve& curve : drawing.layers[0].curves) {
+    for (const Side* side : {&curve.left, &curve.right}) {
+      for (const auto& stop : side->blur_radius.stops) most = std::max(most, double{stop.value});
+    }
+  }
+  return most;
+}
+
+TEST(Trace, has_blur_but_where_it_is_to_be_sharp) {
+  const Image photo = test::synthetic_photo(160);
+  EXPECT_EQ(largest_radius(test::trace_of(photo, {.blur = TraceBlur::sharp})), 0);
+  const Document estimated = test::trace_of(photo, {.blur = TraceBlur::estimated});
+  const Document fitted = test::trace_of(photo, {.blur = TraceBlur::fitted});
+  EXPECT_GT(largest_radius(estimated), 2);
+  EXPECT_GT(largest_radius(fitted), 2);
+  EXPECT_GT(test::rendered_psnr_db(fitted, photo), test::rendered_psnr_db(estimated, photo) - 0.1);
+}
+
+TEST(Trace, looks_at_a_large_picture_scaled_down) {
+  Image wide{1500, 20, PixelFormat::rgb8, {}};
+  for (int y = 0; y < 20; ++y) {
+    for (int x = 0; x < 1500; ++x) {
+      const auto value = static_cast<std::uint8_t>(x < 700 ? 40 : 200);
+      wide.bytes.insert(wide.bytes.end(), {value, value, 90});
+    }
+  }
+  TraceStats stats;
+  const Document drawing = test::trace_of(wide, {}, &stats);
+  EXPECT_NEAR(stats.scale, 1024.0 / 1500, 1e-3);
+  EXPECT_GE(test::rendered_psnr_db(drawing, wide), 35);
+  test::trace_of(wide, {.max_side = 2000}, &stats);
+  EXPECT_EQ(stats.scale, 1);
+}
+
+TEST(Trace, takes_fine_texture_for_none_where_it_is_to_smooth) {
+  Image stripes{120, 90, PixelFormat::rgb8, {}};
+  for (int y = 0; y < 90; ++y) {
+    for (int x = 0; x < 120; ++x) {
+      const auto value =
+          static_cast<std::uint8_t>((x < 60 ? 80 : 170) + (x / 3 % 2 == 0 ? 15 : -15));
+      stripes.bytes.insert(stripes.bytes.end(), 3, value);
+    }
+  }
+  TraceStats fine, smooth;
+  test::trace_of(stripes, {.edges_only = true}, &fine);
+  test::trace_of(stripes, {.smooth_px = 6, .edges_only = true}, &smooth);
+  EXPECT_GT(fine.rounds.back().curves, smooth.rounds.back().curves + 5);
+  EXPECT_GE(smooth.rounds.back().curves, 2u);
+}
+
+/// Counts what it is told.
+class CountingWatch : public TraceWatch {
+ public:
+  void reached(const TraceState& state, const Document& drawing) override {
+    states.push_back(state);
+    Context context;
+    EXPECT_TRUE(validate(context, drawing).ok());
+    EXPECT_EQ(test::curve_count(drawing), state.curves);
+    EXPECT_EQ(test::point_count(drawing), state.control_points);
+  }
+  std::vector<TraceState> states;
+};
+
+TEST(Trace, tells_its_watch_of_edges_and_of_each_round) {
+  CountingWatch watch;
+  TraceStats stats;
+  test::trace_of(test::synthetic_photo(120), {.watch = &watch}, &stats);
+  ASSERT_EQ(watch.states.size(), stats.rounds.size() + 1);
+  EXPECT_EQ(watch.states[0].psnr_db, 0);
+  for (std::size_t i = 0; i < stats.rounds.size(); ++i) {
+    EXPECT_EQ(watch.states[i + 1].round, stats.rounds[i].round);
+    EXPECT_EQ(watch.states[i + 1].psnr_db, stats.rounds[i].psnr_db);
+  }
+}
+
+}  // namespace
+}  // namespace sfumato
