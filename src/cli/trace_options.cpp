@@ -1,9 +1,7 @@
 #include "cli/trace_options.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,7 +16,7 @@ constexpr const char* kTraceFooter =
     "Examples:\n"
     "  sfumato trace photo.jpg -o drawing.svg\n"
     "  sfumato trace photo.jpg -o drawing.svgz --points 5000\n"
-    "  sfumato trace painting.png -o painting.svg --psnr 32 --texture\n"
+    "  sfumato trace painting.png -o painting.svg --psnr 32 --smooth 2\n"
     "  sfumato trace *.jpg --out-dir drawings --detail 0.3\n"
     "  sfumato trace photo.jpg -o recoloured.svg --colors-only drawing.svg";
 
@@ -77,9 +75,8 @@ void add_files(CLI::App& app, TraceArguments& arguments, TraceChoices& choices) 
 }
 
 /// What says how curves are made, and has no place with --colors-only.
-constexpr const char* kOfCurves[] = {"--points",     "--detail",   "--max-curves",
-                                     "--psnr",       "--smooth",   "--stops",
-                                     "--edges-only", "--no-alpha", "--texture"};
+constexpr const char* kOfCurves[] = {"--points", "--detail", "--max-curves", "--psnr",
+                                     "--smooth", "--stops",  "--edges-only", "--no-alpha"};
 
 /// The options of kOfCurves.
 void add_amounts(CLI::App& app, TraceOptions& options, TraceChoices& choices) {
@@ -98,9 +95,9 @@ void add_amounts(CLI::App& app, TraceOptions& options, TraceChoices& choices) {
             "End as soon as the drawing is as near as this", [&options](const std::string& text) {
               return into(options.psnr_db, options::parse_positive)(text);
             });
-  add_value(app, "--smooth", {"a number of pixels, at least 0", "PIXELS"},
+  add_value(app, "--smooth", {"a number of pixels from 0 to 32", "PIXELS"},
             "What is finer is texture, which no curve follows [0]",
-            number_into(options.smooth_px, 0, std::numeric_limits<double>::max()));
+            number_into(options.smooth_px, 0, TraceOptions::kMostSmooth));
   add_words<TraceStops>(
       app, "--stops",
       {{"few", TraceStops::few}, {"normal", TraceStops::normal}, {"many", TraceStops::many}},
@@ -109,7 +106,6 @@ void add_amounts(CLI::App& app, TraceOptions& options, TraceChoices& choices) {
   app.add_flag_callback(
       "--no-alpha", [&options] { options.has_opacity = false; },
       "Transparent pictures as on white; else they become\ndrawings with opacity");
-  app.add_flag("--texture", options.has_texture, "What the curves leave over becomes a texture");
 }
 
 void add_looks(CLI::App& app, TraceOptions& options) {
@@ -148,10 +144,6 @@ void add_running_options(CLI::App& app, TraceArguments& arguments) {
 
 }  // namespace
 
-int points_of_detail(double detail) {
-  return static_cast<int>(std::lround(250 * std::pow(64.0, detail)));
-}
-
 CLI::App* add_trace(CLI::App& root, TraceArguments& arguments, TraceChoices& choices) {
   CLI::App* app = root.add_subcommand("trace", "Make a drawing of a photo or a painting");
   app->footer(kTraceFooter);
@@ -181,7 +173,7 @@ void settle(const CLI::App& app, TraceArguments& arguments, const TraceChoices& 
     expect(!is_read_twice, "--colors-only", "stdin can be read only once");
   }
   settle_jobs(choices, "svg", kTraceWords, drawings, arguments, arguments.outputs);
-  if (choices.detail) arguments.options.points = points_of_detail(*choices.detail);
+  if (choices.detail) arguments.options.points = options::points_of_detail(*choices.detail);
   // How long there is for further rounds; deadline_of() is for what must end.
   arguments.options.max_seconds = arguments.resources.seconds.value_or(0);
 }

@@ -12,9 +12,6 @@ struct TraceChoices : JobChoices {
   std::optional<double> detail;
 };
 
-/// Control points for a detail from 0 to 1: 250 for 0, 2,000 for 1/2, 16,000 for 1.
-int points_of_detail(double detail);
-
 CLI::App* add_trace(CLI::App& root, TraceArguments& arguments, TraceChoices& choices);
 
 /// Applies the choices; throws CLI::ValidationError if options conflict. app: what add_trace()

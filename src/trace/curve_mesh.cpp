@@ -4,10 +4,10 @@
 #include <utility>
 
 #include "curves/flatten.hpp"
-#include "curves/front_share.hpp"
 #include "mesh/mesher.hpp"
 #include "sfumato/document/stop_place.hpp"
 #include "trace/drawing.hpp"
+#include "trace/row_slopes.hpp"
 
 namespace sfumato::tracing {
 namespace {
@@ -21,20 +21,6 @@ constexpr double kNominalSide = 1024;
 
 using gather::RowSource;
 using gather::RowTerm;
-
-/// dβ/dR of eq. 8.
-double share_slope(double distance, double radius) {
-  if (!(radius > distance)) return 0;
-  const double x = 0.5 + 0.5 * distance / radius;
-  return curves::smoothstep_slope(x) * (-0.5 * distance / (radius * radius));
-}
-
-double value_on(const gather::RowSide& side, double moment, std::span<const FourFloats> x,
-                std::size_t channel) {
-  const double next = side.from + moment * (double{side.to} - side.from);
-  const double from = x[side.column][channel];
-  return next > 0 ? from + next * (x[side.column + 1][channel] - from) : from;
-}
 
 }  // namespace
 
@@ -108,8 +94,8 @@ Result<SparseMatrix> radius_rows(Context& context, const PixelRows& seen,
           const RowSource& source = rows.source[term.source];
           const double radius = curves[source.curve].radius;
           if (!(radius > term.distance) || !source.back.has_value) continue;
-          const double jump = value_on(source.front, term.moment, x, channel) -
-                              value_on(source.back, term.moment, x, channel);
+          const double jump = double{value_of(source.front, term.moment, x)[channel]} -
+                              value_of(source.back, term.moment, x)[channel];
           const double slope = term.lean * share_slope(term.distance, radius);
           sum.add(source.curve, static_cast<float>(share * term.weight * slope * jump));
         }

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <span>
 
+#include "curves/front_share.hpp"
 #include "gather/rows.hpp"
 #include "trace/sparse.hpp"
 
@@ -12,7 +13,7 @@ namespace sfumato::tracing {
 inline double share_slope(double distance, double radius) {
   if (!(radius > distance)) return 0;
   const double x = 0.5 + 0.5 * distance / radius;
-  return 6 * x * (1 - x) * (-0.5 * distance / (radius * radius));
+  return curves::smoothstep_slope(x) * (-0.5 * distance / (radius * radius));
 }
 
 /// What a side gives at a place on its edge, from the values of all stops. Precondition: it has

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "trace/blur_estimate.hpp"
@@ -75,6 +76,7 @@ Result<Document> Tracer::run() {
   if (status) status = finish();
   if (!status) return status;
   note(stats_.rounds.back().round);
+  measure_curves();
   return drawing();
 }
 
@@ -192,6 +194,26 @@ std::size_t Tracer::curve_limit() const {
   const std::size_t most = context_.limits.curves;
   return options_.max_curves > 0 ? std::min(most, static_cast<std::size_t>(options_.max_curves))
                                  : most;
+}
+
+void Tracer::measure_curves() {
+  std::vector<double> lengths, benefits;
+  double left = 0;
+  for (const TracedCurve& curve : curves_) {
+    if (curve.is_frame) continue;
+    lengths.push_back(length_of(curve) / picture_->scale);
+    benefits.push_back(curve.benefit);
+    left += 0.9 * curve.benefit;
+  }
+  if (lengths.empty()) return;
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  stats_.median_length_px = *middle;
+  std::ranges::sort(benefits, std::greater());
+  for (std::size_t i = 0; i < benefits.size() && left > 0; ++i) {
+    left -= benefits[i];
+    stats_.curves_of_nine_tenths = i + 1;
+  }
 }
 
 Document Tracer::drawing() const {

@@ -40,6 +40,7 @@ class Tracer {
   bool goes_on() const;
   TraceState state(int round) const;
   void note(int round);
+  void measure_curves();
   std::size_t point_count() const;
   std::size_t curve_limit() const;
   Document drawing() const;

@@ -212,17 +212,16 @@ TEST(Trace, writes_svgz) {
 TEST(Trace, takes_all_its_options) {
   const TemporaryFolder folder;
   const std::vector<std::vector<std::string>> options{
-      {"--points", "60"},      {"--detail", "0"},
-      {"--max-curves", "5"},   {"--psnr", "20"},
-      {"--blur", "on"},        {"--blur", "off"},
-      {"--blur", "fixed"},     {"--smooth", "1.5"},
-      {"--smooth", "0"},       {"--stops", "few"},
-      {"--stops", "normal"},   {"--stops", "many"},
-      {"--max-side", "32"},    {"--seed", "18446744073709551615"},
-      {"--threads", "1"},      {"--max-time", "30"},
-      {"--max-time", "off"},   {"--edges-only"},
-      {"--no-alpha"},          {"--texture"},
-      {"--limit", "texels=2k"}};
+      {"--points", "60"},    {"--detail", "0"},
+      {"--max-curves", "5"}, {"--psnr", "20"},
+      {"--blur", "on"},      {"--blur", "off"},
+      {"--blur", "fixed"},   {"--smooth", "1.5"},
+      {"--smooth", "0"},     {"--stops", "few"},
+      {"--stops", "normal"}, {"--stops", "many"},
+      {"--max-side", "32"},  {"--seed", "18446744073709551615"},
+      {"--threads", "1"},    {"--max-time", "30"},
+      {"--max-time", "off"}, {"--edges-only"},
+      {"--no-alpha"},        {"--limit", "texels=2k"}};
   for (const std::vector<std::string>& option : options) {
     const CommandResult result = trace(folder, disc_png(), option);
     EXPECT_EQ(result.exit_code, 0) << option.front() << ": " << result.err;
@@ -245,7 +244,7 @@ TEST(Trace, wrong_options_are_told_and_nothing_is_done) {
       {{"--psnr", "0"}, "expected decibels above 0"},
       {{"--psnr", "inf"}, "expected decibels above 0"},
       {{"--blur", "maybe"}, "expected one of on|off|fixed"},
-      {{"--smooth", "-1"}, "expected a number of pixels, at least 0"},
+      {{"--smooth", "-1"}, "expected a number of pixels from 0 to 32"},
       {{"--stops", "most"}, "expected one of few|normal|many"},
       {{"--max-side", "4"}, "expected a whole number of pixels from 16 to 16384"},
       {{"--seed", "-1"}, "expected a whole number"},
@@ -253,7 +252,6 @@ TEST(Trace, wrong_options_are_told_and_nothing_is_done) {
       {{"--max-time", "0"}, "--max-time"},
       {{"--format", "svg"}, "no option of trace"},
       {{"--colors-only", "a.svg", "--points", "9"}, "--points: has no place with --colors-only"},
-      {{"--colors-only", "a.svg", "--texture"}, "--texture: has no place with --colors-only"},
       {{"--colors-only", "a.svg", "--no-alpha"}, "--no-alpha: has no place with --colors-only"},
   };
   for (const BadUsage& bad : cases) {

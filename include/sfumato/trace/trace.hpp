@@ -70,7 +70,6 @@ struct TraceOptions {
   std::uint64_t seed = 0;   ///< of the choice of pixels that colours are fitted to
   bool edges_only = false;  ///< ends after round 0: a draft
   bool has_opacity = true;  ///< transparent pictures become drawings with opacity; else as on white
-  bool has_texture = false;     ///< what remains after the curves becomes an image-domain shader
   TraceWatch* watch = nullptr;  ///< null: nobody is told
 };
 

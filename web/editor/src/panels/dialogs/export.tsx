@@ -9,6 +9,7 @@ import { Segments } from "../controls/segments.js";
 import type { Sink } from "../controls/sink.js";
 import { bytes, decimal } from "../format.js";
 import { useShell } from "../services.js";
+import { Check } from "./check.js";
 import { sizeAt, viewportOf, type Area, type Size } from "./area.js";
 import { Preview, useEstimate, useWork } from "./exporting.js";
 import { Frame } from "./frame.js";
@@ -126,27 +127,6 @@ function SizeRow({
         />
       </div>
     </div>
-  );
-}
-
-function Check(props: {
-  readonly checked: boolean;
-  readonly label: string;
-  readonly note?: string;
-  readonly onChange: (to: boolean) => void;
-}) {
-  return (
-    <label class="check">
-      <input
-        type="checkbox"
-        checked={props.checked}
-        onChange={(event) => props.onChange(event.currentTarget.checked)}
-      />
-      <span>
-        {props.label}
-        {props.note && <small>{props.note}</small>}
-      </span>
-    </label>
   );
 }
 

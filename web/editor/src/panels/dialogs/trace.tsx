@@ -8,6 +8,7 @@ import { setting } from "../controls/sink.js";
 import { Slider } from "../controls/slider.js";
 import { decimal } from "../format.js";
 import { useShell } from "../services.js";
+import { Check } from "./check.js";
 import { Frame } from "./frame.js";
 import { TraceStageView } from "./trace-view.js";
 import { pointsOf, TraceRun, type TraceChoice } from "./tracing.js";
@@ -71,27 +72,6 @@ function Ranges({ choice, change }: FormProps) {
         />
       </div>
     </>
-  );
-}
-
-function Check(props: {
-  readonly checked: boolean;
-  readonly label: string;
-  readonly note: string;
-  readonly onChange: (to: boolean) => void;
-}) {
-  return (
-    <label class="check">
-      <input
-        type="checkbox"
-        checked={props.checked}
-        onChange={(event) => props.onChange(event.currentTarget.checked)}
-      />
-      <span>
-        {props.label}
-        <small>{props.note}</small>
-      </span>
-    </label>
   );
 }
 
