@@ -12,9 +12,8 @@
 namespace sfumato::tracing {
 namespace {
 
-/// Added to the diagonal of the equations of radii, in shares of it and in all.
+/// Added to the diagonal of the equations of radii, in shares of it.
 constexpr float kDamping = 0.3f;
-constexpr float kPull = 1e-3f;
 /// Pixels: the least and the largest radius that a step leads to, and the most that it changes one
 /// whose half is less.
 constexpr float kLeastRadius = 0.4f;
