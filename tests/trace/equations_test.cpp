@@ -44,8 +44,7 @@ Value take(Result<Value> result) {
   return std::move(*result);
 }
 
-SparseMatrix sparse_of(const Dense& dense) {
-  Context context;
+SparseMatrix sparse_of(Context& context, const Dense& dense) {
   return take(build_rows(context, dense.rows, static_cast<std::uint32_t>(dense.columns),
                          [&](std::size_t i, RowSummer& sum) {
                            for (std::size_t j = dense.columns; j-- > 0;) {
@@ -76,8 +75,9 @@ void expect_equal(const SparseMatrix& matrix, const Dense& dense) {
 
 TEST(Sparse, lists_the_entries_of_rows) {
   const Dense dense = random_dense(300, 130, 1);
-  expect_equal(sparse_of(dense), dense);
-  expect_equal(sparse_of(zeros(5, 3)), zeros(5, 3));
+  Context context;
+  expect_equal(sparse_of(context, dense), dense);
+  expect_equal(sparse_of(context, zeros(5, 3)), zeros(5, 3));
 }
 
 TEST(Sparse, transposes) {
@@ -87,7 +87,7 @@ TEST(Sparse, transposes) {
     for (std::size_t j = 0; j < 130; ++j) expected.at(j, i) = dense.at(i, j);
   }
   Context context;
-  expect_equal(take(transposed(context, sparse_of(dense))), expected);
+  expect_equal(take(transposed(context, sparse_of(context, dense))), expected);
 }
 
 TEST(Sparse, multiplies_and_adds) {
@@ -99,11 +99,11 @@ TEST(Sparse, multiplies_and_adds) {
     }
   }
   Context context;
-  expect_equal(take(product(context, sparse_of(a), sparse_of(b))), expected);
+  expect_equal(take(product(context, sparse_of(context, a), sparse_of(context, b))), expected);
   const Dense c = random_dense(200, 70, 5);
   Dense sum = a;
   for (std::size_t i = 0; i < sum.value.size(); ++i) sum.value[i] += c.value[i];
-  expect_equal(take(sum_of(context, sparse_of(a), sparse_of(c))), sum);
+  expect_equal(take(sum_of(context, sparse_of(context, a), sparse_of(context, c))), sum);
 }
 
 TEST(Sparse, makes_the_normal_matrix_with_weights_and_without) {
@@ -111,8 +111,8 @@ TEST(Sparse, makes_the_normal_matrix_with_weights_and_without) {
   std::vector<float> weights;
   std::mt19937 random(7);
   for (int i = 0; i < 400; ++i) weights.push_back(static_cast<float>(random() % 100) / 50);
-  const SparseMatrix matrix = sparse_of(a);
   Context context;
+  const SparseMatrix matrix = sparse_of(context, a);
   const SparseMatrix transpose = take(transposed(context, matrix));
   for (const bool has_weights : {false, true}) {
     Dense expected = zeros(90, 90);
@@ -136,7 +136,7 @@ TEST(Sparse, multiplies_four_channels_side_by_side) {
     x.push_back({v, 1 - v, v * v, 1});
   }
   Context context;
-  ASSERT_TRUE(multiply(context, sparse_of(a), x, out).ok());
+  ASSERT_TRUE(multiply(context, sparse_of(context, a), x, out).ok());
   for (std::size_t i = 0; i < 700; ++i) {
     for (std::size_t c = 0; c < 4; ++c) {
       double sum = 0;
@@ -158,7 +158,7 @@ struct TwoUnknowns {
 
   std::vector<FourFloats> solve(float start = 0) const {
     Context context;
-    const SparseMatrix matrix = sparse_of(normal);
+    const SparseMatrix matrix = sparse_of(context, normal);
     const std::vector<FourFloats> right{all(b0), all(b1)}, lows(2, all(low)), highs(2, all(high));
     const std::vector<std::uint8_t> has_next{1, 0};
     const std::vector<float> pulls(2, pull);
@@ -201,8 +201,8 @@ TEST(SolveBounded, keeps_bounds_and_solves_for_the_rest) {
 
 TEST(SolveBounded, keeps_bounds_in_large_problems) {
   const Dense a = random_dense(500, 80, 9);
-  const SparseMatrix matrix = sparse_of(a);
   Context context;
+  const SparseMatrix matrix = sparse_of(context, a);
   const SparseMatrix transpose = take(transposed(context, matrix));
   const SparseMatrix normal = take(normal_matrix(context, matrix, transpose, {}));
   std::mt19937 random(10);
