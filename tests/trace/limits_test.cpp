@@ -75,7 +75,7 @@ TEST(TraceLimits, it_looks_at_the_flag_within_50_ms) {
   test::PollRecorder recorder;
   context.poll_watch = &recorder;
   recorder.start();
-  ASSERT_TRUE(trace(context, photo).ok());
+  ASSERT_TRUE(trace(context, photo, {.points = 500}).ok());
   recorder.stop();
   EXPECT_LT(recorder.longest_seconds(), 0.05 * kSlowdown);
 }

@@ -56,11 +56,11 @@ struct TraceOptions {
   /// Control points at most, with those of the frame; 0: 2,000 for a picture of 640 × 480, and in
   /// proportion to the square root of the number of pixels for others.
   int points = 0;
-  int max_curves = 0;      ///< curves at most, with the frame; 0: no limit
-  double psnr_db = 0;      ///< ends as soon as this is reached; 0: never
-  double max_seconds = 0;  ///< begins no further round after this time; 0: no limit
-  TraceBlur blur = TraceBlur::fitted;
-  TraceStops stops = TraceStops::normal;
+  int max_curves = 0;                     ///< curves at most, with the frame; 0: no limit
+  double psnr_db = 0;                     ///< ends as soon as this is reached; 0: never
+  double max_seconds = 0;                 ///< begins no further round after this time; 0: no limit
+  TraceBlur blur = TraceBlur::fitted;     ///< where it comes from
+  TraceStops stops = TraceStops::normal;  ///< how many are left out
   /// Standard deviation of a Gaussian, pixels of the picture: what is finer is taken as texture,
   /// which no curve follows; 0: none is.
   double smooth_px = 0;
@@ -102,9 +102,9 @@ Result<Document> trace(Context& context, const Image& picture, const TraceOption
 /// How fit_colors() changes a drawing.
 struct ColorFit {
   /// fitted: each curve's radii of blur are multiplied by a number of its own; else they stay.
-  TraceBlur blur = TraceBlur::fitted;
-  int max_side = 1024;     ///< as TraceOptions, 1 to limits::kImageSide
-  std::uint64_t seed = 0;  ///< as TraceOptions
+  TraceBlur blur = TraceBlur::fitted;  ///< where it comes from
+  int max_side = 1024;                 ///< as TraceOptions, 1 to limits::kImageSide
+  std::uint64_t seed = 0;              ///< as TraceOptions
 
   /// Exact comparison of all members.
   friend bool operator==(const ColorFit&, const ColorFit&) = default;
