@@ -14,8 +14,6 @@ namespace {
 
 /// Chords may be so far from curves, pixels.
 constexpr double kFlatness = 0.1;
-/// Terms below this share of a point's weight are left out.
-constexpr float kNegligible = 2e-4f;
 /// The longer side of an artboard in the mesher's units.
 constexpr double kNominalSide = 1024;
 
@@ -50,9 +48,9 @@ Result<CurveMesh> CurveMesh::build(Context& context, std::span<const TracedCurve
   return out;
 }
 
-Result<PixelRows> CurveMesh::gather(Context& context, SamplePixels pixels) const {
+Result<PixelRows> CurveMesh::gather(Context& context, SamplePixels pixels, float negligible) const {
   Result<gather::Rows> rows =
-      gather::gather_rows(context, mesh_, places_, pixels.point, {.negligible = kNegligible});
+      gather::gather_rows(context, mesh_, places_, pixels.point, {.negligible = negligible});
   if (!rows) return rows.status();
   return PixelRows{std::move(pixels), std::move(*rows)};
 }

@@ -29,8 +29,9 @@ class CurveMesh {
   static Result<CurveMesh> build(Context& context, std::span<const TracedCurve> curves, int width,
                                  int height);
 
-  /// Errors: limit, cancelled.
-  Result<PixelRows> gather(Context& context, SamplePixels pixels) const;
+  /// negligible   as in gather::RowOptions
+  /// Errors       limit, cancelled
+  Result<PixelRows> gather(Context& context, SamplePixels pixels, float negligible) const;
 
  private:
   CurveMesh() = default;

@@ -22,8 +22,12 @@ constexpr double kLargestRadius = 24;
 constexpr double kRadiusStep = 0.7;
 /// No bound.
 constexpr float kAny = 1e3f;
-/// Rows of the picture for which is found at once what is missing.
-constexpr int kBandRows = 64;
+/// As gather::RowOptions::negligible: while curves are still looked for, where colours that are a
+/// little wrong change nothing that is kept, and in the end.
+constexpr float kRoughlyNegligible = 1.5e-3f;
+constexpr float kNegligible = 2e-4f;
+/// Pixels, about, whose rows are there at once where all pixels are looked at.
+constexpr int kBandPixels = 16384;
 /// Where nothing is seen of a pixel, its colour still counts a little.
 constexpr float kLeastWeight = 1e-3f;
 
@@ -70,7 +74,7 @@ Status DrawingFit::prepare(std::span<const TracedCurve> curves, double one_in, s
   Result<CurveMesh> mesh = CurveMesh::build(context_, curves, width, height);
   if (!mesh) return mesh.status();
   mesh_ = std::move(*mesh);
-  Result<PixelRows> seen = mesh_->gather(context_, std::move(*pixels));
+  Result<PixelRows> seen = mesh_->gather(context_, std::move(*pixels), kRoughlyNegligible);
   if (!seen) return seen.status();
   seen_ = std::move(*seen);
   list_neighbours(curves);
@@ -167,15 +171,16 @@ Status DrawingFit::find_residual(std::span<const FourFloats> x) {
   return status;
 }
 
-Status DrawingFit::for_each_band(std::span<const TracedCurve> curves,
+Status DrawingFit::for_each_band(std::span<const TracedCurve> curves, float negligible,
                                  FunctionRef<Status(const PixelRows&, const SparseMatrix&)> visit) {
   const int height = picture_.height();
+  const int rows_at_once = std::max(1, kBandPixels / picture_.width());
   Status status;
-  for (int y = 0; y < height && status; y += kBandRows) {
+  for (int y = 0; y < height && status; y += rows_at_once) {
     Result<SamplePixels> pixels =
-        choose_pixels(context_, *marks_, {1, 0, y, std::min(y + kBandRows, height)});
+        choose_pixels(context_, *marks_, {1, 0, y, std::min(y + rows_at_once, height)});
     if (!pixels) return pixels.status();
-    const Result<PixelRows> seen = mesh_->gather(context_, std::move(*pixels));
+    const Result<PixelRows> seen = mesh_->gather(context_, std::move(*pixels), negligible);
     if (!seen) return seen.status();
     const Result<SparseMatrix> rows = value_rows(context_, *seen, curves);
     status = rows ? visit(*seen, *rows) : rows.status();
@@ -187,9 +192,10 @@ Status DrawingFit::fit_to_all(std::span<TracedCurve> curves, double share, int t
   seen_.reset();
   matrix_.reset();
   Equations equations;
-  Status status = for_each_band(curves, [&](const PixelRows& seen, const SparseMatrix& rows) {
-    return add(rows, targets_of(seen.pixels.pixel), equations);
-  });
+  Status status =
+      for_each_band(curves, kNegligible, [&](const PixelRows& seen, const SparseMatrix& rows) {
+        return add(rows, targets_of(seen.pixels.pixel), equations);
+      });
   if (status) status = solve(equations, curves);
   for (; times > 0 && status; --times) {
     status = prune(curves, share, equations);
@@ -263,19 +269,20 @@ Status DrawingFit::find_missing(std::span<const TracedCurve> curves, TableMemory
   }
   if (!status) return status;
   const std::vector<FourFloats> x = values_of(curves);
-  return for_each_band(curves, [&](const PixelRows& seen, const SparseMatrix& rows) {
-    std::vector<FourFloats> value(rows.row_count());
-    Status multiplied = multiply(context_, rows, x, value);
-    for (std::size_t i = 0; i < value.size(); ++i) {
-      const std::uint32_t at = seen.pixels.pixel[i];
-      const float opacity = picture_.opacity ? picture_.opacity->value[at] : 1.0f;
-      for (std::size_t c = 0; c < 3; ++c) {
-        missing[c].value[at] = opacity * (picture_.code[c].value[at] - value[i][c]);
-      }
-      if (picture_.opacity) missing[3].value[at] = opacity - value[i][3];
-    }
-    return multiplied;
-  });
+  return for_each_band(
+      curves, kRoughlyNegligible, [&](const PixelRows& seen, const SparseMatrix& rows) {
+        std::vector<FourFloats> value(rows.row_count());
+        Status multiplied = multiply(context_, rows, x, value);
+        for (std::size_t i = 0; i < value.size(); ++i) {
+          const std::uint32_t at = seen.pixels.pixel[i];
+          const float opacity = picture_.opacity ? picture_.opacity->value[at] : 1.0f;
+          for (std::size_t c = 0; c < 3; ++c) {
+            missing[c].value[at] = opacity * (picture_.code[c].value[at] - value[i][c]);
+          }
+          if (picture_.opacity) missing[3].value[at] = opacity - value[i][3];
+        }
+        return multiplied;
+      });
 }
 
 }  // namespace sfumato::tracing

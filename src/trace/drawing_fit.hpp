@@ -66,7 +66,7 @@ class DrawingFit {
   Status add(const SparseMatrix& rows, const Targets& targets, Equations& equations);
   Status solve(const Equations& equations, std::span<TracedCurve> curves);
   Status find_residual(std::span<const FourFloats> x);
-  Status for_each_band(std::span<const TracedCurve> curves,
+  Status for_each_band(std::span<const TracedCurve> curves, float negligible,
                        FunctionRef<Status(const PixelRows&, const SparseMatrix&)> visit);
   Status prune(std::span<TracedCurve> curves, double share, Equations& equations);
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/lanes.hpp"
 #include "base/limit_error.hpp"
 #include "base/parallel.hpp"
 #include "base/poll.hpp"
@@ -180,12 +181,11 @@ Status multiply(Context& context, const SparseMatrix& matrix, std::span<const Fo
                 std::span<FourFloats> out) {
   return parallel_for(context, matrix.row_count(), 4 * kRows, [&](std::size_t i, std::size_t end) {
     for (; i < end; ++i) {
-      FourFloats sum{};
+      Lanes<4> sum = 0.0f;
       for (std::uint32_t k = matrix.begin[i]; k < matrix.begin[i + 1]; ++k) {
-        const FourFloats& at = x[matrix.column[k]];
-        for (std::size_t c = 0; c < 4; ++c) sum[c] += matrix.value[k] * at[c];
+        sum = sum + matrix.value[k] * Lanes<4>::load(x[matrix.column[k]].data());
       }
-      out[i] = sum;
+      sum.store(out[i].data());
     }
   });
 }

@@ -28,7 +28,7 @@ constexpr double kStopTolerance = 0.02;
 constexpr double kTolerance = 1.2;
 constexpr double kMissingTolerance = 2.2;
 /// Pixels to which colours are fitted between rounds, about.
-constexpr double kFittedPixels = 40000;
+constexpr double kFittedPixels = 60000;
 /// Fits of colours, with one of radii between them.
 constexpr int kTurns = 2;
 /// With less blur a curve's radius does not show in its derivative.
