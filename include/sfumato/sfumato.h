@@ -514,7 +514,8 @@ SFUMATO_API int32_t sfumato_trace(sfumato_context* context, const sfumato_image*
  * stay. SFUMATO_BAD_INPUT where no curve has colours.
  *
  * options: blur=on|off|fixed, where off leaves radii as they are, max-side, seed, as of
- * sfumato_trace(). */
+ * sfumato_trace(); keep-colors to fit radii alone; only=LAYER:CURVE,... to fit these curves,
+ * numbers from 0, and leave others as they are. */
 SFUMATO_API int32_t sfumato_fit_colors(sfumato_context* context, const sfumato_document* drawing,
                                        const sfumato_image* image, const char* options,
                                        sfumato_document** document);

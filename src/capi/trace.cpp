@@ -2,15 +2,19 @@
 
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "base/table_memory.hpp"
 #include "capi/document.hpp"
 #include "capi/pixels.hpp"
 #include "capi/read_options.hpp"
+#include "options/curve_list.hpp"
 #include "options/tables.hpp"
 
 namespace sfumato::capi {
 namespace {
+
+constexpr const char* kNoCurves = "only: expected layer:curve, and so on, with commas between";
 
 std::uint32_t counted(std::size_t count) {
   return static_cast<std::uint32_t>(count);
@@ -70,6 +74,16 @@ Outcome read_settings(const char* text, options::Call call, options::TraceSettin
   return {};
 }
 
+/// The curves that alone are fitted.
+Outcome read_choice(const Context& context, const options::TraceSettings& settings,
+                    TableMemory& memory, std::vector<CurveOfLayer>& only) {
+  if (!settings.only) return {};
+  if (Status status = memory.reserve(context, only, options::most_curves(*settings.only)); !status)
+    return status;
+  if (!options::parse_curves(*settings.only, only)) return bad_usage(kNoCurves);
+  return {};
+}
+
 /// The caller's pixels, and what the options say.
 struct Wish {
   TableMemory memory{"a picture to trace"};
@@ -109,7 +123,14 @@ Outcome fit_image(sfumato_context* context, const sfumato_document* handle,
       read.code != SFUMATO_OK)
     return read;
   const TraceOptions& asked = wish.settings.trace;
-  const ColorFit fit{.blur = asked.blur, .max_side = asked.max_side, .seed = asked.seed};
+  ColorFit fit{.blur = asked.blur,
+               .max_side = asked.max_side,
+               .seed = asked.seed,
+               .keeps_colors = wish.settings.keeps_colors};
+  TableMemory only_memory("the curves to be fitted");
+  if (Outcome read = read_choice(work, wish.settings, only_memory, fit.only);
+      read.code != SFUMATO_OK)
+    return read;
   Result<Document> drawing = fit_colors(work, handle->document, wish.image, fit);
   if (!drawing) return drawing.status();
   ScopedCharge charge;

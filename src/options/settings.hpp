@@ -88,7 +88,9 @@ struct LintSettings {
 /// Of a trace of a picture; of colours from one, what ColorFit has.
 struct TraceSettings {
   TraceOptions trace{};
-  std::optional<double> detail{};  ///< 0 to 1, in the place of TraceOptions::points
+  std::optional<double> detail{};     ///< 0 to 1, in the place of TraceOptions::points
+  bool keeps_colors = false;          ///< as ColorFit
+  std::optional<std::string> only{};  ///< as parse_curves() reads it
 };
 
 /// The control points that a detail from 0 to 1 stands for: 250 to 16,000.

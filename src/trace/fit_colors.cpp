@@ -5,6 +5,7 @@
 
 #include "base/charge.hpp"
 #include "base/parallel.hpp"
+#include "base/poll.hpp"
 #include "base/public_verb.hpp"
 #include "base/stopwatch.hpp"
 #include "curves/attributes.hpp"
@@ -20,6 +21,8 @@ namespace {
 /// code values are not linear in the colours.
 constexpr int kTurns = 3;
 constexpr int kCurvedTurns = 6;
+/// Steps of radii where colours stay.
+constexpr int kRadiusTurns = 8;
 constexpr std::size_t kValues = 4096;
 
 Status validate(const Context& context, const ColorFit& options) {
@@ -31,6 +34,21 @@ Status validate(const Context& context, const ColorFit& options) {
                                                  std::to_string(options.max_side) +
                                                  "; it has to be 1 to " +
                                                  std::to_string(limits::kImageSide));
+  }
+  if (options.keeps_colors && options.blur != TraceBlur::fitted) {
+    return make_error(StatusCode::bad_input, "neither colours nor radii are to be fitted");
+  }
+  return context.check();
+}
+
+Status validate_choice(const Context& context, const Document& drawing, const ColorFit& options) {
+  RarePoll<4096> poll(context);
+  for (const auto& [layer, curve] : options.only) {
+    if (poll.cancelled()) return context.cancel_status();
+    if (layer < drawing.layers.size() && curve < drawing.layers[layer].curves.size()) continue;
+    return make_error(StatusCode::bad_input, "there is no curve " + std::to_string(curve) +
+                                                 " in layer " + std::to_string(layer) +
+                                                 " to be fitted");
   }
   return context.check();
 }
@@ -71,6 +89,22 @@ Status lay_on(const Context& context, const Rgb& backdrop, Picture& picture) {
   return status;
 }
 
+Status take_turns(const Document& drawing, const ColorFit& options, StopFit& fit) {
+  Status status;
+  if (options.keeps_colors) {
+    for (int turn = 0; turn < kRadiusTurns && status; ++turn) status = fit.fit_radii();
+    return status;
+  }
+  const bool is_in_srgb = drawing.interpolation == InterpolationSpace::srgb;
+  const int turns = is_in_srgb ? kTurns : kCurvedTurns;
+  for (int turn = 0; turn < turns && status; ++turn) {
+    if (turn > 0 && turn < kTurns && options.blur == TraceBlur::fitted) status = fit.fit_radii();
+    if (!status) break;
+    status = turn > 0 && !is_in_srgb ? fit.improve_colors() : fit.fit_colors();
+  }
+  return status;
+}
+
 Result<Document> fit(Context& context, const Document& drawing, const Image& image,
                      const ColorFit& options, TraceStats* stats) {
   const Stopwatch watch;
@@ -85,16 +119,10 @@ Result<Document> fit(Context& context, const Document& drawing, const Image& ima
   if (!picture) return picture.status();
   const Rgb backdrop = drawing.background.value_or(Rgb{1, 1, 1});
   status = lay_on(context, backdrop, *picture);
-  StopFit fit(context, *picture, drawing);
+  StopFit fit(context, *picture, drawing, options.only);
   if (status) status = fit.prepare(backdrop, options.seed);
-  const bool is_in_srgb = drawing.interpolation == InterpolationSpace::srgb;
   const double psnr_before = fit.psnr_db(), seconds_before = watch.seconds();
-  const int turns = is_in_srgb ? kTurns : kCurvedTurns;
-  for (int turn = 0; turn < turns && status; ++turn) {
-    if (turn > 0 && turn < kTurns && options.blur == TraceBlur::fitted) status = fit.fit_radii();
-    if (!status) break;
-    status = turn > 0 && !is_in_srgb ? fit.improve_colors() : fit.fit_colors();
-  }
+  if (status) status = take_turns(drawing, options, fit);
   Document fitted = drawing;
   if (status) status = fit.write(fitted);
   if (status) status = fit.look_at(fitted);
@@ -123,6 +151,7 @@ Result<Document> fit_colors(Context& context, const Document& drawing, const Ima
     Status status = tracing::validate(context, options);
     if (status) status = validate(context.limits, picture);
     if (status) status = validate(context, drawing);
+    if (status) status = tracing::validate_choice(context, drawing, options);
     if (!status) return status;
     return tracing::fit(context, drawing, picture, options, stats);
   });

@@ -35,8 +35,9 @@ bool counts(const FourFloats& coefficient) {
 
 }  // namespace
 
-StopFit::StopFit(Context& context, const Picture& picture, const Document& drawing)
-    : context_(context), picture_(picture), drawing_(drawing) {
+StopFit::StopFit(Context& context, const Picture& picture, const Document& drawing,
+                 std::span<const CurveOfLayer> only)
+    : context_(context), picture_(picture), drawing_(drawing), only_(only) {
   const Box& box = drawing.artboard;
   laid_ = {picture.width(), picture.height(),
            Affine{box.width() / picture.width(), 0, 0, box.height() / picture.height(), box.min.x,
@@ -55,6 +56,7 @@ Status StopFit::prepare(const Rgb& backdrop, std::uint64_t seed) {
   if (!points) return points.status();
   points_ = std::move(*points);
   status = list_stops();
+  if (status) status = choose_curves();
   if (status) status = list_parts();
   if (status) status = list_moving_curves();
   if (status) status = convert_picture();
@@ -93,10 +95,23 @@ Status StopFit::list_stops() {
   }
   Status status = memory_.resize_all(context_, stops, x_, low_, high_);
   if (status) status = memory_.resize(context_, weight_, stops);
-  if (status) status = memory_.resize(context_, has_next_, stops);
+  if (status) status = memory_.resize_all(context_, stops, has_next_, is_free_);
+  if (status) status = memory_.resize(context_, is_chosen_, curves);
   if (status) status = memory_.resize_all(context_, curves, factor_, radius_px_);
   if (status) status = memory_.resize(context_, missing_, pixels_.pixel.size());
   return status;
+}
+
+/// Which curves and stops are fitted.
+Status StopFit::choose_curves() {
+  std::ranges::fill(is_chosen_, static_cast<std::uint8_t>(only_.empty()));
+  for (const CurveOfLayer& one : only_) is_chosen_[first_curve_[one.layer] + one.curve] = 1;
+  std::size_t curve = 0, at = 0;
+  return for_each_curve(context_, drawing_, [&](const Curve& of) {
+    const std::size_t count = curves::stop_count({&of, 1}, StopAttribute::color);
+    std::fill_n(is_free_.begin() + static_cast<std::ptrdiff_t>(at), count, is_chosen_[curve++]);
+    at += count;
+  });
 }
 
 Status StopFit::list_parts() {

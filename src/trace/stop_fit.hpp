@@ -10,6 +10,7 @@
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
 #include "sfumato/document/document.hpp"
+#include "sfumato/trace/trace.hpp"
 #include "trace/drawing_layers.hpp"
 #include "trace/picture.hpp"
 #include "trace/sample_pixels.hpp"
@@ -31,8 +32,10 @@ class StopFit {
  public:
   /// picture   opaque: code values as the drawing is to look
   /// drawing   a valid one
+  /// only      the curves that are fitted, all of them there; empty: all
   /// All outlive this.
-  StopFit(Context& context, const Picture& picture, const Document& drawing);
+  StopFit(Context& context, const Picture& picture, const Document& drawing,
+          std::span<const CurveOfLayer> only);
 
   /// Gathers the rows of pixels. backdrop: behind all items. Errors: limit, cancelled.
   Status prepare(const Rgb& backdrop, std::uint64_t seed);
@@ -81,6 +84,7 @@ class StopFit {
 
   Status choose_points(std::uint64_t seed);
   Status list_stops();
+  Status choose_curves();
   Status list_parts();
   Status list_moving_curves();
   Status convert_picture();
@@ -108,7 +112,8 @@ class StopFit {
       visit(part, 1.0 / (end - first), points_.shown[part.shown].coefficient[part.row]);
     }
   }
-  /// Calls visit(column, weight) for the stops that a part has its colour from.
+  /// Calls visit(column, weight) for the stops that a part has its colour from, of those that are
+  /// fitted.
   template <class Visit>
   void for_each_stop(const Part& part, Visit&& visit) const {
     const ShownInstance& shown = points_.shown[part.shown];
@@ -117,9 +122,10 @@ class StopFit {
     for (std::uint32_t k = rows.begin[part.row]; k < rows.begin[part.row + 1]; ++k) {
       const gather::RowTerm& term = rows.term[k];
       const gather::RowSource& source = rows.source[term.source];
-      gather::for_each_entry(
-          source, term, radius_of(shown, source, term),
-          [&](std::uint32_t column, double weight) { visit(first + column, weight); });
+      gather::for_each_entry(source, term, radius_of(shown, source, term),
+                             [&](std::uint32_t column, double weight) {
+                               if (is_free_[first + column]) visit(first + column, weight);
+                             });
     }
   }
   /// Whether the picture shows a stop enough to tell its colour.
@@ -129,6 +135,7 @@ class StopFit {
   Context& context_;
   const Picture& picture_;
   const Document& drawing_;
+  std::span<const CurveOfLayer> only_;
   LaidPicture laid_;
   std::vector<std::optional<DrawnLayer>> layers_;
   std::vector<std::uint32_t> first_stop_, first_curve_;  ///< per layer
@@ -136,15 +143,17 @@ class StopFit {
   StackPoints points_;
   std::vector<std::uint32_t> part_begin_;  ///< per point, and one more: into part_
   std::vector<Part> part_;
-  Channels color_;                      ///< the picture in a space that is not sRGB
-  std::vector<FourFloats> x_;           ///< per stop: its colour in the interpolation space
-  std::vector<FourFloats> low_, high_;  ///< per stop
-  std::vector<std::uint8_t> has_next_;  ///< per stop: whether the next is to be like it
-  std::vector<float> weight_;           ///< per stop: its column's sum of squares
-  std::vector<float> factor_;           ///< per curve: of its radii
-  std::vector<float> radius_px_;        ///< per curve: its largest radius; 0: it does not change
-  SparseMatrix matrix_;                 ///< values of stops to pixels, with the present radii
-  std::vector<Missing> missing_;        ///< per pixel
+  Channels color_;                       ///< the picture in a space that is not sRGB
+  std::vector<FourFloats> x_;            ///< per stop: its colour in the interpolation space
+  std::vector<FourFloats> low_, high_;   ///< per stop
+  std::vector<std::uint8_t> is_free_;    ///< per stop: whether it is fitted
+  std::vector<std::uint8_t> is_chosen_;  ///< per curve: whether it is fitted
+  std::vector<std::uint8_t> has_next_;   ///< per stop: whether the next is to be like it
+  std::vector<float> weight_;            ///< per stop: its column's sum of squares
+  std::vector<float> factor_;            ///< per curve: of its radii
+  std::vector<float> radius_px_;         ///< per curve: its largest radius; 0: it does not change
+  SparseMatrix matrix_;                  ///< values of stops to pixels, with the present radii
+  std::vector<Missing> missing_;         ///< per pixel
   double psnr_db_ = 0;
   TableMemory memory_{"the colours of a fit"};
 };

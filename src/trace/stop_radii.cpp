@@ -34,12 +34,12 @@ float in_three_digits(float value) {
 
 }  // namespace
 
-/// Those that have blur and no opacity, whose coefficients would change with it.
+/// Those that are fitted, and have blur and no opacity, whose coefficients would change with it.
 Status StopFit::list_moving_curves() {
   std::size_t at = 0;
   for (std::size_t i = 0; i < layers_.size(); ++i) {
     for (const Curve& curve : drawing_.layers[i].curves) {
-      const bool moves = layers_[i] && !bears_opacity(curve);
+      const bool moves = layers_[i] && is_chosen_[at] && !bears_opacity(curve);
       radius_px_[at] =
           moves ? largest_radius(curve) * static_cast<float>(layers_[i]->px_per_unit) : 0.0f;
       ++at;

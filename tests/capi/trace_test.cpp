@@ -179,6 +179,14 @@ TEST_F(CTrace, gives_a_drawing_the_colors_of_a_picture) {
   sfumato_curve_source(drawing.get(), 0, 0, &at_before, nullptr);
   EXPECT_EQ(at, at_before);
   EXPECT_GT(at, 0U);
+  EXPECT_EQ(fit("only=0:0"), SFUMATO_OK) << sfumato_error_text(context.get());
+  EXPECT_EQ(fit("only=0:0 keep-colors"), SFUMATO_OK);
+  EXPECT_EQ(fit("only=0:1"), SFUMATO_BAD_INPUT);
+  EXPECT_EQ(fit("keep-colors blur=off"), SFUMATO_BAD_INPUT);
+  for (const char* wrong : {"only=", "only=0", "only=0:", "only=0:0,", "only=:0", "only=0:-1",
+                            "only=0:0;0:0", "only=0:4294967296", "keep-colors=1"}) {
+    EXPECT_EQ(fit(wrong), SFUMATO_BAD_USAGE) << wrong;
+  }
   EXPECT_EQ(fit("points=5"), SFUMATO_BAD_USAGE);
   image.width = 0;
   EXPECT_EQ(fit(""), SFUMATO_BAD_USAGE);

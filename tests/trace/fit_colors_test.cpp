@@ -267,6 +267,49 @@ TEST(FitColors, radii_are_found) {
   EXPECT_TRUE(sharp.layers[0].curves[1].left.blur_radius.empty());
 }
 
+TEST(FitColors, chosen_curves_alone_are_fitted) {
+  for (const InterpolationSpace space : {InterpolationSpace::srgb, InterpolationSpace::oklab}) {
+    Document drawing = disc_in_frame();
+    drawing.interpolation = space;
+    add_layer(drawing, clear_disc({40, 45}, {rgb(0xe0a030), kGrey}, 0.6f));
+    Document before = drawing;
+    before.layers[1] = scrambled(drawing).layers[1];
+    before.layers[0].curves[0].right.color.stops.stops[0].value = rgb(0x2868a0);
+    const Image picture = look_of(drawing, 100);
+    const Document back = fitted(before, picture, {.only = {{1, 0}}});
+    EXPECT_EQ(back.layers[0].curves, before.layers[0].curves);
+    Document of_chosen = back;
+    of_chosen.layers[0] = drawing.layers[0];
+    EXPECT_LE(largest_difference(of_chosen, drawing), 20);
+    EXPECT_GT(psnr_to(back, picture), psnr_to(before, picture) + 6);
+    const Document all = fitted(before, picture, {.only = {{0, 0}, {0, 1}, {1, 0}}});
+    EXPECT_TRUE(test::same_document(all, fitted(before, picture)));
+  }
+}
+
+TEST(FitColors, radii_are_found_without_colours) {
+  const auto blurred = [](float disc, float other) {
+    Document drawing = disc_in_frame();
+    std::vector<Curve>& curves = drawing.layers[0].curves;
+    curves[1] = test::blurred(curves[1], disc);
+    curves.push_back(test::blurred(
+        test::colored(test::circle_curve({12, 12}, 8), rgb(0x2060a0), rgb(0x40c040)), other));
+    return drawing;
+  };
+  const Image picture = look_of(blurred(7, 4));
+  const Document before = blurred(1, 1);
+  const auto radius_of = [](const Document& drawing, std::size_t curve) {
+    return drawing.layers[0].curves[curve].left.blur_radius.stops[0].value;
+  };
+  const Document both = fitted(before, picture, {.keeps_colors = true});
+  EXPECT_EQ(largest_difference(both, before), 0);
+  EXPECT_NEAR(radius_of(both, 1), 7, 0.5);
+  EXPECT_NEAR(radius_of(both, 2), 4, 0.5);
+  const Document one = fitted(before, picture, {.keeps_colors = true, .only = {{0, 2}}});
+  EXPECT_EQ(radius_of(one, 1), 1);
+  EXPECT_NEAR(radius_of(one, 2), 4, 0.5);
+}
+
 TEST(FitColors, stats_say_how_it_was_and_is) {
   const Document disc = disc_in_frame();
   const Image picture = look_of(disc);
@@ -293,6 +336,10 @@ TEST(FitColors, refuses_what_it_cannot_fit) {
   EXPECT_EQ(code_of(disc_in_frame(), picture, {.max_side = 1 << 20}), StatusCode::bad_input);
   EXPECT_EQ(code_of(disc_in_frame(), picture, {.blur = static_cast<TraceBlur>(7)}),
             StatusCode::bad_input);
+  EXPECT_EQ(code_of(disc_in_frame(), picture, {.blur = TraceBlur::sharp, .keeps_colors = true}),
+            StatusCode::bad_input);
+  EXPECT_EQ(code_of(disc_in_frame(), picture, {.only = {{0, 1}, {0, 2}}}), StatusCode::bad_input);
+  EXPECT_EQ(code_of(disc_in_frame(), picture, {.only = {{1, 0}}}), StatusCode::bad_input);
   EXPECT_EQ(code_of(disc_in_frame(), Image{}, {}), StatusCode::bad_input);
   Image cut = picture;
   cut.bytes.pop_back();

@@ -99,12 +99,24 @@ struct TraceStats {
 Result<Document> trace(Context& context, const Image& picture, const TraceOptions& options = {},
                        TraceStats* stats = nullptr);
 
+/// A curve of a drawing by its numbers.
+struct CurveOfLayer {
+  std::uint32_t layer = 0;  ///< index into Document::layers
+  std::uint32_t curve = 0;  ///< index into Layer::curves
+
+  /// Exact comparison of all members.
+  friend bool operator==(const CurveOfLayer&, const CurveOfLayer&) = default;
+};
+
 /// How fit_colors() changes a drawing.
 struct ColorFit {
   /// fitted: each curve's radii of blur are multiplied by a number of its own; else they stay.
   TraceBlur blur = TraceBlur::fitted;  ///< where it comes from
   int max_side = 1024;                 ///< as TraceOptions, 1 to limits::kImageSide
   std::uint64_t seed = 0;              ///< as TraceOptions
+  bool keeps_colors = false;           ///< radii alone are fitted
+  /// The curves that are fitted, others stay as they are; empty: all.
+  std::vector<CurveOfLayer> only{};
 
   /// Exact comparison of all members.
   friend bool operator==(const ColorFit&, const ColorFit&) = default;
@@ -135,7 +147,8 @@ struct ColorFit {
 ///          numbers are those of the layers that are painted
 /// Errors   bad_input (options out of range, a picture or a drawing that is not valid, no curve
 /// that
-///          is painted has colours), limit, cancelled, out_of_memory
+///          is painted has colours, a curve of `only` that is not there), limit, cancelled,
+///          out_of_memory
 /// Cost     for each instance a gather of 1 to 4 µs at each of about 60,000 to 100,000 points at
 ///          which it may show, and a quarter of a second for the equations of 4,000 stops, thrice;
 ///          in other spaces than sRGB several times that. On one core drawings of 100 to 500 curves

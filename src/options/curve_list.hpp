@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+#include "sfumato/trace/trace.hpp"
+
+namespace sfumato::options {
+
+/// Curves that a text of this length names at most.
+std::size_t most_curves(std::string_view text);
+
+/// Reads "layer:curve,layer:curve", numbers from 0, and appends them. False: the text is no such
+/// list, or names none.
+[[nodiscard]] bool parse_curves(std::string_view text, std::vector<CurveOfLayer>& curves);
+
+}  // namespace sfumato::options
