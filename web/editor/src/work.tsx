@@ -8,6 +8,7 @@ import { Thumbs } from "./canvas/thumbs.js";
 import type { WorkerEngine } from "./engine/engine.js";
 import { publish } from "./page/api.js";
 import { fileCommands } from "./page/commands.js";
+import { watchDifference } from "./page/difference.js";
 import { Documents } from "./page/documents.js";
 import { takePasted } from "./page/pasted.js";
 import type { Pasted } from "./page/pastes.js";
@@ -34,6 +35,7 @@ export function begin(editor: DrawingEditor, engine: WorkerEngine): Work {
   const attach = (canvas: HTMLCanvasElement | null) => picture.attach(canvas);
   listenToCopying(editor);
   prepareTour(editor);
+  watchDifference(editor);
   return {
     documents,
     services: servicesOf(editor, documents, picture, thumbs),

@@ -25,10 +25,12 @@ import { openSettings } from "./settings.js";
 import { quickChanges } from "./sync.js";
 import type {
   Dialog,
+  Difference,
   Editor,
   FileState,
   Gesture,
   PickerTarget,
+  Task,
   Toast,
   ToolName,
   ViewState,
@@ -59,11 +61,14 @@ export class DrawingEditor implements Editor {
   readonly hintsShown = signal(false);
   readonly file = signal<FileState>({ name: "", isChanged: false, kept: "nowhere" });
   readonly toast = signal<Toast | null>(null);
+  readonly task = signal<Task | null>(null);
   readonly dialog = signal<Dialog>(null);
   readonly picker = signal<PickerTarget | null>(null);
   readonly showMesh = signal(false);
   readonly showOutlines = signal(false);
   readonly showReference = signal(true);
+  readonly showDifference = signal(false);
+  readonly difference = signal<Difference | null>(null);
   readonly hideHandles = signal(false);
   readonly welcome = signal(true);
   readonly tour = signal<number | null>(null);

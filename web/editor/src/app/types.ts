@@ -44,6 +44,22 @@ export interface Toast {
   readonly action: { readonly label: string; readonly run: () => void } | null;
 }
 
+/** Work that takes long, and that the person can end. */
+export interface Task {
+  readonly text: string;
+  readonly stop: () => void;
+}
+
+/** Where the drawing is unlike the photo that lies on it. */
+export interface Difference {
+  /** The address of a picture that fills the artboard. */
+  readonly href: string;
+  /** Decibels; null: there is nothing to compare with. */
+  readonly psnr: number | null;
+  /** Drawing.revision of what it shows. */
+  readonly revision: number;
+}
+
 /** A photo to trace. */
 export interface TracedPhoto {
   readonly blob: Blob;
@@ -107,11 +123,15 @@ export interface Editor {
   readonly undoLabel: ReadonlySignal<string | null>;
   readonly redoLabel: ReadonlySignal<string | null>;
   readonly toast: Signal<Toast | null>;
+  readonly task: Signal<Task | null>;
   readonly dialog: Signal<Dialog>;
   readonly picker: Signal<PickerTarget | null>;
   readonly showMesh: Signal<boolean>;
   readonly showOutlines: Signal<boolean>;
   readonly showReference: Signal<boolean>;
+  readonly showDifference: Signal<boolean>;
+  /** null: it is not shown, or not known yet. */
+  readonly difference: Signal<Difference | null>;
   readonly hideHandles: Signal<boolean>;
   /** Whether the page to begin from is shown. */
   readonly welcome: Signal<boolean>;

@@ -5,6 +5,7 @@ import { en } from "../strings/en.js";
 import { drawnBox, selectionBox } from "./box.js";
 import type { Canvas } from "./canvas.js";
 import { Aids, DraftView, Light, matrix, Strong } from "./drafts.js";
+import { DifferenceImage, DifferenceLegend } from "./difference.js";
 import { LoupeView } from "./loupe-view.js";
 import { MarkView } from "./mark.js";
 import { bandOf, stageFromItem, type Mark } from "./marks.js";
@@ -40,12 +41,14 @@ export function Overlay({ canvas }: { readonly canvas: Canvas }) {
         style={`--zoom:${isCoarse ? 1 / COARSE : 1}`}
       >
         {editor.showReference.value && <Photos canvas={canvas} map={map} below={false} />}
+        <DifferenceImage canvas={canvas} map={map} />
         <Artboard canvas={canvas} map={map} />
         {editor.showOutlines.value && <AllOutlines canvas={canvas} map={map} />}
         {!isHiding && <Handles canvas={canvas} map={map} sketch={sketch} />}
         {sketch.draft && <DraftView draft={sketch.draft} map={map} />}
         <Aids sketch={sketch} />
       </svg>
+      <DifferenceLegend editor={editor} />
       <Tags canvas={canvas} map={map} sketch={sketch} />
       {sketch.loupe && <LoupeView loupe={sketch.loupe} stage={editor.stage.value} />}
     </>

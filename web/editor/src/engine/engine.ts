@@ -105,6 +105,10 @@ export class WorkerEngine implements Engine {
     return new Seat(this.#host, `w${this.#seatCount++}`);
   }
 
+  get images(): readonly GivenImage[] {
+    return this.#images;
+  }
+
   /** Pixels of images that texts name from now on. */
   addImages(images: readonly GivenImage[]): void {
     this.#images.push(...images);

@@ -1,23 +1,15 @@
-// Photos traced in workers of their own: the editor goes on meanwhile, and ending one takes no time.
+// Photos traced, and drawings fitted to them, in workers of their own: the editor goes on meanwhile, and ending one takes no time.
 // A second one draws what the first has reached, so that looking at it holds nothing up.
 import { en } from "../strings/en.js";
-import { EngineError, Link } from "./rpc.js";
-import { moduleOf, workerOf, type Host } from "./seat.js";
-import type { PhotoPixels, RasterWish, TraceRound, TraceWish } from "./types.js";
+import type { CubicPath } from "../geometry/cubic.js";
+import { inOwnWorker, started } from "./own-worker.js";
+import { EngineError, type Link } from "./rpc.js";
+import type { Host } from "./seat.js";
+import type { GivenImage } from "./session.js";
+import type { FittedCurve, FitWish, PhotoPixels, RasterWish, SnapWish, TraceRound, TraceWish } from "./types.js";
 import { Status } from "../../../wasm/library.mjs";
 
 const words = en.engine;
-
-async function started(host: Host): Promise<Link> {
-  const link = new Link(workerOf(host), words.noWorker);
-  try {
-    await link.call("start", await moduleOf(host), "trace");
-  } catch (error) {
-    link.end();
-    throw error;
-  }
-  return link;
-}
 
 /** The library's words, but where memory is out, which it says for programmers. */
 function traceError(error: unknown): Error {
@@ -36,21 +28,45 @@ export async function tracePhoto(
   heard: (round: TraceRound) => void,
   signal: AbortSignal,
 ): Promise<string> {
-  signal.throwIfAborted();
-  const link = await started(host);
-  const stop = () => link.end();
-  signal.addEventListener("abort", stop);
-  link.onNote = heard;
   try {
-    signal.throwIfAborted();
-    return await link.call<string>("trace", wish);
+    return await inOwnWorker(host, signal, (link) => {
+      link.onNote = heard;
+      return link.call<string>("trace", wish);
+    });
   } catch (error) {
     signal.throwIfAborted();
     throw traceError(error);
-  } finally {
-    signal.removeEventListener("abort", stop);
-    link.end();
   }
+}
+
+/**
+ * The curves of a drawing with the colours, or the blur, of a photo.
+ * @throws the signal's reason; EngineError; Error where it takes more memory than there is
+ */
+export async function fitToPhoto(
+  host: Host,
+  wish: FitWish,
+  images: readonly GivenImage[],
+  signal: AbortSignal,
+): Promise<readonly FittedCurve[]> {
+  try {
+    return await inOwnWorker(host, signal, async (link) => {
+      await link.call("addImages", images);
+      return link.call<readonly FittedCurve[]>("fit", wish);
+    });
+  } catch (error) {
+    signal.throwIfAborted();
+    throw traceError(error);
+  }
+}
+
+/** Curves moved to a photo's edges, null where there are none. @throws the signal's reason; EngineError */
+export function snapToPhoto(
+  host: Host,
+  wish: SnapWish,
+  signal: AbortSignal,
+): Promise<readonly (CubicPath | null)[]> {
+  return inOwnWorker(host, signal, (link) => link.call("snap", wish));
 }
 
 export interface PreviewWish {
@@ -59,6 +75,10 @@ export interface PreviewWish {
   readonly height: number;
   /** Another one follows: it is to be there soon. */
   readonly isDraft: boolean;
+  /** CSS colour; absent: the document's. */
+  readonly background?: string;
+  /** Pixels of images that the text names: all that there are, in one order. */
+  readonly images?: readonly GivenImage[];
 }
 
 /** Draws texts, the latest of those that are asked for while it works. */
@@ -67,15 +87,21 @@ export class TracePreviews {
   #next: (() => Promise<void>) | null = null;
   #isAtWork = false;
   #isOver = false;
+  #imageCount = 0;
 
   constructor(private readonly host: Host) {}
 
   /** @param show gets the pixels, unless another text was asked for before its turn came */
-  draw({ text, isDraft, width, height }: PreviewWish, show: (pixels: PhotoPixels) => void): void {
+  draw(
+    { text, isDraft, width, height, background, images = [] }: PreviewWish,
+    show: (pixels: PhotoPixels) => void,
+  ): void {
     this.#next = async () => {
       const link = await (this.#link ??= started(this.host));
+      await link.call("addImages", images.slice(this.#imageCount));
+      this.#imageCount = images.length;
       await link.call("read", text);
-      const wish: RasterWish = { width, height, viewport: null, background: null, depth: 8, isDraft };
+      const wish: RasterWish = { width, height, viewport: null, background: background ?? null, depth: 8, isDraft };
       const data = await link.call<Uint8ClampedArray<ArrayBuffer>>("raster", wish);
       if (!this.#isOver) show({ width, height, data });
     };

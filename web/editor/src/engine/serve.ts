@@ -2,7 +2,8 @@
 import { answer, Handed, type MessageEndpoint, type Note } from "./rpc.js";
 import { Session, type GivenImage, type SolveWish } from "./session.js";
 import { buffersOf } from "./tables.js";
-import type { QuickChange, RasterWish, TraceWish } from "./types.js";
+import { snapped } from "./snap.js";
+import type { FitWish, QuickChange, RasterWish, SnapWish, TraceWish } from "./types.js";
 
 export function serve(scope: MessageEndpoint): void {
   let session: Session;
@@ -30,6 +31,8 @@ export function serve(scope: MessageEndpoint): void {
     payload: () => session.payload(),
     lint: () => session.lint(),
     convert: (text: string) => session.convert(text),
+    fit: (wish: FitWish) => session.fit(wish),
+    snap: (wish: SnapWish) => snapped(wish),
     trace: (wish: TraceWish) =>
       session.trace(wish, (note) => scope.postMessage({ note } satisfies Note, [])),
   });

@@ -20,7 +20,18 @@ import {
   type Origins,
   type RowCounts,
 } from "./tables.js";
-import type { EngineCurve, LayerUpdate, QuickChange, RasterWish, TraceRound, TraceWish } from "./types.js";
+import { fittedCurves } from "./fit.js";
+import type {
+  EngineCurve,
+  FittedCurve,
+  FitWish,
+  LayerUpdate,
+  PhotoPixels,
+  QuickChange,
+  RasterWish,
+  TraceRound,
+  TraceWish,
+} from "./types.js";
 
 /** Drags begin at once in layers of so many in all, those that were dragged last: 1 kB each. */
 const DRAG_TRIANGLES = 8_000;
@@ -292,6 +303,16 @@ export class Session {
     } finally {
       document.free();
     }
+  }
+
+  /**
+   * The curves of a text with the colours, or the blur, of a photo.
+   * @throws SfumatoError
+   */
+  fit(wish: FitWish): readonly FittedCurve[] {
+    const { curves } = this.read(wish.text);
+    const draw = (asked: RasterWish) => this.raster(asked) as PhotoPixels["data"];
+    return fittedCurves(this.#context, this.#read(), curves, wish, draw);
   }
 
   /**

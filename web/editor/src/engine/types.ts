@@ -1,5 +1,7 @@
 // contract: the engine, as the page sees it. It works in workers.
 import type { Box } from "../geometry/affine.js";
+import type { CubicPath } from "../geometry/cubic.js";
+import type { GivenImage } from "./session.js";
 
 export type EngineStatus =
   | { readonly kind: "empty" }
@@ -102,6 +104,47 @@ export interface TraceRound {
   readonly psnr: number;
 }
 
+/** Stops of one side of all curves of an element, before they are fitted. */
+export interface SideStops {
+  /** Where the element's `<` stands in the text, UTF-16 units. */
+  readonly offset: number;
+  readonly side: 0 | 1;
+  readonly space: 0 | 1;
+  /** [offset, value] */
+  readonly rows: readonly (readonly number[])[];
+}
+
+/** Curves whose colours, or blur, are to be fitted to a photo. */
+export interface FitWish {
+  readonly text: string;
+  /** Fills the artboard; where it is clear, nothing is to change. */
+  readonly photo: PhotoPixels;
+  readonly fits: "colors" | "blur";
+  /** The elements that are fitted, where their `<` stand in the text. */
+  readonly offsets: readonly number[];
+  /** Radii of blur to begin with, of curves that have none. */
+  readonly radii: readonly SideStops[];
+}
+
+/** What became of an element's curves: mean values where it has several. */
+export interface FittedCurve {
+  readonly offset: number;
+  /** [offset, red, green, blue] of the left and of the right side. */
+  readonly colors: readonly [readonly (readonly number[])[], readonly (readonly number[])[]];
+  /** Of its radii of blur: what they were, or began with, times this. */
+  readonly factor: number;
+  /** The largest radius, artboard units of the layer's frame; 0: none. */
+  readonly radius: number;
+}
+
+/** A curve to be moved to a photo's edges, in pixels. */
+export interface SnapWish {
+  readonly photo: PhotoPixels;
+  readonly paths: readonly CubicPath[];
+  /** At most so far, pixels. */
+  readonly reach: number;
+}
+
 export interface Engine {
   /**
    * The text from now on. While `moving`, pictures come quickly, within the frame's time; once it is
@@ -118,6 +161,8 @@ export interface Engine {
   readonly version: string;
   /** The last text that was read: its number, and its curves; changes of curves since leave both. */
   readonly index: { readonly serial: number; readonly curves: readonly EngineCurve[] };
+  /** Pixels of images that texts name: for other workers that read them. */
+  readonly images: readonly GivenImage[];
   /** Exact colours (red, green, blue, opacity; 0 to 1) of a layer's last exact state at points, xy in its frame. */
   colors(layer: number, xy: Float64Array): Promise<Float32Array>;
   raster(wish: RasterWish): Promise<Uint8ClampedArray<ArrayBuffer> | Uint16Array<ArrayBuffer>>;

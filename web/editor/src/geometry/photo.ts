@@ -45,3 +45,24 @@ export function colorAt({ width, height, data }: Photo, [x, y]: Point): Oklab | 
   const [r, g, b] = channels.map(median);
   return oklabFromRgb({ r, g, b });
 }
+
+/** Whether there is a pixel that lets something through. */
+export function isOpaque({ data }: Photo): boolean {
+  for (let i = 3; i < data.length; i += 4) if (data[i] < 255) return false;
+  return true;
+}
+
+/** A photo on what lies below it, of the same size: opaque. */
+export function layered(
+  { width, height, data }: Photo,
+  { data: below }: Photo,
+): Photo & { readonly data: Uint8ClampedArray<ArrayBuffer> } {
+  const laid = new Uint8ClampedArray(data.length);
+  const through = (color: number, share: number, under: number) => share * color + (1 - share) * under;
+  for (let i = 0; i < data.length; i += 4) {
+    const [share, own] = [data[i + 3] / 255, below[i + 3] / 255];
+    for (let k = i; k < i + 3; ++k) laid[k] = through(data[k], share, through(below[k], own, 255));
+    laid[i + 3] = 255;
+  }
+  return { width, height, data: laid };
+}

@@ -185,6 +185,13 @@ const panels = {
   saveAs: "Save as",
   placePhoto: "Place a photo to trace over",
   tracePhoto: "Trace photo…",
+  photo: "Photo",
+  colorsFromPhoto: "Colours from photo",
+  blurFromPhoto: "Fit blur to photo",
+  snapToPhoto: "Snap to photo’s edges",
+  difference: "Where is it wrong?",
+  needsPhoto: "Place a photo first",
+  needsCurve: "Choose a curve first",
   export: "Export",
   recover: "Recover",
   document: "Document",
@@ -633,6 +640,36 @@ const trace = {
   opened: (curves: string) => `The photo has become ${curves} curves.`,
 } as const;
 
+/** What is done with the photo that lies on the drawing. */
+const photo = {
+  colors: "colours from photo",
+  blur: "fit blur",
+  snap: "snap to edges",
+  fittingColors: "Fitting colours to the photo…",
+  fittingBlur: "Fitting the blur to the photo…",
+  snapping: "Looking for edges…",
+  stop: "Stop",
+  stopped: "Stopped: nothing has changed.",
+  changed: "The drawing has changed in the meantime, so nothing was fitted.",
+  noPhoto: "There is no photo to look at. Drop a picture on the canvas first.",
+  noCurves: "There is no curve that can be fitted: those that are locked or hidden stay as they are.",
+  chooseCurves: "Choose the curves that are to go to the photo’s edges.",
+  colorsDone: (curves: number) => (curves === 1 ? "1 curve has the photo’s colours." : `${curves} curves have the photo’s colours.`),
+  blurDone: (curves: number) => (curves === 1 ? "The blur of 1 curve is the photo’s." : `The blur of ${curves} curves is the photo’s.`),
+  snapDone: (curves: number) => (curves === 1 ? "1 curve lies on an edge." : `${curves} curves lie on edges.`),
+  colorsSame: "No colours look more like the photo than these.",
+  blurSame: "No blur looks more like the photo than this.",
+  noEdges: "No edge of the photo is near.",
+  difference: "Difference from the photo",
+  differenceOf: (psnr: string) => `${psnr} dB`,
+  differenceNone: "The photo does not lie on the artboard",
+  differenceSame: "no difference",
+  differenceTip: "How near the drawing is to the photo: 30 dB are near, 40 hard to tell apart",
+  least: "0",
+  most: (most: number) => `${most} of 255 or more`,
+  looking: "Looking…",
+} as const;
+
 const welcome = {
   lede: "Paint with curves",
   ledeText: "Give a curve a colour on each side. The picture fills itself in, smooth at any size.",
@@ -711,4 +748,4 @@ const files = {
   clipboardRefused: "The browser did not allow the copy. Export a PNG instead.",
 } as const;
 
-export const en = { page, commands, engine, canvas, tools, panels, layers, picker, dialogs, trace, welcome, tour, files } as const;
+export const en = { page, commands, engine, canvas, tools, panels, layers, picker, dialogs, trace, photo, welcome, tour, files } as const;

@@ -8,6 +8,7 @@ export { movePaint } from "./paint-place.js";
 export * from "./paints.js";
 export * from "./shapes.js";
 export * from "./structure.js";
+export * from "./fitted.js";
 export * from "./traced.js";
 export { curvesOf, isContainer, together } from "./together.js";
 export * from "./transform.js";

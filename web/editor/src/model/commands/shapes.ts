@@ -52,6 +52,22 @@ export function setPath(
   });
 }
 
+/** Gives subpaths other points, as many as they have. */
+export function setPoints(
+  d: Drawing,
+  h: Handle,
+  paths: ReadonlyMap<number, CubicPath>,
+  step: number,
+): Outcome | null {
+  const edits = [...paths].map(
+    ([path, { points }]): [number, ShapeEdit] => [
+      path,
+      (before) => (points.length === before.points.length ? withPoints(before, points) : null),
+    ],
+  );
+  return editShapes(d, h, step, new Map(edits));
+}
+
 /** Moves nodes by a vector of the element's coordinates, their handles with them. */
 export function moveNodes(
   d: Drawing,

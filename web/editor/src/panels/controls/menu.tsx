@@ -18,6 +18,8 @@ export type MenuItem =
       /** A tick; undefined: the item is none of those that are on or off. */
       readonly checked?: boolean;
       readonly disabled?: boolean;
+      /** Why it is disabled. */
+      readonly reason?: string | null;
       readonly items?: readonly MenuItem[];
     };
 
@@ -123,7 +125,10 @@ function Entry({
       <span class="menu-mark">
         {item.checked ? <Icon name="check" small /> : item.icon && <Icon name={item.icon} small />}
       </span>
-      <span class="menu-label">{item.label}</span>
+      <span class="menu-label">
+        {item.label}
+        {item.disabled && item.reason && <small class="menu-reason">{item.reason}</small>}
+      </span>
       {chord && <span class="menu-chord">{chord}</span>}
       {item.items && <Icon name="chevron-right" small />}
     </button>

@@ -1,5 +1,6 @@
 // What ☰, the canvas, the rows and the zoom button offer.
 import type { Editor } from "../../app/types.js";
+import { curvesOf } from "../../model/commands/index.js";
 import { en } from "../../strings/en.js";
 import type { MenuItem } from "../controls/menu.js";
 
@@ -52,6 +53,31 @@ const edit = (editor: Editor): readonly MenuItem[] => {
     { label: words.selectAll, command: "select-all" },
   ];
 };
+
+/** What is done with the photo that lies on the drawing. */
+export function photo(editor: Editor): readonly MenuItem[] {
+  const { drawing, selection } = editor;
+  const isThere = [...drawing.all()].some(({ kind, hidden }) => kind === "reference" && !hidden);
+  const chosen = curvesOf(drawing, selection.value).length > 0;
+  const needsPhoto = { disabled: !isThere, reason: words.needsPhoto };
+  return [
+    { label: words.colorsFromPhoto, command: "colors-from-photo", ...needsPhoto },
+    { label: words.blurFromPhoto, command: "blur-from-photo", ...needsPhoto },
+    {
+      label: words.snapToPhoto,
+      command: "snap-to-photo",
+      disabled: !isThere || !chosen,
+      reason: isThere ? words.needsCurve : words.needsPhoto,
+    },
+    "line",
+    {
+      label: words.difference,
+      command: "difference",
+      checked: editor.showDifference.value,
+      ...needsPhoto,
+    },
+  ];
+}
 
 /** What can be done with what is selected, by its kind. */
 export function object(editor: Editor): readonly MenuItem[] {
@@ -133,6 +159,7 @@ export function mainMenu(editor: Editor, isPhone: boolean): readonly MenuItem[] 
     { label: words.file, items: file() },
     { label: words.edit, items: edit(editor) },
     { label: words.object, items: object(editor) },
+    { label: words.photo, items: photo(editor) },
     { label: words.view, items: view(editor) },
     ...(isPhone ? [{ label: words.tools, items: hiddenTools(editor) }] : []),
     "line",
@@ -144,5 +171,5 @@ export const zoomMenu = (): readonly MenuItem[] => zooms;
 
 /** On the canvas, and on what is selected there. */
 export function contextMenu(editor: Editor): readonly MenuItem[] {
-  return [...clipboard(editor), "line", ...object(editor)];
+  return [...clipboard(editor), "line", { label: words.photo, items: photo(editor) }, ...object(editor)];
 }

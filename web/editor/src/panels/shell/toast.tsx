@@ -1,7 +1,24 @@
 // What was done, with a way back. One at a time; longer under the pointer or with the focus.
 import { useEffect, useRef } from "preact/hooks";
+import { Icon } from "../../icons.js";
 import { en } from "../../strings/en.js";
 import { useShell } from "../services.js";
+
+/** What goes on, with a way to end it. */
+function TaskView() {
+  const { task } = useShell().editor;
+  const now = task.value;
+  if (!now) return null;
+  return (
+    <div class="toast">
+      <Icon name="loader-circle" small />
+      {now.text}
+      <button type="button" onClick={now.stop}>
+        {en.photo.stop}
+      </button>
+    </div>
+  );
+}
 
 /** Milliseconds. */
 const STAYS = 5000;
@@ -23,6 +40,7 @@ export function ToastView() {
   }, [now]);
   return (
     <div class="toasts" role="status">
+      <TaskView />
       {now && (
         <div
           class="toast"

@@ -1,0 +1,40 @@
+// Workers for one piece of work: ending one takes no time, and nothing of it stays.
+import { en } from "../strings/en.js";
+import { Link } from "./rpc.js";
+import { moduleOf, workerOf, type Host } from "./seat.js";
+
+export async function started(host: Host): Promise<Link> {
+  const link = new Link(workerOf(host), en.engine.noWorker);
+  try {
+    await link.call("start", await moduleOf(host), "trace");
+  } catch (error) {
+    link.end();
+    throw error;
+  }
+  return link;
+}
+
+/**
+ * What a worker that is begun for it answers; it is ended then, or when the signal says so.
+ * @throws the signal's reason; EngineError
+ */
+export async function inOwnWorker<Value>(
+  host: Host,
+  signal: AbortSignal,
+  work: (link: Link) => Promise<Value>,
+): Promise<Value> {
+  signal.throwIfAborted();
+  const link = await started(host);
+  const stop = () => link.end();
+  signal.addEventListener("abort", stop);
+  try {
+    signal.throwIfAborted();
+    return await work(link);
+  } catch (error) {
+    signal.throwIfAborted();
+    throw error;
+  } finally {
+    signal.removeEventListener("abort", stop);
+    link.end();
+  }
+}
