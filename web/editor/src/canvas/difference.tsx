@@ -28,20 +28,22 @@ export function DifferenceImage({ canvas, map }: { readonly canvas: Canvas; read
   );
 }
 
-function nearness(psnr: number | null): string {
+function nearness({ difference, drawing, status }: Editor): string {
+  const shown = difference.value;
+  if (status.value.kind === "problem" || status.value.kind === "failed") return words.differenceFails;
+  if (shown?.revision !== drawing.revision) return words.looking;
+  const { psnr } = shown;
   if (psnr === null) return words.differenceNone;
   return psnr === Infinity ? words.differenceSame : words.differenceOf(psnr.toFixed(1));
 }
 
 export function DifferenceLegend({ editor }: { readonly editor: Editor }) {
   if (!editor.showDifference.value) return null;
-  const shown = editor.difference.value;
-  const isNow = shown?.revision === editor.drawing.revision;
   return (
     <div class="difference-legend" role="group" aria-label={words.difference}>
       <p>
         <span>{words.difference}</span>
-        <b title={words.differenceTip}>{shown && isNow ? nearness(shown.psnr) : words.looking}</b>
+        <b title={words.differenceTip}>{nearness(editor)}</b>
       </p>
       <div class="difference-ramp" style={`background:linear-gradient(to right, ${differenceColors.join(", ")})`} />
       <p class="muted">
