@@ -91,6 +91,14 @@ describe("a curve near an edge", () => {
     for (const node of [0, 1, 2, 3]) expect(kindOf(after, node)).not.toBe("corner");
   });
 
+  test("takes along what is farther from the edge than it reaches", () => {
+    const round = circle([60, 60], 29);
+    const bulge = round.points.map(([x, y]): Point => (x > 60 && y > 60 ? [x + 6, y + 6] : [x, y]));
+    const before = { ...round, points: bulge };
+    expect(farFromEdge(before)).toBeGreaterThan(5);
+    expect(farFromEdge(snappedPath(edgeMap(disc), before, 5)!)).toBeLessThan(0.6);
+  });
+
   test("keeps its corners, and an end beyond the edge where it was", () => {
     const step = photoOf(100, 60, (x) => (x < 50 ? RED : BLUE));
     const [before] = readPath("M46 5L47 30L46 55");

@@ -10,8 +10,10 @@ import { add, distance, dot, scaled, size, subtract, unit } from "./vector.js";
 /** Between places that look for an edge, pixels. */
 const SPACING = 1.5;
 const MOST_PLACES = 4000;
-/** Moves that each begin where the one before ended. */
-const TURNS = 3;
+/** Moves that each begin where the one before ended: within these shares of the reach. */
+const TURNS = [1, 1, 1, 0.5, 0.25];
+/** How much a place counts that has no edge within reach: its neighbours take it along. */
+const LOST = 0.05;
 /** How much control points hold to their places, and to those of their neighbours; a place counts 1. */
 const HOLD = 0.02;
 const EVEN = 0.3;
@@ -26,12 +28,14 @@ interface Place {
   readonly first: number;
   /** What the piece's four control points count there. */
   readonly weights: readonly [number, number, number, number];
+  /** How much the place counts. */
+  readonly share: number;
 }
 
-function placeOf(path: CubicPath, at: number): Place {
+function placeOf(path: CubicPath, at: number, share: number): Place {
   const { piece, t } = locate(path, at);
   const s = 1 - t;
-  return { first: 3 * piece, weights: [s * s * s, 3 * s * s * t, 3 * s * t * t, t * t * t] };
+  return { first: 3 * piece, weights: [s * s * s, 3 * s * s * t, 3 * s * t * t, t * t * t], share };
 }
 
 /** Places about SPACING apart, ends among them. */
@@ -71,8 +75,8 @@ class Moves {
 
   rightSide(wanted: readonly number[]): Float64Array {
     const sums = new Float64Array(this.#count);
-    this.#places.forEach(({ first, weights }, i) =>
-      weights.forEach((weight, k) => (sums[first + k] += weight * wanted[i])),
+    this.#places.forEach(({ first, weights, share }, i) =>
+      weights.forEach((weight, k) => (sums[first + k] += share * weight * wanted[i])),
     );
     return this.#tied(sums);
   }
@@ -80,8 +84,8 @@ class Moves {
   times(moves: Float64Array): Float64Array {
     const all = this.#spread(moves);
     const sums = new Float64Array(this.#count);
-    for (const { first, weights } of this.#places) {
-      const there = weights.reduce((sum, weight, k) => sum + weight * all[first + k], 0);
+    for (const { first, weights, share } of this.#places) {
+      const there = share * weights.reduce((sum, weight, k) => sum + weight * all[first + k], 0);
       weights.forEach((weight, k) => (sums[first + k] += weight * there));
     }
     for (let i = 0; i < this.#count; ++i) {
@@ -142,9 +146,10 @@ function moved(edges: EdgeMap, path: CubicPath, reach: number): CubicPath {
     return pointAt(pieceAt(path, piece), t);
   });
   const to = magnet(edges, from, reach);
+  // What has no edge is the very point that it was.
   const moves = new Moves(
     path,
-    at.map((place) => placeOf(path, place)),
+    at.map((place, i) => placeOf(path, place, to[i] === from[i] ? LOST : 1)),
   );
   const by = [0, 1].map((axis) => moves.solve(to.map((point, i) => point[axis] - from[i][axis])));
   const points = path.points.map((point, i): Point => add(point, [by[0][i], by[1][i]]));
@@ -160,8 +165,8 @@ function moved(edges: EdgeMap, path: CubicPath, reach: number): CubicPath {
 export function snappedPath(edges: EdgeMap, path: CubicPath, reach: number): CubicPath | null {
   if (!(pathLength(path) > 0)) return null;
   let now = path;
-  // Each time from nearer, so that an edge beside the right one is not taken for it.
-  for (let turn = 0; turn < TURNS; ++turn) now = moved(edges, now, reach / (1 + turn));
+  // From nearer in the end, so that an edge beside the right one is not taken for it.
+  for (const share of TURNS) now = moved(edges, now, share * reach);
   const most = Math.max(...now.points.map((point, i) => distance(point, path.points[i])));
   return most < LEAST || !now.points.every((point) => Number.isFinite(size(point))) ? null : now;
 }

@@ -86,7 +86,7 @@ function edgeAlong(edges: EdgeMap, point: Point, normal: Point, reach: number): 
 /**
  * Points of a stroke, in photo pixels, moved along its normal to the edges that it follows, by at
  * most `reach`. Where neighbours go elsewhere a point goes with them; where there is no edge it
- * stays.
+ * stays, and is the same object.
  */
 export function magnet(edges: EdgeMap, points: readonly Point[], reach = 6): Point[] {
   const last = points.length - 1;

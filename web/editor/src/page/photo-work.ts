@@ -23,7 +23,7 @@ const host = { module: getModule, worker: createWorker };
 const MOST_FITTED = 1024;
 const MOST_SNAPPED = 1600;
 /** How far curves go to an edge, CSS pixels at the present zoom; and at least, and at most, photo pixels. */
-const REACH = 10;
+const REACH = 16;
 const LEAST_REACH = 3;
 const MOST_REACH = 24;
 
