@@ -88,6 +88,27 @@ const states = {
   group: { enter: (editor) => select(editor, "strokes") },
   instance: { enter: (editor) => select(editor, "copy") },
   reference: { enter: (editor) => select(editor, "photo") },
+  difference: {
+    async enter({ page }) {
+      await page.locator(".canvas-stage").focus();
+      await page.keyboard.press("w");
+      await page.locator(".difference-legend").filter({ hasText: "dB" }).waitFor();
+    },
+    async leave({ page }) {
+      await page.locator(".canvas-stage").focus();
+      await page.keyboard.press("w");
+    },
+  },
+  photos: {
+    async enter({ page }) {
+      await page.getByRole("button", { name: /^Menu/ }).click();
+      await page.getByRole("menuitem", { name: "Photo" }).click();
+    },
+    async leave({ page }) {
+      await page.keyboard.press("Escape");
+      await page.keyboard.press("Escape");
+    },
+  },
   menu: {
     enter: ({ page }) => page.getByRole("button", { name: /^Menu/ }).click(),
     leave: ({ page }) => page.keyboard.press("Escape"),

@@ -2,6 +2,7 @@
 import { readFileSync } from "node:fs";
 import { check, checkEqual, pathOf } from "./harness.mjs";
 import { changing, openWithoutPickers } from "./draw.mjs";
+import { said } from "./words.mjs";
 
 /** The table of keys.ts, read from its text: [group, command, keys]. */
 function bindings() {
@@ -138,6 +139,14 @@ class Keys {
 
 const order = (now) => [...now.matchAll(/id="(\w+)"/g)].map(([, id]) => id).join(" ");
 
+/** With a photo tests/editor/e2e/photo.mjs has them. */
+async function wantsPhoto(keys, key) {
+  await keys.fresh("low");
+  await keys.press(key);
+  await said(keys.page, /There is no photo to look at/);
+  await keys.page.locator(".toast button").click();
+}
+
 /** What shows that a command was done, by its name. */
 const shows = {
   "zoom-in": (keys, key) => keys.zooms(key, (now, before) => now > before * 1.2),
@@ -213,6 +222,10 @@ const shows = {
     await keys.attribute("3", "Blur");
     await keys.attribute(key, "Colour");
   },
+  difference: wantsPhoto,
+  "colors-from-photo": wantsPhoto,
+  "blur-from-photo": wantsPhoto,
+  "snap-to-photo": wantsPhoto,
   "swap-sides": (keys, key) => keys.fresh("low").then(() => keys.text(key, /id="low"(?=[^>]*sf:left="#36c")[^>]*sf:right="#e33"/)),
   reverse: (keys, key) => keys.fresh("low").then(() => keys.text(key, /d="M400 300/)),
   join: async (keys, key) => {

@@ -17,6 +17,7 @@ import { testGestures } from "./gestures.mjs";
 import { testKeys } from "./keys.mjs";
 import { testLayers } from "./layers.mjs";
 import { testPanels } from "./panels.mjs";
+import { testPhoto } from "./photo.mjs";
 import { testRecover } from "./recover.mjs";
 import { testRobust } from "./robust.mjs";
 import { testSaving } from "./saving.mjs";
@@ -41,6 +42,7 @@ const themes = [
   testGradients,
   testPaints,
   testTrace,
+  testPhoto,
   testRobust,
   testRecover,
   testDraw,
