@@ -91,12 +91,12 @@ const states = {
   difference: {
     async enter({ page }) {
       await page.locator(".canvas-stage").focus();
-      await page.keyboard.press("w");
+      await page.keyboard.press("d");
       await page.locator(".difference-legend").filter({ hasText: "dB" }).waitFor();
     },
     async leave({ page }) {
       await page.locator(".canvas-stage").focus();
-      await page.keyboard.press("w");
+      await page.keyboard.press("d");
     },
   },
   photos: {

@@ -122,7 +122,7 @@ async function testDifference(editor) {
   await textAfter(page, before);
   // It is looked at again when the drawing rests.
   await page.waitForFunction((was) => Number(/([\d.]+) dB/.exec(document.querySelector(".difference-legend").textContent)?.[1]) > was + 10, wrong);
-  await editor.key("w");
+  await editor.key("d");
   await page.waitForFunction(() => !document.querySelector(".difference-legend, image.difference"));
 }
 

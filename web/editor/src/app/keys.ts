@@ -30,7 +30,7 @@ export const defaultKeys: readonly KeyBinding[] = [
   binding("view", "mesh", "M"),
   binding("view", "outlines", "O"),
   binding("view", "reference", "R"),
-  binding("view", "difference", "W"),
+  binding("view", "difference", "D"),
   binding("view", "keys", "?"),
   binding("view", "hints", "F8"),
   binding("edit", "undo", "Ctrl+Z"),

@@ -1,4 +1,4 @@
-// Commands of files, which the page adds to the editor's.
+// Commands of files and photos, which the page adds to the editor's.
 import type { DrawingEditor } from "../app/editor.js";
 import { askToTrace } from "./tracing.js";
 import type { Documents } from "./documents.js";
