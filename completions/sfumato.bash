@@ -79,7 +79,7 @@ _sfumato() {
       ;;
     trace)
       options='--output --out-dir --points --detail --max-curves --psnr --smooth --stops
-        --edges-only --no-alpha --blur --max-side --seed --colors-only --allow-files
+        --edges-only --no-alpha --texture --blur --max-side --seed --colors-only --allow-files
         --threads --stats --quiet
         --max-memory --max-time --limit --help'
       ;;

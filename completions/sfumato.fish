@@ -79,6 +79,7 @@ complete -c sfumato -n '__fish_seen_subcommand_from trace' -l smooth -x -d 'What
 complete -c sfumato -n '__fish_seen_subcommand_from trace' -l stops -x -a 'few normal many' -d 'How many colours are kept along curves'
 complete -c sfumato -n '__fish_seen_subcommand_from trace' -l edges-only -d 'A draft of the edges alone'
 complete -c sfumato -n '__fish_seen_subcommand_from trace' -l no-alpha -d 'Transparent pictures as on white'
+complete -c sfumato -n '__fish_seen_subcommand_from trace' -l texture -d 'What the curves miss becomes a texture'
 complete -c sfumato -n '__fish_seen_subcommand_from trace' -l blur -x -a 'on off fixed' -d 'How wide edges are'
 complete -c sfumato -n '__fish_seen_subcommand_from trace' -l max-side -x -d 'Look at larger pictures in this size'
 complete -c sfumato -n '__fish_seen_subcommand_from trace' -l seed -x -d 'Of the choice of pixels'

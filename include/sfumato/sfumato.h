@@ -504,7 +504,8 @@ typedef struct sfumato_trace_watch {
  * options: points=N [2000 for 640 x 480] or detail=0...1 for 250 to 16,000 of them, max-curves,
  * psnr=DB ends as soon as it is reached, smooth=PIXELS [0] of texture that no curve follows,
  * stops=few|normal|many, blur=on|off|fixed, max-side=PIXELS [1024] at which a larger picture is
- * looked at, seed, edges-only for a draft, no-alpha for transparent pictures as on white. */
+ * looked at, seed, edges-only for a draft, no-alpha for transparent pictures as on white, texture
+ * for a layer of what the curves miss (which WebAssembly cannot write). */
 SFUMATO_API int32_t sfumato_trace(sfumato_context* context, const sfumato_image* image,
                                   const char* options, const sfumato_trace_watch* watch,
                                   sfumato_document** document);

@@ -75,8 +75,9 @@ void add_files(CLI::App& app, TraceArguments& arguments, TraceChoices& choices) 
 }
 
 /// What says how curves are made, and has no place with --colors-only.
-constexpr const char* kOfCurves[] = {"--points", "--detail", "--max-curves", "--psnr",
-                                     "--smooth", "--stops",  "--edges-only", "--no-alpha"};
+constexpr const char* kOfCurves[] = {"--points",     "--detail",   "--max-curves",
+                                     "--psnr",       "--smooth",   "--stops",
+                                     "--edges-only", "--no-alpha", "--texture"};
 
 /// The options of kOfCurves.
 void add_amounts(CLI::App& app, TraceOptions& options, TraceChoices& choices) {
@@ -106,6 +107,9 @@ void add_amounts(CLI::App& app, TraceOptions& options, TraceChoices& choices) {
   app.add_flag_callback(
       "--no-alpha", [&options] { options.has_opacity = false; },
       "Transparent pictures as on white; else they become\ndrawings with opacity");
+  app.add_flag(
+      "--texture", options.has_texture,
+      "What the curves miss becomes a texture, which is as\nlarge as a PNG of the picture");
 }
 
 void add_looks(CLI::App& app, TraceOptions& options) {

@@ -43,6 +43,7 @@ std::string to_json(const TraceFacts& facts, std::string_view input) {
       .member("median_length_px", facts.trace.median_length_px)
       .member("curves_of_nine_tenths", facts.trace.curves_of_nine_tenths)
       .member("threads", facts.threads);
+  if (facts.trace.textured_psnr_db) json.member("textured_psnr_db", *facts.trace.textured_psnr_db);
   json.key("rounds").begin_array();
   for (const TraceState& state : facts.trace.rounds) {
     json.begin_object().member("round", state.round);
@@ -72,8 +73,12 @@ std::string summary(const TraceFacts& facts, std::string_view output) {
   const TraceState last = last_of(facts.trace);
   char seconds[32];
   std::snprintf(seconds, sizeof seconds, "%.1f s", facts.total_seconds);
+  std::string nearness = psnr_text(last.psnr_db);
+  if (const auto& textured = facts.trace.textured_psnr_db) {
+    nearness += " (with its texture " + psnr_text(*textured) + ')';
+  }
   return std::string(output) + ": " + counted(last.curves, "curve") + ", " +
-         counted(last.control_points, "point") + ", " + psnr_text(last.psnr_db) + " in " + seconds;
+         counted(last.control_points, "point") + ", " + nearness + " in " + seconds;
 }
 
 }  // namespace sfumato::cli

@@ -67,6 +67,8 @@ constexpr Option<TraceSettings> kTraceOptions[] = {
      [](TraceSettings& s, const Value&) { s.trace.edges_only = true; }},
     {{.key = "no-alpha", .kind = ValueKind::flag, .calls = kTrace},
      [](TraceSettings& s, const Value&) { s.trace.has_opacity = false; }},
+    {{.key = "texture", .kind = ValueKind::flag, .calls = kTrace},
+     [](TraceSettings& s, const Value&) { s.trace.has_texture = true; }},
 };
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "trace/shape.hpp"
 #include "trace/side_colors.hpp"
 #include "trace/snap.hpp"
+#include "trace/texture.hpp"
 
 namespace sfumato::tracing {
 namespace {
@@ -77,7 +78,7 @@ Result<Document> Tracer::run() {
   if (!status) return status;
   note(stats_.rounds.back().round);
   measure_curves();
-  return drawing();
+  return finished_drawing();
 }
 
 Status Tracer::begin() {
@@ -214,6 +215,17 @@ void Tracer::measure_curves() {
     left -= benefits[i];
     stats_.curves_of_nine_tenths = i + 1;
   }
+}
+
+Result<Document> Tracer::finished_drawing() {
+  Document finished = drawing();
+  if (!options_.has_texture) return finished;
+  fit_.reset();  // the memory of its rows is free for the texture's
+  double psnr_db = 0;
+  Status status = add_texture(context_, *picture_, finished, psnr_db);
+  if (!status) return status;
+  stats_.textured_psnr_db = psnr_db;
+  return finished;
 }
 
 Document Tracer::drawing() const {

@@ -41,6 +41,7 @@ class Tracer {
   TraceState state(int round) const;
   void note(int round);
   void measure_curves();
+  Result<Document> finished_drawing();
   std::size_t point_count() const;
   std::size_t curve_limit() const;
   Document drawing() const;

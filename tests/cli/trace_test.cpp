@@ -80,6 +80,20 @@ TEST(Trace, makes_a_drawing_of_a_picture_and_says_how_near_it_is) {
   EXPECT_EQ(trace(folder, disc_png(), {"--quiet"}).err, "");
 }
 
+TEST(Trace, with_a_texture_says_how_near_that_is) {
+  const TemporaryFolder folder;
+  const CommandResult result =
+      trace(folder, disc_png(), {"--texture", "--points", "40", "--stats", "-"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_TRUE(contains(result.err, " (with its texture ")) << result.err;
+  EXPECT_TRUE(contains(result.out, ",\"textured_psnr_db\":")) << result.out;
+  const CommandResult lint = run_sfumato({"lint", "--strict", folder.path("out.svg")});
+  EXPECT_EQ(lint.exit_code, 0) << lint.out;
+  const CommandResult refused = trace(folder, disc_png(), {"--texture", "--limit", "texels=2000"});
+  EXPECT_EQ(refused.exit_code, 3);
+  EXPECT_TRUE(contains(refused.err, "the texture would have")) << refused.err;
+}
+
 TEST(Trace, takes_pictures_of_every_kind) {
   const TemporaryFolder folder;
   Image deep = disc(20, 10);
@@ -253,6 +267,7 @@ TEST(Trace, wrong_options_are_told_and_nothing_is_done) {
       {{"--format", "svg"}, "no option of trace"},
       {{"--colors-only", "a.svg", "--points", "9"}, "--points: has no place with --colors-only"},
       {{"--colors-only", "a.svg", "--no-alpha"}, "--no-alpha: has no place with --colors-only"},
+      {{"--colors-only", "a.svg", "--texture"}, "--texture: has no place with --colors-only"},
   };
   for (const BadUsage& bad : cases) {
     const TemporaryFolder folder;

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "sfumato/base/context.hpp"
@@ -70,6 +71,10 @@ struct TraceOptions {
   std::uint64_t seed = 0;   ///< of the choice of pixels that colours are fitted to
   bool edges_only = false;  ///< ends after round 0: a draft
   bool has_opacity = true;  ///< transparent pictures become drawings with opacity; else as on white
+  /// What the curves miss becomes a texture, in a layer of its own on top, which is blended by hard
+  /// light: a texel to a pixel looked at. With few curves, it bears what these leave out; its file
+  /// is about as large as the picture's as PNG.
+  bool has_texture = false;
   TraceWatch* watch = nullptr;  ///< null: nobody is told
 };
 
@@ -81,6 +86,9 @@ struct TraceStats {
   double median_length_px = 0;     ///< of the curves, without the frame, pixels of the picture
   /// How many curves, those of most benefit first, bear 9/10 of the benefit.
   std::size_t curves_of_nine_tenths = 0;
+  /// With TraceOptions::has_texture: as TraceState::psnr_db, but of the drawing with its texture,
+  /// as rasterize() draws it, to the picture's opaque pixels. The rounds are those without it.
+  std::optional<double> textured_psnr_db{};
 };
 
 /// Makes a drawing of a picture: curves along its edges, whose colours and radii of blur are fitted
@@ -89,8 +97,8 @@ struct TraceStats {
 ///
 /// The drawing's artboard is the picture, a user unit to a pixel; its layer has a frame along the
 /// border, whose inner side bears colours, and below that the curves in the order in which they
-/// were found. The same picture and options make the same drawing, whatever the threads and the
-/// instruction set, but for max_seconds.
+/// were found; TraceOptions::has_texture adds a layer. The same picture and options make the same
+/// drawing, whatever the threads and the instruction set, but for max_seconds.
 ///
 /// Errors: bad_input (options out of range, a picture that is not valid), limit, cancelled,
 /// out_of_memory.
