@@ -64,6 +64,8 @@ const char* heading(options::Group group) {
   switch (group) {
     case options::Group::none:
       break;
+    case options::Group::drawing:
+      return "Drawing";
     case options::Group::place:
       return "Part and size";
     case options::Group::solution:

@@ -1,15 +1,14 @@
 #pragma once
 
-#include <optional>
-
 #include "cli/arguments.hpp"
 #include "cli/option_helpers.hpp"
+#include "options/settings.hpp"
 
 namespace sfumato::cli {
 
 /// Options that affect several members of TraceArguments and are applied once all are known.
 struct TraceChoices : JobChoices {
-  std::optional<double> detail;
+  options::TraceSettings settings;
 };
 
 CLI::App* add_trace(CLI::App& root, TraceArguments& arguments, TraceChoices& choices);

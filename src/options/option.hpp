@@ -50,6 +50,7 @@ struct Value {
 /// What options are about: a heading of the command's help each.
 enum class Group : std::uint8_t {
   none,  ///< not the command's
+  drawing,
   place,
   solution,
   mesh,
