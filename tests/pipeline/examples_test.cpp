@@ -11,11 +11,15 @@
 #include <string>
 #include <vector>
 
+#include "codecs/photo.hpp"
 #include "sfumato/api/render_pixels.hpp"
 #include "sfumato/base/native/thread_pool.hpp"
 #include "sfumato/formats/read_document.hpp"
 #include "sfumato/raster/rasterize.hpp"
 #include "sfumato/solve/diffuse.hpp"
+#include "support/draw.hpp"
+#include "support/picture_quality.hpp"
+#include "support/planes.hpp"
 #include "support/sanitizers.hpp"
 #include "support/scenes.hpp"
 
@@ -306,6 +310,41 @@ TEST(Examples, the_feather_is_made_of_local_curves_and_stands_there_twice) {
   // The half on paper has nothing below: the only layer lies in the other half.
   EXPECT_EQ(items<LayerInstance>(document).size(), 1u);
 }
+
+class TracedExample : public testing::TestWithParam<const char*> {};
+
+TEST_P(TracedExample, has_one_layer_of_at_most_2000_control_points_with_blur_of_its_own_each) {
+  const Document document = example(std::string(GetParam()) + ".svg");
+  ASSERT_EQ(document.layers.size(), 1u);
+  EXPECT_GT(curve_count(document), 200u);
+  std::size_t points = 0;
+  std::set<float> radii;
+  for (const Curve& curve : document.layers[0].curves) {
+    points += curve.control_points.size();
+    radii.insert(largest(curve.left.blur_radius));
+  }
+  EXPECT_LE(points, 2000u);
+  EXPECT_GT(radii.size(), 50u);
+}
+
+TEST_P(TracedExample, looks_like_its_photo) {
+  const std::string file = std::string("photos/") + GetParam() + ".jpg";
+  const auto bytes = test::file_bytes(kFolder + file);
+  ASSERT_TRUE(bytes.has_value());
+  Context context;
+  const Result<Image> photo = codecs::read_photo(
+      context, {reinterpret_cast<const std::uint8_t*>(bytes->data()), bytes->size()}, file,
+      nullptr);
+  ASSERT_TRUE(photo.ok()) << to_string(photo.status());
+  const Document document = example(std::string(GetParam()) + ".svg");
+  const Result<Image> image =
+      test::draw(context, document, photo->width, photo->height, PixelFormat::rgb8);
+  ASSERT_TRUE(image.ok()) << to_string(image.status());
+  EXPECT_GE(test::psnr_db(test::planes_of(*image), test::planes_of(*photo)), 29.5);
+}
+
+INSTANTIATE_TEST_SUITE_P(Examples, TracedExample, testing::Values("still_life", "lake"),
+                         [](const auto& instance) { return std::string(instance.param); });
 
 }  // namespace
 }  // namespace sfumato
