@@ -104,6 +104,13 @@ TEST_F(CTrace, has_as_many_points_as_detail_says) {
   EXPECT_EQ(written(context.get(), document.get()), rough);
 }
 
+TEST_F(CTrace, has_a_layer_of_texture_where_that_is_asked_for) {
+  ASSERT_EQ(trace("points=60"), SFUMATO_OK);
+  EXPECT_EQ(written(context.get(), document.get()).find("hard-light"), std::string::npos);
+  ASSERT_EQ(trace("points=60 texture"), SFUMATO_OK);
+  EXPECT_NE(written(context.get(), document.get()).find("hard-light"), std::string::npos);
+}
+
 TEST_F(CTrace, tells_of_its_rounds_with_a_drawing_to_be_read) {
   Told told{context.get(), {}, {}};
   const sfumato_trace_watch watch{tell, &told};
@@ -132,7 +139,7 @@ TEST_F(CTrace, with_wrong_arguments_is_bad_usage_that_names_them) {
   EXPECT_NE(std::string(sfumato_error_text(context.get())).find("points"), std::string::npos);
   for (const char* wrong : {"points=0", "detail=1.5", "detail=-1", "psnr=0", "smooth=-1",
                             "smooth=33", "stops=none", "blur=1", "max-side=15", "max-curves=0",
-                            "seed=-1", "edges-only=yes", "points=300 detail=0.5"}) {
+                            "seed=-1", "edges-only=yes", "texture=1", "points=300 detail=0.5"}) {
     EXPECT_EQ(trace(wrong), SFUMATO_BAD_USAGE) << wrong;
   }
   const sfumato_trace_watch none{nullptr, nullptr};
