@@ -19,6 +19,9 @@ constexpr std::size_t kRows = 16;
 /// Of a pixel: an edge is never farther from its centre.
 constexpr float kMostOffset = 0.7f;
 
+/// Less is nothing, and has no logarithm.
+constexpr float kLeastStrength = 1e-6f;
+
 /// The two neighbours of a pixel across the edge, one pixel away.
 struct Across {
   float ahead, behind;
@@ -146,12 +149,15 @@ class EdgeFinder {
     }
   }
 
-  /// The top of the parabola through the pixel and its neighbours across.
+  /// The top of the parabola through the logarithms of the strength in the pixel and beside it
+  /// across: that of a blurred step is a Gaussian.
   EdgePixel edge_at(int x, int y, double scale) const {
     const float here = gradient_.strength.at(x, y);
     const auto [ahead, behind] = across(gradient_, x, y);
-    const float bend = ahead + behind - 2 * here;
-    const float top = bend < 0 ? 0.5f * (behind - ahead) / bend : 0.0f;
+    const float rise_ahead = std::log(std::max(ahead, kLeastStrength) / here);
+    const float rise_behind = std::log(std::max(behind, kLeastStrength) / here);
+    const float bend = rise_ahead + rise_behind;
+    const float top = bend < 0 ? 0.5f * (rise_behind - rise_ahead) / bend : 0.0f;
     const float offset = std::clamp(top, -kMostOffset, kMostOffset);
     return {static_cast<float>(scale), here, offset * gradient_.normal_x.at(x, y),
             offset * gradient_.normal_y.at(x, y)};

@@ -85,10 +85,19 @@ class ChainWalker {
     PixelChain chain{p};
     is_used_[index(p)] = 1;
     while (const std::optional<PixelPlace> to = next(chain)) {
-      is_used_[index(*to)] = 1;
+      use_step(chain.back(), *to);
       chain.push_back(*to);
     }
     return chain;
+  }
+
+  /// A diagonal step passes the pixel in its corner too: thin lines at 45° are staircases, and what
+  /// is left of one would make a second chain beside the first.
+  void use_step(PixelPlace from, PixelPlace to) {
+    is_used_[index(to)] = 1;
+    for (const PixelPlace corner : {PixelPlace{from.x, to.y}, PixelPlace{to.x, from.y}}) {
+      if (is_edge(corner)) is_used_[index(corner)] = 1;
+    }
   }
 
   /// The free neighbour of the chain's end that lies most nearly straight ahead.
