@@ -7,13 +7,15 @@
 #include "base/poll.hpp"
 #include "base/table_memory.hpp"
 #include "gather/free_ends.hpp"
+#include "gather/meetings.hpp"
 #include "gather/scene.hpp"
 #include "lint/curve_hints.hpp"
-#include "sfumato/base/color_space.hpp"
 
 namespace sfumato::lint_detail {
 namespace {
 
+using gather::Cross;
+using gather::Meeting;
 using mesh::TriangleMesh;
 
 /// Up to so many hints of a kind in a layer are told one by one, more as one: curves that a program
@@ -72,43 +74,13 @@ class MeetingCheck {
         attributes_(test.prepared.color.attributes) {}
 
   Status run() {
-    Status status = memory_.resize(context_, meeting_, mesh_.vertex_position.size());
-    if (status) status = find_meetings();
+    Status status = gather::find_meetings(context_, mesh_, memory_, meeting_);
     if (status) status = check_crossings();
     return status ? check_ends() : status;
   }
 
  private:
-  /// The edges with curves at a vertex.
-  struct Meeting {
-    std::uint32_t edges = 0;
-    std::uint32_t half_edge = 0;  ///< one of them, out of the vertex
-  };
-
-  /// A curve on its way out of a vertex: the one that was drawn last where several lie on an edge.
-  struct Strand {
-    std::uint32_t half_edge = 0;
-    std::uint32_t curve = 0;
-  };
-  using Cross = std::array<Strand, 4>;
-
   Vec2 position(std::uint32_t v) const { return mesh_.vertex_position[v]; }
-
-  std::uint32_t curve_on(std::int32_t constraint) const {
-    const auto& edge = mesh_.constraint[static_cast<std::size_t>(constraint)];
-    return attributes_.curve[mesh_.pieces(edge).back().segment];
-  }
-
-  Status find_meetings() {
-    for (std::uint32_t h = 0; h < mesh_.triangle_vertex.size(); ++h) {
-      if (poll_.cancelled()) return context_.cancel_status();
-      if (!mesh_.has_curves(h)) continue;
-      Meeting& meeting = meeting_[mesh_.origin(h)];
-      ++meeting.edges;
-      meeting.half_edge = h;
-    }
-    return context_.check();
-  }
 
   /// Hints of one kind, told or counted.
   struct Finds {
@@ -143,10 +115,11 @@ class MeetingCheck {
     Finds crossings{HintKind::crossing, " crossings whose colours do not fit"};
     for (std::uint32_t v = 0; v < meeting_.size(); ++v) {
       if (poll_.cancelled()) return context_.cancel_status();
-      if (meeting_[v].edges != 4) continue;
-      const std::optional<Cross> cross = cross_at(meeting_[v].half_edge);
+      const std::optional<Cross> cross = gather::cross_at(mesh_, attributes_, meeting_[v]);
       if (!cross) continue;
-      if (is_outline_crossed(*cross) && clashes(*cross)) add_crossing(crossings, *cross);
+      if (is_outline_crossed(*cross) && gather::clashes(mesh_, attributes_, *cross, kClash)) {
+        add_crossing(crossings, *cross);
+      }
       const Result<bool> eight = is_eight(*cross);
       if (!eight) return eight.status();
       if (*eight) add_eight(crossings, *cross);
@@ -155,53 +128,22 @@ class MeetingCheck {
     return ok_status();
   }
 
-  /// The strands round the vertex that the half-edge leaves, if they are four.
-  std::optional<Cross> cross_at(std::uint32_t half_edge) const {
-    Cross cross;
-    std::size_t count = 0;
-    std::uint32_t h = half_edge;
-    do {
-      if (mesh_.has_curves(h)) {
-        if (count == cross.size()) return std::nullopt;
-        cross[count++] = {h, curve_on(mesh_.half_edge_constraint[h])};
-      }
-      const std::int32_t twin = mesh_.half_edge_twin[previous_half_edge(h)];
-      if (twin == mesh::kNone) return std::nullopt;
-      h = static_cast<std::uint32_t>(twin);
-    } while (h != half_edge);
-    return count == cross.size() ? std::optional(cross) : std::nullopt;
-  }
-
   /// Whether two curves pass through each other of which one at least encloses something.
   bool is_outline_crossed(const Cross& cross) const {
-    if (cross[0].curve != cross[2].curve || cross[1].curve != cross[3].curve) return false;
-    if (cross[0].curve == cross[1].curve) return false;
-    return is_closed(test_.curves()[cross[0].curve]) || is_closed(test_.curves()[cross[1].curve]);
-  }
-
-  /// Whether in one of the four corners two colours face each other that differ.
-  bool clashes(const Cross& cross) const {
-    for (std::size_t i = 0; i < cross.size(); ++i) {
-      const std::uint32_t next = cross[(i + 1) % cross.size()].half_edge;
-      const gather::Facing one = gather::facing_side(mesh_, attributes_, cross[i].half_edge);
-      const gather::Facing other = gather::facing_side(
-          mesh_, attributes_, static_cast<std::uint32_t>(mesh_.half_edge_twin[next]));
-      if (one.kind != ShaderKind::curve_domain || other.kind != ShaderKind::curve_domain) continue;
-      if (differ(one.from, other.to, kClash)) return true;
-    }
-    return false;
+    if (!cross.is_of_two_curves()) return false;
+    return is_closed(test_.curves()[cross.strand[0].curve]) ||
+           is_closed(test_.curves()[cross.strand[1].curve]);
   }
 
   /// Whether a closed curve crosses itself so that both its sides face the outside, as those of an
   /// eight do, and these are not the same. In a star they face the outside on one side alone.
   Result<bool> is_eight(const Cross& cross) {
-    const std::uint32_t curve = cross[0].curve;
-    const auto is_other = [curve](const Strand& strand) { return strand.curve != curve; };
-    if (std::ranges::any_of(cross, is_other) || !is_closed(test_.curves()[curve])) return false;
+    const std::uint32_t curve = cross.strand[0].curve;
+    if (!cross.is_of_one_curve() || !is_closed(test_.curves()[curve])) return false;
     if (eights_.contains(curve)) return false;
-    for (std::size_t i = 0; i < cross.size(); ++i) {
-      const std::uint32_t here = cross[i].half_edge;
-      const std::uint32_t next = cross[(i + 1) % cross.size()].half_edge;
+    for (std::size_t i = 0; i < cross.strand.size(); ++i) {
+      const std::uint32_t here = cross.strand[i].half_edge;
+      const std::uint32_t next = cross.strand[(i + 1) % cross.strand.size()].half_edge;
       const gather::Facing one = gather::facing_side(mesh_, attributes_, here);
       const gather::Facing other = gather::facing_side(
           mesh_, attributes_, static_cast<std::uint32_t>(mesh_.half_edge_twin[next]));
@@ -230,7 +172,7 @@ class MeetingCheck {
       const std::int32_t twin = mesh_.half_edge_twin[h];
       const bool is_second = twin != mesh::kNone && static_cast<std::uint32_t>(twin) < h;
       if (is_second || !mesh_.has_curves(h)) continue;
-      if (curve_on(mesh_.half_edge_constraint[h]) != curve) continue;
+      if (gather::curve_on(mesh_, attributes_, h) != curve) continue;
       const Vec2 a = position(mesh_.origin(h)), b = position(mesh_.origin(next_half_edge(h)));
       if ((a.y <= middle.y) == (b.y <= middle.y)) continue;
       const Vec2 upper = a.y < b.y ? a : b, lower = a.y < b.y ? b : a;
@@ -240,17 +182,12 @@ class MeetingCheck {
   }
 
   bool differ(const curves::FieldValue& a, const curves::FieldValue& b, float by) const {
-    const auto code = [&](const curves::FieldValue& value) {
-      return to_srgb(attributes_.space, {value.channel[0], value.channel[1], value.channel[2]});
-    };
-    const Rgb one = code(a), other = code(b);
-    return std::abs(one.r - other.r) > by || std::abs(one.g - other.g) > by ||
-           std::abs(one.b - other.b) > by;
+    return gather::differ(attributes_, a, b, by);
   }
 
   void add_crossing(Finds& crossings, const Cross& cross) {
-    const auto [first, second] = std::minmax(cross[0].curve, cross[1].curve);
-    const Vec2 at = position(mesh_.origin(cross[0].half_edge));
+    const auto [first, second] = std::minmax(cross.strand[0].curve, cross.strand[1].curve);
+    const Vec2 at = position(mesh_.origin(cross.strand[0].half_edge));
     add(crossings, second, at,
         "it crosses curve " + std::to_string(first) + " at " + point_text(at) +
             ", and their colours do not fit there: those of one leak into what the other encloses; "
@@ -258,9 +195,9 @@ class MeetingCheck {
   }
 
   void add_eight(Finds& crossings, const Cross& cross) {
-    const std::uint32_t curve = cross[0].curve;
+    const std::uint32_t curve = cross.strand[0].curve;
     eights_.insert(curve);
-    const Vec2 at = position(mesh_.origin(cross[0].half_edge));
+    const Vec2 at = position(mesh_.origin(cross.strand[0].half_edge));
     add(crossings, curve, at,
         "it crosses itself at " + point_text(at) +
             ", so that both its sides lie outside: what colours the inside of one loop leaks from "
@@ -281,7 +218,7 @@ class MeetingCheck {
       if (end.reach * test_.sight.scale >= miss) continue;
       if (!differ(end.positive, end.negative, kLeak)) continue;
       while (!(position(v) == end.position)) ++v;  // ends are in the order of their vertices
-      const std::uint32_t own = curve_on(mesh_.half_edge_constraint[meeting_[v].half_edge]);
+      const std::uint32_t own = gather::curve_on(mesh_, attributes_, meeting_[v].half_edge);
       if (end.nearest == mesh::kNone) {
         add_overshoot(overshoots, own, end);
       } else if (is_ahead(end)) {
@@ -300,8 +237,13 @@ class MeetingCheck {
     return dot(way, end.direction) >= kAhead * end.reach;
   }
 
+  std::uint32_t nearest_curve(const gather::FreeEnd& end) const {
+    const auto& edge = mesh_.constraint[static_cast<std::size_t>(end.nearest)];
+    return attributes_.curve[mesh_.pieces(edge).back().segment];
+  }
+
   void add_gap(Finds& gaps, std::uint32_t own, const gather::FreeEnd& end) {
-    const std::uint32_t other = curve_on(end.nearest);
+    const std::uint32_t other = nearest_curve(end);
     add(gaps, own, end.position,
         "its end at " + point_text(end.position) + " stops " + rounded_number_text(end.reach, 2) +
             " units before " +

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "curves/flatten.hpp"
 #include "mesh/mesher.hpp"
 #include "sfumato/document/stop_place.hpp"
 #include "trace/drawing.hpp"
@@ -22,10 +21,9 @@ using gather::RowTerm;
 
 }  // namespace
 
-Result<CurveMesh> CurveMesh::build(Context& context, std::span<const TracedCurve> curves, int width,
-                                   int height) {
-  CurveMesh out;
-  const std::vector<Curve> drawn = document_curves(curves, 1, false);
+Result<MeshedCurves> mesh_curves(Context& context, std::span<const Curve> drawn, int width,
+                                 int height) {
+  MeshedCurves out;
   const Box picture{{0, 0}, {static_cast<double>(width), static_cast<double>(height)}};
   mesh::MeshOptions meshing;
   meshing.unit_size = std::min(std::max(picture.width(), picture.height()) / kNominalSide, 1.0);
@@ -33,18 +31,30 @@ Result<CurveMesh> CurveMesh::build(Context& context, std::span<const TracedCurve
   curves::FlattenOptions flattening;
   flattening.tolerance = kFlatness;
   flattening.reach = meshing.weld_px * meshing.unit_size;
-  const Result<curves::FlatCurves> flat = curves::flatten(context, drawn, flattening);
+  Result<curves::FlatCurves> flat = curves::flatten(context, drawn, flattening);
   if (!flat) return flat.status();
-  Result<curves::SegmentAttributes> places =
-      curves::sample_stop_places(context, *flat, drawn, StopAttribute::color, out.memory_);
-  if (!places) return places.status();
   Result<mesh::Mesher> mesher = mesh::Mesher::build(context, *flat, meshing);
   if (!mesher) return mesher.status();
   Result<mesh::TriangleMesh> mesh = mesher->visibility_mesh(context);
   if (!mesh) return mesh.status();
+  out.flat = std::move(*flat);
+  out.mesh = std::move(*mesh);
+  out.memory.take(mesher->release_extracted());
+  return out;
+}
+
+Result<CurveMesh> CurveMesh::build(Context& context, std::span<const TracedCurve> curves, int width,
+                                   int height) {
+  CurveMesh out;
+  const std::vector<Curve> drawn = document_curves(curves, 1, false);
+  Result<MeshedCurves> meshed = mesh_curves(context, drawn, width, height);
+  if (!meshed) return meshed.status();
+  Result<curves::SegmentAttributes> places =
+      curves::sample_stop_places(context, meshed->flat, drawn, StopAttribute::color, out.memory_);
+  if (!places) return places.status();
   out.places_ = std::move(*places);
-  out.mesh_ = std::move(*mesh);
-  out.memory_.take(mesher->release_extracted());
+  out.mesh_ = std::move(meshed->mesh);
+  out.memory_.take(std::move(meshed->memory));
   return out;
 }
 

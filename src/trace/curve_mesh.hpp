@@ -5,10 +5,12 @@
 
 #include "base/table_memory.hpp"
 #include "curves/attributes.hpp"
+#include "curves/flatten.hpp"
 #include "gather/rows.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
+#include "sfumato/document/curve.hpp"
 #include "trace/sample_pixels.hpp"
 #include "trace/sparse.hpp"
 #include "trace/traced_curve.hpp"
@@ -20,6 +22,18 @@ struct PixelRows {
   SamplePixels pixels;
   gather::Rows rows;
 };
+
+/// A drawing's curves in a mesh.
+struct MeshedCurves {
+  curves::FlatCurves flat;
+  mesh::TriangleMesh mesh;
+  TableMemory memory{"the mesh of a trace"};
+};
+
+/// width, height   of the picture, pixels
+/// Errors          limit, cancelled
+Result<MeshedCurves> mesh_curves(Context& context, std::span<const Curve> drawn, int width,
+                                 int height);
 
 /// Curves as the gather sees them. Only their shapes and the places of their stops count.
 class CurveMesh {

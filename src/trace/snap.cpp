@@ -25,8 +25,6 @@ constexpr double kAhead = 0.7071;
 /// Of its own curve an end does not see what is nearer along it, in reaches and pixels.
 constexpr double kOwnReaches = 3;
 constexpr double kOwnPixels = 4;
-/// Sides that differ less in every channel leak nothing that shows.
-constexpr float kLeak = 0.08f;
 /// A piece is continued by at most this share of itself.
 constexpr double kLongest = 1.5;
 /// Before its end a curve that snaps to another is not to cross it, over this length, pixels.
@@ -124,12 +122,12 @@ void close_if_nearly(TracedCurve& curve) {
   points[points.size() - 2] = points[points.size() - 2] + gap;
 }
 
-bool leaks(const TracedCurve& curve, bool is_last) {
+bool leaks(const TracedCurve& curve, bool is_last, float most) {
   const auto& [left, right] = curve.side;
   const SideValue& a = is_last ? left.value.back() : left.value.front();
   const SideValue& b = is_last ? right.value.back() : right.value.front();
   for (std::size_t c = 0; c < a.size(); ++c) {
-    if (std::fabs(a[c] - b[c]) > kLeak) return true;
+    if (std::fabs(a[c] - b[c]) > most) return true;
   }
   return false;
 }
@@ -176,12 +174,12 @@ constexpr double kCrossed = 0.5;
 
 class Snapper {
  public:
-  Snapper(const PlaceGrid& grid, double ahead, std::vector<TracedCurve>& curves)
-      : grid_(grid), ahead_(ahead), curves_(curves) {}
+  Snapper(const PlaceGrid& grid, double ahead, float leak, std::vector<TracedCurve>& curves)
+      : grid_(grid), ahead_(ahead), leak_(leak), curves_(curves) {}
 
   /// Leads an end on, or back, to the curve that it almost meets.
   void snap(std::uint32_t index, bool is_last) {
-    if (!leaks(curves_[index], is_last)) return;
+    if (!leaks(curves_[index], is_last, leak_)) return;
     change_end(index, is_last, [&](curves::Cubic& cubic) { return lead(index, is_last, cubic); });
   }
 
@@ -276,12 +274,13 @@ class Snapper {
 
   const PlaceGrid& grid_;
   double ahead_;  ///< pixels
+  float leak_;
   std::vector<TracedCurve>& curves_;
 };
 
 }  // namespace
 
-Status snap_to_curves(const Context& context, int width, int height,
+Status snap_to_curves(const Context& context, int width, int height, float leak,
                       std::vector<TracedCurve>& curves) {
   const double ahead = std::max(kAheadPx, kAheadShare * std::max(width, height));
   const auto for_each_end = [&](auto change) {
@@ -290,7 +289,7 @@ Status snap_to_curves(const Context& context, int width, int height,
       if (context.cancelled()) return context.cancel_status();
       grid.add(i, curves[i]);
     }
-    Snapper snapper(grid, ahead, curves);
+    Snapper snapper(grid, ahead, leak, curves);
     for (std::uint32_t i = 0; i < curves.size(); ++i) {
       if (context.cancelled()) return context.cancel_status();
       for (const bool is_last : {false, true}) {

@@ -12,7 +12,8 @@ namespace sfumato::tracing {
 /// would leak through the gap. Cuts off ends that stick out a little beyond a curve, and closes
 /// curves that are nearly closed. Curves of which little is left go. Errors: cancelled.
 /// width, height   of the picture, pixels
-Status snap_to_curves(const Context& context, int width, int height,
+/// leak            an end whose sides differ less, in every channel, leaks nothing that shows
+Status snap_to_curves(const Context& context, int width, int height, float leak,
                       std::vector<TracedCurve>& curves);
 
 }  // namespace sfumato::tracing

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
+#include <span>
 #include <utility>
 
 #include "trace/blur_estimate.hpp"
@@ -12,6 +14,7 @@
 #include "trace/side_colors.hpp"
 #include "trace/snap.hpp"
 #include "trace/texture.hpp"
+#include "trace/untangle.hpp"
 
 namespace sfumato::tracing {
 namespace {
@@ -34,6 +37,14 @@ constexpr double kFittedPixels = 60000;
 constexpr int kTurns = 2;
 /// With less blur a curve's radius does not show in its derivative.
 constexpr double kFirstRadius = 1;
+/// Sides of an end that differ less in every channel leak nothing that shows, and nothing that is
+/// worth another fit.
+constexpr float kLeak = 0.08f;
+constexpr float kShowingLeak = 0.3f;
+/// An end that moves less, pixels, changes nothing that shows.
+constexpr double kMoved = 0.05;
+/// How often ends are snapped and curves untangled again: fitted colours tell what leaks.
+constexpr int kTidyings = 5;
 /// Stops pruned at a time, and how often.
 constexpr double kPruneShare = 0.18;
 constexpr int kPruneNormal = 2;
@@ -53,6 +64,18 @@ int prune_count(TraceStops stops) {
       break;
   }
   return 0;
+}
+
+std::vector<Vec2> ends_of(std::span<const TracedCurve> curves) {
+  std::vector<Vec2> ends;
+  for (const TracedCurve& curve : curves) {
+    ends.insert(ends.end(), {curve.control_points.front(), curve.control_points.back()});
+  }
+  return ends;
+}
+
+bool is_elsewhere(std::span<const Vec2> before, std::span<const Vec2> after) {
+  return !std::ranges::equal(before, after, [](Vec2 a, Vec2 b) { return length(a - b) < kMoved; });
 }
 
 std::vector<double> scales_from(double finest) {
@@ -164,12 +187,49 @@ Status Tracer::finish() {
     status = fit_->find_missing(curves_, memory_, missing_);
     if (status) status = improve_shapes();
   }
-  if (status) {
-    status = snap_to_curves(context_, picture_->width(), picture_->height(), curves_);
-  }
+  if (status) status = snap(kLeak);
   if (status) status = fit();
+  for (int pass = 0; pass < kTidyings && status; ++pass) {
+    const Result<bool> is_changed = tidy();
+    if (!is_changed) return is_changed.status();
+    if (!*is_changed) break;
+    status = fit();
+  }
   forget_blur();
   return status ? fit_->fit_to_all(curves_, kPruneShare, prune_count(options_.stops)) : status;
+}
+
+Status Tracer::snap(float leak) {
+  return snap_to_curves(context_, picture_->width(), picture_->height(), leak, curves_);
+}
+
+/// Mends what shows since colours were fitted.
+Result<bool> Tracer::tidy() {
+  const std::vector<Vec2> before = ends_of(curves_);
+  Status status = snap(kShowingLeak);
+  if (!status) return status;
+  const bool is_snapped = is_elsewhere(before, ends_of(curves_));
+  const Result<bool> is_cut = untangle(context_, picture_->width(), picture_->height(), curves_);
+  if (!is_cut || !*is_cut) return is_cut ? is_snapped : is_cut;
+  drop_excess();
+  for (TracedCurve& curve : curves_) {
+    if (!curve.side[0].place.empty() || !curve.side[1].place.empty()) continue;
+    status = sample_sides(context_, *picture_, kStopTolerance, std::span(&curve, 1));
+    if (!status) return status;
+  }
+  return true;
+}
+
+/// What is cut has more curves and control points.
+void Tracer::drop_excess() {
+  while (point_count() > budget_ || curves_.size() > curve_limit()) {
+    const auto least = std::ranges::min_element(curves_, {}, [](const TracedCurve& curve) {
+      return curve.is_frame ? std::numeric_limits<double>::infinity()
+                            : curve.benefit / static_cast<double>(curve.control_points.size());
+    });
+    if (least->is_frame) return;
+    curves_.erase(least);
+  }
 }
 
 void Tracer::forget_blur() {

@@ -36,6 +36,9 @@ class Tracer {
   Status fit();
   Status finish();
   Status improve_shapes();
+  Status snap(float leak);
+  Result<bool> tidy();
+  void drop_excess();
   void forget_blur();
   bool goes_on() const;
   TraceState state(int round) const;

@@ -56,7 +56,7 @@ std::vector<TracedCurve> line_and_end(double x, double rise = 0) {
 
 std::vector<TracedCurve> snapped(std::vector<TracedCurve> curves) {
   Context context;
-  EXPECT_TRUE(snap_to_curves(context, 100, 100, curves).ok());
+  EXPECT_TRUE(snap_to_curves(context, 100, 100, 0.08f, curves).ok());
   return curves;
 }
 
