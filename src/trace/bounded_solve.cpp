@@ -21,15 +21,20 @@ using FourDoubles = std::array<double, 4>;
 class BoundedSolver {
  public:
   BoundedSolver(Context& context, const BoundedProblem& problem, std::span<FourFloats> x)
-      : context_(context), problem_(problem), x_(x), start_(x.begin(), x.end()) {}
+      : context_(context), problem_(problem), x_(x) {}
 
   Status run() {
     const std::size_t count = x_.size();
-    is_free_.assign(count, {1, 1, 1, 1});
-    for (auto* table : {&residual_, &direction_, &image_, &scaled_}) table->resize(count);
+    Status status = memory_.assign(context_, x_, start_);
+    if (status) status = memory_.resize(context_, is_free_, count, {1, 1, 1, 1});
+    if (status) status = memory_.resize(context_, diagonal_, count);
+    if (status) {
+      status = memory_.resize_all(context_, count, residual_, direction_, image_, scaled_);
+    }
+    if (!status) return status;
     find_diagonal();
     for (int round = 0; round < kRounds; ++round) {
-      Status status = descend();
+      status = descend();
       if (!status) return status;
       if (!hold_outside()) break;
     }
@@ -39,7 +44,6 @@ class BoundedSolver {
  private:
   void find_diagonal() {
     const SparseMatrix& normal = problem_.normal;
-    diagonal_.resize(x_.size());
     for (std::uint32_t i = 0; i < normal.row_count(); ++i) {
       float own = problem_.pull[i];
       for (std::uint32_t k = normal.begin[i]; k < normal.begin[i + 1]; ++k) {
@@ -165,6 +169,7 @@ class BoundedSolver {
   Context& context_;
   const BoundedProblem& problem_;
   std::span<FourFloats> x_;
+  TableMemory memory_{"the solution of a fit"};
   std::vector<FourFloats> start_;
   std::vector<FourFloats> is_free_;  ///< 1 or 0
   std::vector<float> diagonal_;

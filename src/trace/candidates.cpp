@@ -29,10 +29,13 @@ constexpr double kMostSlack = 1.7;
 /// Pixels that curves pass through.
 class PixelMask {
  public:
-  PixelMask(int width, int height)
-      : width_(width),
-        height_(height),
-        is_set_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
+  PixelMask(int width, int height) : width_(width), height_(height) {}
+
+  /// Before anything but along(). Errors: limit (memory), cancelled.
+  Status create(const Context& context) {
+    return memory_.resize(context, is_set_,
+                          static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
+  }
 
   template <class Visit>
   void along(const TracedCurve& curve, Visit visit) {
@@ -74,6 +77,7 @@ class PixelMask {
 
  private:
   int width_, height_;
+  TableMemory memory_{"the edges of a picture"};
   std::vector<std::uint8_t> is_set_;
 };
 
@@ -142,6 +146,7 @@ Result<std::vector<TracedCurve>> choose_curves(Context& context,
   std::ranges::stable_sort(
       candidates, [](const TracedCurve& a, const TracedCurve& b) { return worth(a) > worth(b); });
   PixelMask mask(width, height);
+  if (Status status = mask.create(context); !status) return status;
   mask.draw_border();
   for (const TracedCurve& curve : present) {
     if (!curve.is_frame) mask.draw(curve, 0);

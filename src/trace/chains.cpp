@@ -90,11 +90,12 @@ Result<std::vector<Chain>> link_chains(Context& context, const EdgeMap& edges,
                                        const ChainOptions& options) {
   Result<std::vector<PixelChain>> pixels = pixel_chains(context, edges);
   if (!pixels) return pixels.status();
-  join_gaps(*pixels, edges, options.gap);
-  if (Status status = context.check(); !status) return status;
+  Status status = join_gaps(context, *pixels, edges, options.gap);
+  if (!status) return status;
   std::vector<double> scales;
   for (const PixelChain& chain : *pixels) scales.push_back(median_scale(edges, chain));
-  snap_ends(edges, scales, options.snap_base, options.snap_rise, *pixels);
+  status = snap_ends(context, edges, scales, options.snap_base, options.snap_rise, *pixels);
+  if (!status) return status;
   std::vector<Chain> chains;
   for (std::size_t i = 0; i < pixels->size(); ++i) {
     if (context.cancelled()) return context.cancel_status();

@@ -26,7 +26,7 @@ struct ChainOptions {
 };
 
 /// Follows the lines of an edge map, which is thin. At junctions a chain goes straight on.
-/// Errors: cancelled.
+/// Errors: limit (memory), cancelled.
 Result<std::vector<Chain>> link_chains(Context& context, const EdgeMap& edges,
                                        const ChainOptions& options = {});
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/poll.hpp"
 #include "trace/local_range.hpp"
 #include "trace/prune.hpp"
 
@@ -78,8 +79,8 @@ Status DrawingFit::prepare(std::span<const TracedCurve> curves, double one_in, s
   if (!seen) return seen.status();
   seen_ = std::move(*seen);
   list_neighbours(curves);
-  targets_ = targets_of(seen_->pixels.pixel);
-  return context_.check();
+  targets_ = {};
+  return find_targets(seen_->pixels.pixel, targets_);
 }
 
 void DrawingFit::list_neighbours(std::span<const TracedCurve> curves) {
@@ -98,16 +99,22 @@ void DrawingFit::list_neighbours(std::span<const TracedCurve> curves) {
   }
 }
 
-DrawingFit::Targets DrawingFit::targets_of(std::span<const std::uint32_t> pixels) const {
-  Targets targets;
+Status DrawingFit::find_targets(std::span<const std::uint32_t> pixels, Targets& targets) const {
+  Status status = targets.memory.reserve(context_, targets.value, pixels.size());
+  if (status && picture_.opacity) {
+    status = targets.memory.reserve(context_, targets.weight, pixels.size());
+  }
+  if (!status) return status;
+  RarePoll<65536> poll(context_);
   for (const std::uint32_t i : pixels) {
+    if (poll.cancelled()) return context_.cancel_status();
     FourFloats value{};
     for (std::size_t c = 0; c < 3; ++c) value[c] = picture_.code[c].value[i];
     value[3] = picture_.opacity ? picture_.opacity->value[i] : 1.0f;
     targets.value.push_back(value);
     if (picture_.opacity) targets.weight.push_back(std::max(value[3] * value[3], kLeastWeight));
   }
-  return targets;
+  return context_.check();
 }
 
 Status DrawingFit::add(const SparseMatrix& rows, const Targets& targets, Equations& equations) {
@@ -194,7 +201,9 @@ Status DrawingFit::fit_to_all(std::span<TracedCurve> curves, double share, int t
   Equations equations;
   Status status =
       for_each_band(curves, kNegligible, [&](const PixelRows& seen, const SparseMatrix& rows) {
-        return add(rows, targets_of(seen.pixels.pixel), equations);
+        Targets targets;
+        Status found = find_targets(seen.pixels.pixel, targets);
+        return found ? add(rows, targets, equations) : found;
       });
   if (status) status = solve(equations, curves);
   for (; times > 0 && status; --times) {

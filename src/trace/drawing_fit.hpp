@@ -56,13 +56,14 @@ class DrawingFit {
   struct Targets {
     std::vector<FourFloats> value;
     std::vector<float> weight;  ///< empty: 1
+    TableMemory memory{"what a trace fits"};
   };
   /// Of colours and, where the picture has it, of opacity.
   struct Equations {
     ValueEquations color, opacity;
   };
 
-  Targets targets_of(std::span<const std::uint32_t> pixels) const;
+  Status find_targets(std::span<const std::uint32_t> pixels, Targets& targets) const;
   Status add(const SparseMatrix& rows, const Targets& targets, Equations& equations);
   Status solve(const Equations& equations, std::span<TracedCurve> curves);
   Status find_residual(std::span<const FourFloats> x);

@@ -31,9 +31,11 @@ Vec2 center(PixelPlace p) {
 class ChainWalker {
  public:
   ChainWalker(const Context& context, const EdgeMap& edges)
-      : context_(context), poll_(context), edges_(edges), is_used_(edges.pixel.size()) {}
+      : context_(context), poll_(context), edges_(edges) {}
 
   Result<std::vector<PixelChain>> run() {
+    Status status = memory_.resize(context_, is_used_, edges_.pixel.size());
+    if (!status) return status;
     for (const bool from_ends : {true, false}) {
       for (int y = 0; y < edges_.height; ++y) {
         for (int x = 0; x < edges_.width; ++x) {
@@ -119,6 +121,7 @@ class ChainWalker {
   const Context& context_;
   RarePoll<1024> poll_;
   const EdgeMap& edges_;
+  TableMemory memory_{"the edges of a picture"};
   std::vector<std::uint8_t> is_used_;
   std::vector<PixelChain> chains_;
 };
@@ -143,8 +146,12 @@ bool is_loop(const PixelChain& chain) {
 /// Something at each pixel of a picture, at most one.
 class PixelTable {
  public:
-  explicit PixelTable(const EdgeMap& edges)
-      : width_(edges.width), height_(edges.height), entry_(edges.pixel.size(), -1) {}
+  /// Errors: limit (memory), cancelled.
+  Status create(const Context& context, const EdgeMap& edges) {
+    width_ = edges.width;
+    height_ = edges.height;
+    return memory_.resize(context, entry_, edges.pixel.size(), -1);
+  }
 
   std::int32_t& at(PixelPlace p) {
     return entry_[static_cast<std::size_t>(p.y) * static_cast<std::size_t>(width_) +
@@ -164,24 +171,50 @@ class PixelTable {
   }
 
  private:
-  int width_, height_;
+  int width_ = 0, height_ = 0;
+  TableMemory memory_{"the edges of a picture"};
   std::vector<std::int32_t> entry_;
 };
 
 /// Ends of chains, and which of them are to be joined.
 class GapJoiner {
  public:
-  GapJoiner(std::vector<PixelChain>& chains, const EdgeMap& edges, double gap)
-      : chains_(chains), table_(edges), gap_(gap) {}
+  GapJoiner(const Context& context, std::vector<PixelChain>& chains, double gap)
+      : context_(context), poll_(context), chains_(chains), gap_(gap) {}
 
-  /// One pass; whether any were joined.
-  bool run() {
-    list_ends();
-    std::vector<Pair> pairs = list_pairs();
+  Status run(const EdgeMap& edges) {
+    constexpr int kPasses = 3;
+    Status status = table_.create(context_, edges);
+    for (int pass = 0; pass < kPasses && status; ++pass) {
+      const Result<bool> is_joined = join_once();
+      if (!is_joined) return is_joined.status();
+      if (!*is_joined) break;
+    }
+    return status;
+  }
+
+ private:
+  struct End {
+    std::uint32_t chain;
+    bool is_last;
+    PixelPlace place;
+  };
+  struct Pair {
+    std::uint32_t a, b;
+    double distance;
+  };
+
+  /// Whether any were joined.
+  Result<bool> join_once() {
+    std::vector<Pair> pairs;
+    Status status = list_ends();
+    if (status) status = list_pairs(pairs);
+    if (!status) return status;
     std::ranges::stable_sort(pairs, {}, &Pair::distance);
     std::vector<std::uint8_t> is_joined(chains_.size());
     std::vector<PixelChain> joined;
     for (const Pair& pair : pairs) {
+      if (poll_.cancelled()) return context_.cancel_status();
       const End &a = ends_[pair.a], &b = ends_[pair.b];
       if (a.chain == b.chain || is_joined[a.chain] || is_joined[b.chain] || !face(a, b)) continue;
       joined.push_back(join(a, b));
@@ -198,20 +231,10 @@ class GapJoiner {
     return true;
   }
 
- private:
-  struct End {
-    std::uint32_t chain;
-    bool is_last;
-    PixelPlace place;
-  };
-  struct Pair {
-    std::uint32_t a, b;
-    double distance;
-  };
-
-  void list_ends() {
+  Status list_ends() {
     ends_.clear();
     for (std::uint32_t i = 0; i < chains_.size(); ++i) {
+      if (poll_.cancelled()) return context_.cancel_status();
       if (chains_[i].size() < 3 || is_loop(chains_[i])) continue;
       for (const bool is_last : {false, true}) {
         const PixelPlace place = end_of(chains_[i], is_last);
@@ -220,17 +243,18 @@ class GapJoiner {
         ends_.push_back({i, is_last, place});
       }
     }
+    return ok_status();
   }
 
-  std::vector<Pair> list_pairs() {
-    std::vector<Pair> pairs;
+  Status list_pairs(std::vector<Pair>& pairs) {
     for (std::uint32_t i = 0; i < ends_.size(); ++i) {
+      if (poll_.cancelled()) return context_.cancel_status();
       table_.near(ends_[i].place, gap_, [&](PixelPlace q, std::int32_t other) {
         const auto j = static_cast<std::uint32_t>(other);
         if (j > i) pairs.push_back({i, j, length(center(q) - center(ends_[i].place))});
       });
     }
-    return pairs;
+    return ok_status();
   }
 
   bool face(const End& a, const End& b) const {
@@ -249,6 +273,8 @@ class GapJoiner {
     return first;
   }
 
+  const Context& context_;
+  RarePoll<64> poll_;
   std::vector<PixelChain>& chains_;
   PixelTable table_;
   double gap_;
@@ -258,14 +284,23 @@ class GapJoiner {
 /// Where pixels of chains are.
 class EndSnapper {
  public:
-  EndSnapper(const EdgeMap& edges, const std::vector<PixelChain>& chains)
-      : chains_(chains), table_(edges) {
-    for (std::uint32_t i = 0; i < chains.size(); ++i) {
-      for (std::uint32_t j = 0; j < chains[i].size(); ++j) {
-        table_.at(chains[i][j]) = static_cast<std::int32_t>(places_.size());
+  EndSnapper(const Context& context, const std::vector<PixelChain>& chains)
+      : context_(context), chains_(chains) {}
+
+  /// Errors: limit (memory), cancelled.
+  Status list_places(const EdgeMap& edges) {
+    Status status = table_.create(context_, edges);
+    std::size_t count = 0;
+    for (const PixelChain& chain : chains_) count += chain.size();
+    if (status) status = memory_.reserve(context_, places_, count);
+    for (std::uint32_t i = 0; i < chains_.size() && status; ++i) {
+      if (context_.cancelled()) return context_.cancel_status();
+      for (std::uint32_t j = 0; j < chains_[i].size(); ++j) {
+        table_.at(chains_[i][j]) = static_cast<std::int32_t>(places_.size());
         places_.push_back({i, j});
       }
     }
+    return status;
   }
 
   /// The chain with its ends run on.
@@ -309,8 +344,10 @@ class EndSnapper {
     return best;
   }
 
+  const Context& context_;
   const std::vector<PixelChain>& chains_;
   PixelTable table_;
+  TableMemory memory_{"the edges of a picture"};
   std::vector<Place> places_;
 };
 
@@ -320,21 +357,22 @@ Result<std::vector<PixelChain>> pixel_chains(Context& context, const EdgeMap& ed
   return ChainWalker(context, edges).run();
 }
 
-void join_gaps(std::vector<PixelChain>& chains, const EdgeMap& edges, double gap) {
-  constexpr int kPasses = 3;
-  GapJoiner joiner(chains, edges, gap);
-  for (int pass = 0; pass < kPasses && joiner.run(); ++pass) {
-  }
+Status join_gaps(const Context& context, std::vector<PixelChain>& chains, const EdgeMap& edges,
+                 double gap) {
+  return GapJoiner(context, chains, gap).run(edges);
 }
 
-void snap_ends(const EdgeMap& edges, const std::vector<double>& scales, double base, double rise,
-               std::vector<PixelChain>& chains) {
-  EndSnapper snapper(edges, chains);
+Status snap_ends(const Context& context, const EdgeMap& edges, const std::vector<double>& scales,
+                 double base, double rise, std::vector<PixelChain>& chains) {
+  EndSnapper snapper(context, chains);
+  Status status = snapper.list_places(edges);
   std::vector<PixelChain> snapped;
-  for (std::uint32_t i = 0; i < chains.size(); ++i) {
+  for (std::uint32_t i = 0; i < chains.size() && status; ++i) {
+    if (context.cancelled()) return context.cancel_status();
     snapped.push_back(snapper.snapped(i, base + rise * std::sqrt(scales[i])));
   }
-  chains = std::move(snapped);
+  if (status) chains = std::move(snapped);
+  return status;
 }
 
 }  // namespace sfumato::tracing

@@ -17,17 +17,20 @@ struct PixelPlace {
 using PixelChain = std::vector<PixelPlace>;
 
 /// Every edge pixel in one chain, neighbours in a chain being neighbours in the picture. Chains of
-/// fewer than four pixels are left out. Errors: cancelled.
+/// fewer than four pixels are left out. Errors: limit (memory), cancelled.
 Result<std::vector<PixelChain>> pixel_chains(Context& context, const EdgeMap& edges);
 
 /// Joins chains whose ends face each other, the nearest first.
-/// gap   the largest distance of such ends, pixels
-void join_gaps(std::vector<PixelChain>& chains, const EdgeMap& edges, double gap);
+/// gap      the largest distance of such ends, pixels
+/// Errors   limit (memory), cancelled
+Status join_gaps(const Context& context, std::vector<PixelChain>& chains, const EdgeMap& edges,
+                 double gap);
 
 /// Lets open ends run on to a pixel of a chain ahead, within base + rise √scale pixels, and closes
 /// chains whose ends are as near to each other.
 /// scales   per chain
-void snap_ends(const EdgeMap& edges, const std::vector<double>& scales, double base, double rise,
-               std::vector<PixelChain>& chains);
+/// Errors   limit (memory), cancelled
+Status snap_ends(const Context& context, const EdgeMap& edges, const std::vector<double>& scales,
+                 double base, double rise, std::vector<PixelChain>& chains);
 
 }  // namespace sfumato::tracing

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "base/table_memory.hpp"
 #include "curves/bezier.hpp"
 
 namespace sfumato::tracing {
@@ -45,15 +46,24 @@ class PlaceGrid {
     double from_start;  ///< along the curve, pixels
   };
 
-  PlaceGrid(int width, int height)
-      : width_(width),
-        height_(height),
-        first_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), kNone) {}
+  PlaceGrid(int width, int height) : width_(width), height_(height) {}
 
-  void add(std::uint32_t index, const TracedCurve& curve) {
+  /// Errors: limit (memory), cancelled.
+  Status create(const Context& context) {
+    return memory_.resize(context, first_,
+                          static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_),
+                          kNone);
+  }
+
+  /// Errors: limit (memory), cancelled.
+  Status add(const Context& context, std::uint32_t index, const TracedCurve& curve) {
+    const std::vector<CurveSample> samples = samples_along(curve, kStep);
+    Status status = memory_.make_room(context, next_, samples.size());
+    if (status) status = memory_.make_room(context, place_, samples.size());
+    if (!status) return status;
     double along = 0;
     std::optional<Vec2> last;
-    for (const CurveSample& sample : samples_along(curve, kStep)) {
+    for (const CurveSample& sample : samples) {
       if (last) along += length(sample.point - *last);
       last = sample.point;
       std::uint32_t& head = first_[cell(sample.point)];
@@ -61,6 +71,7 @@ class PlaceGrid {
       head = static_cast<std::uint32_t>(place_.size());
       place_.push_back({sample.point, index, sample.parameter, along});
     }
+    return ok_status();
   }
 
   /// visit(place) for all within about `reach` of p.
@@ -88,6 +99,7 @@ class PlaceGrid {
   }
 
   int width_, height_;
+  TableMemory memory_{"places of curves"};
   std::vector<std::uint32_t> first_;  ///< per pixel: a place in it
   std::vector<std::uint32_t> next_;   ///< per place: another one in its pixel
   std::vector<Place> place_;
@@ -285,10 +297,11 @@ Status snap_to_curves(const Context& context, int width, int height, float leak,
   const double ahead = std::max(kAheadPx, kAheadShare * std::max(width, height));
   const auto for_each_end = [&](auto change) {
     PlaceGrid grid(width, height);
-    for (std::uint32_t i = 0; i < curves.size(); ++i) {
-      if (context.cancelled()) return context.cancel_status();
-      grid.add(i, curves[i]);
+    Status made = grid.create(context);
+    for (std::uint32_t i = 0; i < curves.size() && made; ++i) {
+      made = context.cancelled() ? context.cancel_status() : grid.add(context, i, curves[i]);
     }
+    if (!made) return made;
     Snapper snapper(grid, ahead, leak, curves);
     for (std::uint32_t i = 0; i < curves.size(); ++i) {
       if (context.cancelled()) return context.cancel_status();

@@ -22,6 +22,8 @@ struct RowBlock {
   std::vector<std::uint32_t> count;  ///< per row
   std::vector<std::uint32_t> column;
   std::vector<float> value;
+  TableMemory memory{"the equations of a fit"};
+  std::size_t bytes = 0;  ///< that are charged
 };
 
 Status join(Context& context, std::vector<RowBlock>& blocks, SparseMatrix& out) {
@@ -101,7 +103,8 @@ Result<SparseMatrix> build_rows(Context& context, std::size_t row_count, std::ui
       fill(i, sum);
       block.count.push_back(sum.list(block.column, block.value));
     }
-    return ok_status();
+    return block.memory.settle(context, capacity_bytes(block.count, block.column, block.value),
+                               block.bytes);
   });
   if (status) status = join(context, blocks, out);
   if (!status) return status;

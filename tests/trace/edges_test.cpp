@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "support/poll_recorder.hpp"
+#include "support/sanitizers.hpp"
 #include "trace/chains.hpp"
 #include "trace/planes_of.hpp"
 
@@ -147,6 +149,45 @@ TEST(LinkChains, lets_an_end_meet_the_line_ahead) {
   EXPECT_LE(near, 0.75);
   EXPECT_GE(bar.point.size(), 75u);
   EXPECT_GE(stem.point.size(), 35u);
+}
+
+#if SFUMATO_HAS_SANITIZER || !defined(NDEBUG)
+constexpr double kSlowdown = 20;  // sanitizers, and builds that are not optimised
+#else
+constexpr double kSlowdown = 1;
+#endif
+
+/// Many short lines, whose ends lie near others.
+EdgeMap dashes(int side) {
+  EdgeMap edges{side, side, std::vector<EdgePixel>(static_cast<std::size_t>(side * side))};
+  for (int y = 0; y < side; ++y) {
+    for (int x = 0; x < side; ++x) {
+      const bool is_dash = y % 3 == 0 && x % 8 < 6;
+      if (is_dash) edges.pixel[static_cast<std::size_t>(y * side + x)] = {1, 0.1f, 0, 0};
+    }
+  }
+  return edges;
+}
+
+TEST(LinkChains, charges_what_it_has_of_each_pixel) {
+  const EdgeMap edges = dashes(512);
+  Context small{.budget = Budget(512 * 512 * 4)};
+  EXPECT_EQ(link_chains(small, edges).status().code, StatusCode::limit);
+  EXPECT_EQ(small.budget.used(), 0u);
+  Context enough{.budget = Budget(16 << 20)};
+  EXPECT_TRUE(link_chains(enough, edges).ok());
+  EXPECT_EQ(enough.budget.used(), 0u);
+}
+
+TEST(LinkChains, looks_at_the_flag_within_50_ms) {
+  const EdgeMap edges = dashes(1536);
+  Context context;
+  test::PollRecorder recorder;
+  context.poll_watch = &recorder;
+  recorder.start();
+  ASSERT_TRUE(link_chains(context, edges).ok());
+  recorder.stop();
+  EXPECT_LT(recorder.longest_seconds(), 0.05 * kSlowdown);
 }
 
 TEST(LinkChains, drops_what_is_short) {

@@ -7,12 +7,16 @@
 #include <cstdint>
 #include <map>
 #include <set>
+#include <vector>
 
 #include "support/cancel_at.hpp"
 #include "support/flat_art.hpp"
 #include "support/poll_recorder.hpp"
 #include "support/sanitizers.hpp"
 #include "support/synthetic_photo.hpp"
+#include "trace/candidates.hpp"
+#include "trace/snap.hpp"
+#include "trace/sparse.hpp"
 #include "trace/tracing.hpp"
 
 namespace sfumato {
@@ -93,6 +97,25 @@ TEST(TraceLimits, little_memory_is_a_limit_or_enough) {
   }
   EXPECT_TRUE(was_refused);
   EXPECT_TRUE(was_enough);
+}
+
+TEST(TraceLimits, what_is_kept_of_each_pixel_is_charged) {
+  Context small{.budget = Budget(100000)};
+  std::vector<tracing::TracedCurve> curves{tracing::frame_of(400, 300)};
+  EXPECT_EQ(tracing::snap_to_curves(small, 400, 300, 0.1f, curves).code, StatusCode::limit);
+  EXPECT_EQ(tracing::choose_curves(small, curves, 400, 300, {100, 10}, curves).status().code,
+            StatusCode::limit);
+  EXPECT_EQ(small.budget.used(), 0u);
+}
+
+TEST(TraceLimits, equations_are_charged_as_they_are_made) {
+  // The matrix alone has 800,000 bytes; for a moment its rows are there twice.
+  Context small{.budget = Budget(1200000)};
+  const auto fill = [](std::size_t, tracing::RowSummer& sum) {
+    for (std::uint32_t column = 0; column < 100; ++column) sum.add(column, 1);
+  };
+  EXPECT_EQ(tracing::build_rows(small, 1000, 100, fill).status().code, StatusCode::limit);
+  EXPECT_EQ(small.budget.used(), 0u);
 }
 
 TEST(TraceLimits, a_time_that_has_passed_is_a_limit) {
