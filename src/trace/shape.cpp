@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "base/parallel.hpp"
@@ -207,6 +208,23 @@ void smooth_joint(const std::vector<Vec2>& before, std::size_t in, std::size_t j
   points[out] = points[joint] + far_out / norm * mean;
 }
 
+/// Moves the control points of a piece that leaves the picture into it: within their hull the piece
+/// is inside. Of one that does not, handles may lie outside, as those of a long arc do.
+void keep_inside(std::span<Vec2> points, Vec2 size) {
+  constexpr int kParts = 32;
+  const auto inside = [size](Vec2 p) {
+    return Vec2{std::clamp(p.x, 0.0, size.x), std::clamp(p.y, 0.0, size.y)};
+  };
+  const curves::Cubic cubic = curves::piece(points, 0);
+  bool leaves = false;
+  for (int k = 0; k <= kParts; ++k) {
+    const Vec2 p = curves::point_at(cubic, static_cast<double>(k) / kParts);
+    leaves = leaves || !(p == inside(p));
+  }
+  if (!leaves) return;
+  for (Vec2& p : points) p = inside(p);
+}
+
 void improve(std::span<const Plane> missing, TracedCurve& curve) {
   const std::vector<CurveSample> samples = samples_along(curve, kStep);
   const std::vector<Shift> shifts = shifts_along(missing, curve, samples);
@@ -228,8 +246,9 @@ void improve(std::span<const Plane> missing, TracedCurve& curve) {
     smooth_joint(before, points.size() - 2, points.size() - 1, 1, points);
     points.front() = points.back();
   }
-  // Within the hull of its control points, a curve is within the picture.
-  for (Vec2& p : points) p = {std::clamp(p.x, 0.0, width), std::clamp(p.y, 0.0, height)};
+  for (std::size_t i = 0; i + 3 < points.size(); i += 3) {
+    keep_inside(std::span(points).subspan(i, 4), {width, height});
+  }
 }
 
 }  // namespace

@@ -130,6 +130,28 @@ TEST(ImproveShapes, leaves_a_disc_that_is_right) {
   EXPECT_LT(miss_of_disc({0, 0}, 1), 0.02);
 }
 
+/// Where nothing is missing: an arc whose handles are at this height.
+TracedCurve arc_with_handles_at(double y) {
+  Curve arc;
+  arc.control_points = {{5, 30}, {5, y}, {55, y}, {55, 30}};
+  std::vector<TracedCurve> curves{test::traced(arc)};
+  const std::vector<Plane> missing(3, test::plane_of(60, 60, [](Vec2) { return 0; }));
+  Context context;
+  EXPECT_TRUE(improve_shapes(context, missing, curves).ok());
+  return curves[0];
+}
+
+TEST(ImproveShapes, leaves_handles_outside_the_picture_to_arcs_within) {
+  EXPECT_EQ(arc_with_handles_at(-8).control_points[1], (Vec2{5, -8}));
+  EXPECT_EQ(arc_with_handles_at(-8).control_points[2], (Vec2{55, -8}));
+}
+
+TEST(ImproveShapes, keeps_curves_within_the_picture) {
+  for (const CurveSample& sample : samples_along(arc_with_handles_at(-30), 0.5)) {
+    EXPECT_GE(sample.point.y, 0);
+  }
+}
+
 TEST(ImproveShapes, leaves_the_frame_alone) {
   const std::vector<Plane> missing(3, test::plane_of(40, 30, [](Vec2 p) { return p.x / 40; }));
   std::vector<TracedCurve> frame{frame_of(40, 30)};
