@@ -266,6 +266,18 @@ def noise(seed, count, longest):
         yield bytes(numbers.randrange(256) for _ in range(numbers.randrange(8, longest)))
 
 
+def traces():
+    """Options, a size and a kind, then levels of cells: noise, and two or three colours."""
+    numbers = random.Random(8)
+    for kind in range(64):
+        head = [numbers.randrange(256) for _ in range(4)] + [kind % 8, numbers.randrange(256),
+                numbers.randrange(12, 48), numbers.randrange(12, 48), kind * 4 // 3 % 256]
+        colors = [bytes(numbers.randrange(256) for _ in range(4)) for _ in range(3)]
+        cells = [numbers.choice(colors) for _ in range(numbers.randrange(1, 60))]
+        levels = bytes(numbers.randrange(256) for _ in range(200)) if kind % 3 == 0 else b''.join(cells)
+        yield bytes(head) + levels
+
+
 def examples():
     """Those of our drawings that are small."""
     for file in [*ROOT.glob('examples/*.svg'), *ROOT.glob('tests/*/*.svg')]:
@@ -299,6 +311,7 @@ def seeds():
                        for text in documents[:12] + list(noise(6, 40, 300))]
     yield 'drag', [bytes(steps.randrange(256) for _ in range(42)) + text
                    for text in documents[:12] + list(noise(7, 60, 300))]
+    yield 'trace', list(traces())
 
 
 def main():
