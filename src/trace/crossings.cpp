@@ -87,7 +87,7 @@ class CrossingFinder {
 
 Result<Crossings> find_crossings(Context& context, std::span<const TracedCurve> curves, int width,
                                  int height) {
-  const std::vector<Curve> drawn = document_curves(curves, 1, false);
+  const std::vector<Curve> drawn = document_curves(curves, {1, 1}, false);
   const Result<MeshedCurves> meshed = mesh_curves(context, drawn, width, height);
   if (!meshed) return meshed.status();
   TableMemory memory("crossings of curves");

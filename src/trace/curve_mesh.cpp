@@ -46,7 +46,7 @@ Result<MeshedCurves> mesh_curves(Context& context, std::span<const Curve> drawn,
 Result<CurveMesh> CurveMesh::build(Context& context, std::span<const TracedCurve> curves, int width,
                                    int height) {
   CurveMesh out;
-  const std::vector<Curve> drawn = document_curves(curves, 1, false);
+  const std::vector<Curve> drawn = document_curves(curves, {1, 1}, false);
   Result<MeshedCurves> meshed = mesh_curves(context, drawn, width, height);
   if (!meshed) return meshed.status();
   Result<curves::SegmentAttributes> places =

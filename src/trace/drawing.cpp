@@ -37,26 +37,27 @@ Side document_side(const SideStops& stops, float radius, bool has_opacity) {
 
 }  // namespace
 
-std::vector<Curve> document_curves(std::span<const TracedCurve> curves, double unit_per_pixel,
+std::vector<Curve> document_curves(std::span<const TracedCurve> curves, Vec2 unit_per_pixel,
                                    bool has_opacity) {
+  const double unit_of_length = std::sqrt(unit_per_pixel.x * unit_per_pixel.y);
   std::vector<Curve> out;
   out.reserve(curves.size());
   for (const TracedCurve& from : curves) {
     Curve& curve = out.emplace_back();
     curve.control_points.reserve(from.control_points.size());
     for (const Vec2 p : from.control_points) {
-      const Vec2 q = unit_per_pixel * p;
-      curve.control_points.push_back({in_hundredths(q.x), in_hundredths(q.y)});
+      curve.control_points.push_back(
+          {in_hundredths(unit_per_pixel.x * p.x), in_hundredths(unit_per_pixel.y * p.y)});
     }
     const double radius =
-        from.radius < kSharpRadius ? 0.0 : in_hundredths(from.radius * unit_per_pixel);
+        from.radius < kSharpRadius ? 0.0 : in_hundredths(from.radius * unit_of_length);
     curve.left = document_side(from.side[0], static_cast<float>(radius), has_opacity);
     curve.right = document_side(from.side[1], static_cast<float>(radius), has_opacity);
   }
   return out;
 }
 
-Document drawing_of(std::span<const TracedCurve> curves, Vec2 size, double unit_per_pixel,
+Document drawing_of(std::span<const TracedCurve> curves, Vec2 size, Vec2 unit_per_pixel,
                     bool has_opacity) {
   Document document;
   document.artboard = {{0, 0}, size};

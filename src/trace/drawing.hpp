@@ -10,12 +10,13 @@
 
 namespace sfumato::tracing {
 
-/// Curves as a document has them, with coordinates and radii times `unit_per_pixel`.
-std::vector<Curve> document_curves(std::span<const TracedCurve> curves, double unit_per_pixel,
+/// Curves as a document has them, with coordinates times `unit_per_pixel`, and radii times the mean
+/// of its two.
+std::vector<Curve> document_curves(std::span<const TracedCurve> curves, Vec2 unit_per_pixel,
                                    bool has_opacity);
 
 /// The drawing of a picture of this size in user units.
-Document drawing_of(std::span<const TracedCurve> curves, Vec2 size, double unit_per_pixel,
+Document drawing_of(std::span<const TracedCurve> curves, Vec2 size, Vec2 unit_per_pixel,
                     bool has_opacity);
 
 }  // namespace sfumato::tracing

@@ -289,9 +289,11 @@ Result<Document> Tracer::finished_drawing() {
 }
 
 Document Tracer::drawing() const {
-  return drawing_of(curves_,
-                    {static_cast<double>(image_.width), static_cast<double>(image_.height)},
-                    1 / picture_->scale, picture_->opacity.has_value());
+  // A picture that is looked at smaller has whole pixels, too: by one scale for both sides the
+  // frame would end inside the artboard, or beyond.
+  const Vec2 size{static_cast<double>(image_.width), static_cast<double>(image_.height)};
+  const Vec2 unit_per_pixel{size.x / picture_->width(), size.y / picture_->height()};
+  return drawing_of(curves_, size, unit_per_pixel, picture_->opacity.has_value());
 }
 
 TraceState Tracer::state(int round) const {

@@ -107,6 +107,16 @@ INSTANTIATE_TEST_SUITE_P(
                     FlatCase{"fish", 30.5, 0.9, 0.65}),
     [](const auto& instance) { return std::string(instance.param.name); });
 
+TEST(Trace, has_a_frame_along_the_artboard_at_whatever_size_it_looks) {
+  const Image photo = test::synthetic_photo(148);  // 148 × 111
+  for (const int side : {20, 50, 64, 100}) {
+    const Document drawing = test::trace_of(photo, {.points = 13, .max_side = side});
+    const Curve& frame = drawing.layers.at(0).curves.at(0);
+    EXPECT_EQ(frame.control_points.at(6).x, photo.width) << side;
+    EXPECT_EQ(frame.control_points.at(6).y, photo.height) << side;
+  }
+}
+
 TEST(Trace, gives_a_transparent_picture_opacity) {
   const Image picture = flat("gear", false);
   const Document drawing = test::trace_of(picture);
