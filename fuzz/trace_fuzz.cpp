@@ -18,8 +18,9 @@ constexpr unsigned kMostSide = 48;
 /// More control points would only take time.
 constexpr int kMostPoints = 160;
 
-/// How far from the picture a control point may lie, in its longer sides.
-constexpr double kReach = 1;
+/// How far from the picture a control point may lie: in its longer sides, and pixels besides.
+constexpr double kReach = 0.25;
+constexpr double kReachPx = 4;
 
 TraceOptions read_options(fuzz::ByteReader& bytes) {
   TraceOptions options;
@@ -65,7 +66,7 @@ Image read_picture(fuzz::ByteReader& bytes) {
 }
 
 void check_curves(const Document& drawing, const Image& picture) {
-  const double reach = kReach * std::max(picture.width, picture.height);
+  const double reach = kReach * std::max(picture.width, picture.height) + kReachPx;
   for (const Layer& layer : drawing.layers) {
     for (const Curve& curve : layer.curves) {
       for (const Vec2 p : curve.control_points) {
