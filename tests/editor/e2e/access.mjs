@@ -92,7 +92,7 @@ const states = {
     async enter({ page }) {
       await page.locator(".canvas-stage").focus();
       await page.keyboard.press("d");
-      await page.locator(".difference-legend").filter({ hasText: "dB" }).waitFor();
+      await page.locator(".difference-legend").filter({ hasText: /dB|no photo here/ }).waitFor();
     },
     async leave({ page }) {
       await page.locator(".canvas-stage").focus();

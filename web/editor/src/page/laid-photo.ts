@@ -11,11 +11,14 @@ export interface LaidPhoto {
   readonly pixelFromArtboard: Affine;
 }
 
+/** Pixels of the longer side at least: the border of a coarse photo is to lie where it does. */
+const LEAST = 256;
+
 /** Whether a photo that is not hidden lies anywhere. */
 export const hasPhoto = (drawing: Drawing): boolean => referenceAt(drawing, null) !== null;
 
 /**
- * The topmost photo as it lies on the artboard, no finer than it is itself.
+ * The topmost photo as it lies on the artboard, no finer than it is itself unless that is coarse.
  * @param most pixels of the longer side
  * @returns null: there is none, or no browser decodes it
  */
@@ -26,7 +29,8 @@ export async function laidPhoto(drawing: Drawing, most: number): Promise<LaidPho
   if (!photo || !back) return null;
   const [x0, y0, x1, y1] = drawing.artboard;
   const [w, h] = [x1 - x0, y1 - y0];
-  const scale = Math.min(most / Math.max(w, h), lengthScale(back));
+  const side = Math.min(most, Math.max(LEAST, lengthScale(back) * Math.max(w, h)));
+  const scale = side / Math.max(w, h);
   const [width, height] = [w, h].map((length) => Math.max(1, Math.round(length * scale)));
   const context = new OffscreenCanvas(width, height).getContext("2d", { willReadFrequently: true });
   const whole = new OffscreenCanvas(photo.width, photo.height);
