@@ -40,7 +40,7 @@ constexpr double kFirstRadius = 1;
 /// Sides of an end that differ less in every channel leak nothing that shows, and nothing that is
 /// worth another fit.
 constexpr float kLeak = 0.08f;
-constexpr float kShowingLeak = 0.3f;
+constexpr float kShowingLeak = 0.15f;
 /// An end that moves less, pixels, changes nothing that shows.
 constexpr double kMoved = 0.05;
 /// How often ends are snapped and curves untangled again: fitted colours tell what leaks.
