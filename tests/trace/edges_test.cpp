@@ -17,8 +17,7 @@
 namespace sfumato::tracing {
 namespace {
 
-EdgeMap edges_of(const Plane& plane, const EdgeOptions& options = {}) {
-  Context context;
+EdgeMap edges_of(Context& context, const Plane& plane, const EdgeOptions& options = {}) {
   Result<EdgeMap> edges = find_edges(context, std::span(&plane, 1), options);
   EXPECT_TRUE(edges.ok()) << to_string(edges.status());
   return edges.ok() ? std::move(*edges) : EdgeMap{};
@@ -47,9 +46,10 @@ int each_edge(const EdgeMap& edges, Visit visit) {
 }
 
 TEST(FindEdges, finds_a_step_between_pixels) {
+  Context context;
   for (const double place : {20.0, 20.2, 20.5, 20.7}) {
-    const EdgeMap edges =
-        edges_of(test::plane_of(40, 30, [&](Vec2 p) { return 0.3 * test::cover(p.x - place); }));
+    const EdgeMap edges = edges_of(
+        context, test::plane_of(40, 30, [&](Vec2 p) { return 0.3 * test::cover(p.x - place); }));
     const int count = each_edge(edges, [&](Vec2 at, float) { EXPECT_NEAR(at.x, place, 0.1); });
     EXPECT_GE(count, 28) << place;
     EXPECT_LE(count, 32) << place;
@@ -57,12 +57,13 @@ TEST(FindEdges, finds_a_step_between_pixels) {
 }
 
 TEST(FindEdges, finds_a_slanted_step_between_pixels) {
+  Context context;
   for (const double angle_deg : {10.0, 30.0, 45.0, 70.0}) {
     const double angle = angle_deg * std::numbers::pi / 180;
     const auto distance = [&](Vec2 p) {
       return std::cos(angle) * (p.x - 30.3) + std::sin(angle) * (p.y - 29.8);
     };
-    const EdgeMap edges = edges_of(test::cover_plane(60, 60, distance));
+    const EdgeMap edges = edges_of(context, test::cover_plane(60, 60, distance));
     int near_border = 0;
     const int count = each_edge(edges, [&](Vec2 at, float) {
       if (at.x < 5 || at.y < 5 || at.x > 55 || at.y > 55) return void(++near_border);
@@ -73,37 +74,43 @@ TEST(FindEdges, finds_a_slanted_step_between_pixels) {
 }
 
 TEST(FindEdges, says_how_strong_a_step_is) {
+  Context context;
   for (const double height : {0.1, 0.4}) {
-    const EdgeMap edges =
-        edges_of(test::plane_of(40, 30, [&](Vec2 p) { return height * test::cover(p.x - 20); }));
+    const EdgeMap edges = edges_of(
+        context, test::plane_of(40, 30, [&](Vec2 p) { return height * test::cover(p.x - 20); }));
     each_edge(edges,
               [&](Vec2, float strength) { EXPECT_NEAR(strength, 0.4 * height, 0.05 * height); });
   }
 }
 
 TEST(FindEdges, finds_soft_steps_at_coarser_scales) {
-  const EdgeMap edges = edges_of(
-      test::plane_of(80, 40, [&](Vec2 p) { return 0.06 * test::blurred_step(p.x - 40, 4); }));
+  Context context;
+  const EdgeMap edges = edges_of(context, test::plane_of(80, 40, [&](Vec2 p) {
+                                   return 0.06 * test::blurred_step(p.x - 40, 4);
+                                 }));
   const int count = each_edge(edges, [&](Vec2 at, float) { EXPECT_NEAR(at.x, 40, 0.3); });
   EXPECT_GE(count, 35);
   EXPECT_GT(edges.at(39, 20).scale + edges.at(40, 20).scale, 1.5f);
 }
 
 TEST(FindEdges, finds_nothing_in_one_color) {
+  Context context;
   for (const auto& [width, height] : {std::pair{1, 1}, {1, 50}, {50, 1}, {60, 40}}) {
-    const EdgeMap edges = edges_of(test::plane_of(width, height, [](Vec2) { return 0.4; }));
+    const EdgeMap edges =
+        edges_of(context, test::plane_of(width, height, [](Vec2) { return 0.4; }));
     EXPECT_EQ(each_edge(edges, [](Vec2, float) {}), 0) << width << " x " << height;
   }
 }
 
 TEST(FindEdges, finds_next_to_nothing_in_noise) {
+  Context context;
   const double deviation = 4 / 255.0;
   for (std::uint32_t seed = 1; seed <= 3; ++seed) {
     Plane plane = test::plane_of(200, 150, [](Vec2) { return 0.4; });
     test::add_noise(plane, deviation, seed);
     EdgeOptions options;
     options.noise = deviation;
-    const int count = each_edge(edges_of(plane, options), [](Vec2, float) {});
+    const int count = each_edge(edges_of(context, plane, options), [](Vec2, float) {});
     EXPECT_LT(count, 0.003 * 200 * 150) << "seed " << seed;
   }
 }
@@ -124,10 +131,11 @@ double distance_to(const Chain& chain, Vec2 p) {
 }
 
 TEST(LinkChains, makes_a_circle_one_closed_chain) {
+  Context context;
   for (const double radius : {8.0, 15.0, 22.0, 30.0}) {
     const Vec2 center{40.3, 39.6};
-    const std::vector<Chain> chains = chains_of(
-        edges_of(test::cover_plane(80, 80, [&](Vec2 p) { return radius - length(p - center); })));
+    const std::vector<Chain> chains = chains_of(edges_of(
+        context, test::cover_plane(80, 80, [&](Vec2 p) { return radius - length(p - center); })));
     ASSERT_EQ(chains.size(), 1u) << radius;
     EXPECT_TRUE(chains[0].is_closed);
     EXPECT_EQ(chains[0].point.front(), chains[0].point.back());
@@ -137,10 +145,12 @@ TEST(LinkChains, makes_a_circle_one_closed_chain) {
 }
 
 TEST(LinkChains, lets_an_end_meet_the_line_ahead) {
-  const std::vector<Chain> chains = chains_of(edges_of(test::plane_of(80, 80, [](Vec2 p) {
-    const double right = test::cover(p.x - 40.3);
-    return right * (0.4 + 0.4 * test::cover(p.y - 39.7));
-  })));
+  Context context;
+  const std::vector<Chain> chains =
+      chains_of(edges_of(context, test::plane_of(80, 80, [](Vec2 p) {
+                           const double right = test::cover(p.x - 40.3);
+                           return right * (0.4 + 0.4 * test::cover(p.y - 39.7));
+                         })));
   ASSERT_EQ(chains.size(), 2u);
   const bool is_first_long = chains[0].point.size() > chains[1].point.size();
   const Chain &bar = chains[is_first_long ? 0 : 1], &stem = chains[is_first_long ? 1 : 0];
@@ -191,9 +201,11 @@ TEST(LinkChains, looks_at_the_flag_within_50_ms) {
 }
 
 TEST(LinkChains, drops_what_is_short) {
-  const std::vector<Chain> chains = chains_of(edges_of(test::plane_of(60, 60, [](Vec2 p) {
-    return 0.3 * test::cover(1.0 - length(p - Vec2{30.2, 30.1}));
-  })));
+  Context context;
+  const std::vector<Chain> chains =
+      chains_of(edges_of(context, test::plane_of(60, 60, [](Vec2 p) {
+                           return 0.3 * test::cover(1.0 - length(p - Vec2{30.2, 30.1}));
+                         })));
   EXPECT_LE(chains.size(), 1u);
   EXPECT_TRUE(chains_of(EdgeMap{10, 10, std::vector<EdgePixel>(100)}).empty());
 }

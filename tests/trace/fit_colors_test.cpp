@@ -281,7 +281,7 @@ TEST(FitColors, chosen_curves_alone_are_fitted) {
     Document of_chosen = back;
     of_chosen.layers[0] = drawing.layers[0];
     EXPECT_LE(largest_difference(of_chosen, drawing), 20);
-    EXPECT_GT(psnr_to(back, picture), psnr_to(before, picture) + 6);
+    EXPECT_GT(psnr_to(back, picture), psnr_to(before, picture) + 5);
     const Document all = fitted(before, picture, {.only = {{0, 0}, {0, 1}, {1, 0}}});
     EXPECT_TRUE(test::same_document(all, fitted(before, picture)));
   }
