@@ -87,11 +87,10 @@ void DrawingFit::list_neighbours(std::span<const TracedCurve> curves) {
   has_next_.clear();
   ties_.clear();
   for (const TracedCurve& curve : curves) {
-    const bool is_closed = curve.control_points.front() == curve.control_points.back();
     for (const SideStops& side : curve.side) {
       const auto first = static_cast<std::uint32_t>(has_next_.size());
       const auto count = static_cast<std::uint32_t>(side.place.size());
-      if (is_closed && count > 1) ties_.push_back({first, first + count - 1});
+      if (is_closed(curve) && count > 1) ties_.push_back({first, first + count - 1});
       for (std::size_t i = 0; i < side.place.size(); ++i) {
         has_next_.push_back(i + 1 < side.place.size());
       }

@@ -99,7 +99,7 @@ class ShapeFit {
   ShapeFit(const TracedCurve& curve, const std::vector<CurveSample>& samples,
            const std::vector<Shift>& shifts)
       : samples_(samples), shifts_(shifts), count_(curve.control_points.size()) {
-    is_closed_ = curve.control_points.front() == curve.control_points.back();
+    is_closed_ = is_closed(curve);
     for (const Shift& shift : shifts) weight_ += shift.weight;
     weight_ = std::max(weight_ / static_cast<double>(count_), 1e-12);
   }

@@ -105,10 +105,6 @@ class PlaceGrid {
   std::vector<Place> place_;
 };
 
-bool is_closed(const TracedCurve& curve) {
-  return curve.control_points.front() == curve.control_points.back();
-}
-
 /// A place on a curve, and the curve's direction there.
 struct Landing {
   Vec2 point, along;

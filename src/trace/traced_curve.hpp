@@ -40,6 +40,10 @@ std::vector<CurveSample> samples_along(const TracedCurve& curve, double step);
 /// The rectangle of a picture's border as a closed curve, its inside on the right.
 TracedCurve frame_of(int width, int height);
 
+inline bool is_closed(const TracedCurve& curve) {
+  return curve.control_points.front() == curve.control_points.back();
+}
+
 inline std::size_t stop_count(const TracedCurve& curve) {
   return curve.side[0].place.size() + curve.side[1].place.size();
 }

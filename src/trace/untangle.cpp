@@ -30,10 +30,6 @@ double piece_count(const TracedCurve& curve) {
   return static_cast<double>((curve.control_points.size() - 1) / 3);
 }
 
-bool is_closed(const TracedCurve& curve) {
-  return curve.control_points.front() == curve.control_points.back();
-}
-
 /// A parameter's piece and what is left for it.
 std::pair<curves::Cubic, double> piece_at(const TracedCurve& curve, double parameter) {
   const double piece = std::clamp(std::floor(parameter), 0.0, piece_count(curve) - 1);
@@ -106,6 +102,12 @@ bool is_double(const TracedCurve& part, const TracedCurve& other) {
   });
 }
 
+/// Whether b is to be cut where it and a clash, of which one at least is closed.
+bool matters_more(const TracedCurve& a, const TracedCurve& b) {
+  if (a.is_frame || b.is_frame) return a.is_frame;
+  return is_closed(a) != is_closed(b) ? is_closed(a) : a.benefit > b.benefit;
+}
+
 /// Where a curve is to be cut: on another.
 struct Cut {
   double parameter = 0;
@@ -156,10 +158,7 @@ class Untangler {
   void mark(const Clash& clash) {
     const TracedCurve &a = curves_[clash.curve[0]], &b = curves_[clash.curve[1]];
     if (!is_closed(a) && !is_closed(b)) return;
-    const bool is_second = a.is_frame || (!b.is_frame && is_closed(a) != is_closed(b)
-                                              ? is_closed(a)
-                                              : a.benefit > b.benefit && !b.is_frame);
-    const std::size_t which = is_second ? 1 : 0;
+    const std::size_t which = matters_more(a, b) ? 1 : 0;
     const std::uint32_t other = clash.curve[1 - which];
     const double parameter = clash.parameter[which];
     const Vec2 at = point_on(curves_[clash.curve[which]], parameter);

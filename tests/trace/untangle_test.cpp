@@ -42,10 +42,6 @@ bool untangled(std::vector<TracedCurve>& curves) {
   return changed.ok() && *changed;
 }
 
-bool is_closed(const TracedCurve& curve) {
-  return curve.control_points.front() == curve.control_points.back();
-}
-
 TEST(Untangle, leaves_what_does_not_cross_as_it_is) {
   std::vector<TracedCurve> curves{polygon({{20, 20}, {60, 20}, {60, 60}, {20, 60}}),
                                   line({70, 10}, {70, 90}, kBlack, kWhite)};

@@ -1,5 +1,5 @@
-// All words that the editor shows: whoever translates them has one file to copy, in which each part of the
-// editor has its own object. A table.
+// A table: all words that the editor shows. Whoever translates them has one file to copy, in which each
+// part of the editor has its own object.
 
 const commands = {
   align: "Align",
