@@ -267,30 +267,4 @@ Status DrawingFit::fit_radii(std::span<TracedCurve> curves) {
   return ok_status();
 }
 
-Status DrawingFit::find_missing(std::span<const TracedCurve> curves, TableMemory& memory,
-                                std::vector<Plane>& missing) {
-  const int width = picture_.width(), height = picture_.height();
-  missing.resize(picture_.opacity ? 4 : 3);
-  Status status;
-  for (Plane& plane : missing) {
-    if (status) status = make_plane(context_, width, height, memory, plane);
-  }
-  if (!status) return status;
-  const std::vector<FourFloats> x = values_of(curves);
-  return for_each_band(
-      curves, kRoughlyNegligible, [&](const PixelRows& seen, const SparseMatrix& rows) {
-        std::vector<FourFloats> value(rows.row_count());
-        Status multiplied = multiply(context_, rows, x, value);
-        for (std::size_t i = 0; i < value.size(); ++i) {
-          const std::uint32_t at = seen.pixels.pixel[i];
-          const float opacity = picture_.opacity ? picture_.opacity->value[at] : 1.0f;
-          for (std::size_t c = 0; c < 3; ++c) {
-            missing[c].value[at] = opacity * (picture_.code[c].value[at] - value[i][c]);
-          }
-          if (picture_.opacity) missing[3].value[at] = opacity - value[i][3];
-        }
-        return multiplied;
-      });
-}
-
 }  // namespace sfumato::tracing

@@ -44,12 +44,6 @@ class DrawingFit {
   /// As TraceState::psnr_db, of the values that fit_values() found.
   double psnr_db() const { return psnr_db_; }
 
-  /// What is missing at every pixel: the colours of the picture less those of the drawing, times
-  /// the picture's opacity; where that is not 1 everywhere, as a fourth plane the same of opacity.
-  /// Precondition: prepare() was called for these curves. Errors: limit (memory), cancelled.
-  Status find_missing(std::span<const TracedCurve> curves, TableMemory& memory,
-                      std::vector<Plane>& missing);
-
  private:
   void list_neighbours(std::span<const TracedCurve> curves);
   /// What a picture's pixels are to be, and how much their colours count.

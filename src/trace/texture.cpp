@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <string>
 #include <utility>
@@ -13,8 +12,8 @@
 #include "base/parallel.hpp"
 #include "base/table_memory.hpp"
 #include "sfumato/document/build.hpp"
-#include "sfumato/raster/rasterize.hpp"
 #include "sfumato/solve/diffuse.hpp"
+#include "trace/drawn_image.hpp"
 
 namespace sfumato::tracing {
 namespace {
@@ -64,26 +63,6 @@ std::uint8_t in_eight_bits(double value) {
   return static_cast<std::uint8_t>(std::lround(255 * value));
 }
 
-/// Pixels of rgba16.
-double wide_at(const Image& image, std::size_t channel) {
-  std::uint16_t value;
-  std::memcpy(&value, image.bytes.data() + 2 * channel, sizeof value);
-  return value / 65535.0;
-}
-
-Result<Image> draw(Context& context, const Picture& picture, const Document& drawing) {
-  DiffuseOptions diffuse_options;
-  diffuse_options.pixels_per_unit = std::max(picture.width() / drawing.artboard.width(),
-                                             picture.height() / drawing.artboard.height());
-  const Result<sfumato::Picture> solved = diffuse(context, drawing, diffuse_options);
-  if (!solved) return solved.status();
-  RasterOptions options;
-  options.width = picture.width();
-  options.height = picture.height();
-  options.format = PixelFormat::rgba16;
-  return rasterize(context, *solved, options);
-}
-
 /// Square differences, and how many there are.
 struct Misses {
   double sum = 0, count = 0;
@@ -118,9 +97,9 @@ void TextureMaker::fill(std::size_t pixel, std::uint8_t* texel, Misses& misses) 
     std::fill_n(texel, 3, in_eight_bits(0.5));
     return;
   }
-  const double opacity = wide_at(drawn_, 4 * pixel + 3);
+  const double opacity = wide_value(drawn_, pixel, 3);
   for (std::size_t c = 0; c < 3; ++c) {
-    const Below below{wide_at(drawn_, 4 * pixel + c), opacity};
+    const Below below{wide_value(drawn_, pixel, c), opacity};
     const double wanted = picture_.code[c].value[pixel];
     texel[c] = in_eight_bits(blended_to(wanted, below));
     const double miss = shown(texel[c] / 255.0, below) - wanted;
@@ -216,7 +195,8 @@ Status add_texture(Context& context, const Picture& picture, Document& drawing, 
   const bool has_mask = picture.opacity.has_value();
   Status status = check_limits(context.limits, picture, has_mask ? 2 : 1);
   if (!status) return status;
-  const Result<Image> drawn = draw(context, picture, drawing);
+  const Result<Image> drawn =
+      drawn_image(context, drawing, picture.width(), picture.height(), DiffuseOptions{}.max_error);
   if (!drawn) return drawn.status();
   TableMemory memory("the texture of a trace");
   Texture color, mask;

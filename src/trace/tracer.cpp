@@ -10,6 +10,7 @@
 #include "trace/blur_estimate.hpp"
 #include "trace/candidates.hpp"
 #include "trace/drawing.hpp"
+#include "trace/missing.hpp"
 #include "trace/shape.hpp"
 #include "trace/side_colors.hpp"
 #include "trace/snap.hpp"
@@ -91,7 +92,7 @@ Result<Document> Tracer::run() {
   if (status) status = fit();
   if (status) note(0);
   for (int round = 1; round <= kRounds && status && goes_on(); ++round) {
-    status = fit_->find_missing(curves_, memory_, missing_);
+    status = find_missing(context_, *picture_, curves_, memory_, missing_);
     if (status) status = improve_shapes();
     if (status) status = add_edges_of_missing(round);
     if (status) status = fit();
@@ -184,7 +185,7 @@ Status Tracer::fit() {
 Status Tracer::finish() {
   Status status;
   if (!options_.edges_only) {
-    status = fit_->find_missing(curves_, memory_, missing_);
+    status = find_missing(context_, *picture_, curves_, memory_, missing_);
     if (status) status = improve_shapes();
   }
   if (status) status = snap(kLeak);

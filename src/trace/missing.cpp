@@ -1,0 +1,58 @@
+#include "trace/missing.hpp"
+
+#include <cstddef>
+
+#include "base/parallel.hpp"
+#include "trace/drawing.hpp"
+#include "trace/drawn_image.hpp"
+
+namespace sfumato::tracing {
+namespace {
+
+/// Code values of 255 that patches may be off by: far below what is worth a curve.
+constexpr double kMaxError = 4;
+/// Pixels that one task looks at.
+constexpr std::size_t kPixels = 4096;
+
+Result<Image> draw(Context& context, const Picture& picture, std::span<const TracedCurve> curves,
+                   bool has_opacity) {
+  const Vec2 size{static_cast<double>(picture.width()), static_cast<double>(picture.height())};
+  return drawn_image(context, drawing_of(curves, size, {1, 1}, has_opacity), picture.width(),
+                     picture.height(), kMaxError);
+}
+
+Status subtract(Context& context, const Picture& picture, const Image& drawn, std::size_t channel,
+                Plane& missing) {
+  const auto* opacity = picture.opacity ? &picture.opacity->value : nullptr;
+  return parallel_for(context, missing.value.size(), kPixels, [&](std::size_t i, std::size_t end) {
+    for (; i < end; ++i) {
+      const float own = opacity ? (*opacity)[i] : 1.0f;
+      missing.value[i] =
+          channel < 3 ? own * (picture.code[channel].value[i] - wide_value(drawn, i, channel))
+                      : own - wide_value(drawn, i, channel);
+    }
+  });
+}
+
+}  // namespace
+
+Status find_missing(Context& context, const Picture& picture, std::span<const TracedCurve> curves,
+                    TableMemory& memory, std::vector<Plane>& missing) {
+  missing.resize(picture.opacity ? 4 : 3);
+  Status status;
+  for (Plane& plane : missing) {
+    if (status) status = make_plane(context, picture.width(), picture.height(), memory, plane);
+  }
+  if (!status) return status;
+  // Colours are looked at by themselves: where hardly anything is to be seen, they still lead on.
+  Result<Image> drawn = draw(context, picture, curves, false);
+  if (!drawn) return drawn.status();
+  for (std::size_t c = 0; c < 3 && status; ++c) {
+    status = subtract(context, picture, *drawn, c, missing[c]);
+  }
+  if (!status || !picture.opacity) return status;
+  drawn = draw(context, picture, curves, true);
+  return drawn ? subtract(context, picture, *drawn, 3, missing[3]) : drawn.status();
+}
+
+}  // namespace sfumato::tracing
