@@ -3,14 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <utility>
 
 namespace sfumato::tracing {
 namespace {
 
 constexpr int kSteps = 60;
-/// The search ends where the residual has fallen to this share.
-constexpr double kTolerance = 1e-4;
+/// The search ends where the residual has fallen to this share of what it was at first.
+constexpr double kTolerance = 3e-3;
 /// How often unknowns outside their bounds are held and the rest is solved again.
 constexpr int kRounds = 3;
 /// Against weights of pixels that add up to some dozen for a stop.
@@ -117,11 +118,11 @@ class BoundedSolver {
     scale_residual();
     direction_ = scaled_;
     FourDoubles slope = inner(residual_, scaled_);
-    const FourDoubles first = slope;
+    if (!first_) first_ = slope;
     for (int step = 0; step < kSteps; ++step) {
       bool is_done = true;
       for (std::size_t c = 0; c < 4; ++c) {
-        is_done = is_done && slope[c] <= kTolerance * kTolerance * first[c];
+        is_done = is_done && slope[c] <= kTolerance * kTolerance * (*first_)[c];
       }
       if (is_done) break;
       status = apply(direction_);
@@ -174,6 +175,7 @@ class BoundedSolver {
   std::vector<FourFloats> is_free_;  ///< 1 or 0
   std::vector<float> diagonal_;
   std::vector<FourFloats> residual_, direction_, image_, scaled_;
+  std::optional<FourDoubles> first_;  ///< the residual's square at the very first
 };
 
 }  // namespace

@@ -155,13 +155,23 @@ Status DrawingFit::solve(const Equations& equations, std::span<TracedCurve> curv
   return status;
 }
 
-Status DrawingFit::fit_values(std::span<TracedCurve> curves) {
+Status DrawingFit::build_matrix(std::span<const TracedCurve> curves) {
   matrix_.reset();
   Result<SparseMatrix> matrix = value_rows(context_, *seen_, curves);
   if (!matrix) return matrix.status();
   matrix_ = std::move(*matrix);
+  return ok_status();
+}
+
+Status DrawingFit::take_values(std::span<const TracedCurve> curves) {
+  Status status = build_matrix(curves);
+  return status ? find_residual(values_of(curves)) : status;
+}
+
+Status DrawingFit::fit_values(std::span<TracedCurve> curves) {
   Equations equations;
-  Status status = add(*matrix_, targets_, equations);
+  Status status = build_matrix(curves);
+  if (status) status = add(*matrix_, targets_, equations);
   if (status) status = solve(equations, curves);
   return status ? find_residual(values_of(curves)) : status;
 }

@@ -32,8 +32,11 @@ class DrawingFit {
   /// Least squares for the values of all stops. Errors: limit (memory), cancelled.
   Status fit_values(std::span<TracedCurve> curves);
 
-  /// One step of Gauss and Newton's method for all radii. Precondition: fit_values() was called,
-  /// and nothing changed since. Errors: limit (memory), cancelled.
+  /// Takes the values of all stops as they are. Errors: limit (memory), cancelled.
+  Status take_values(std::span<const TracedCurve> curves);
+
+  /// One step of Gauss and Newton's method for all radii. Precondition: fit_values() or
+  /// take_values() was called, and nothing changed since. Errors: limit (memory), cancelled.
   Status fit_radii(std::span<TracedCurve> curves);
 
   /// fit_values() to every pixel of the picture; radii stay. `times` times stops that do little are
@@ -41,7 +44,7 @@ class DrawingFit {
   /// cancelled.
   Status fit_to_all(std::span<TracedCurve> curves, double share, int times);
 
-  /// As TraceState::psnr_db, of the values that fit_values() found.
+  /// As TraceState::psnr_db, of the values that were found or taken last.
   double psnr_db() const { return psnr_db_; }
 
  private:
@@ -60,6 +63,7 @@ class DrawingFit {
   Status find_targets(std::span<const std::uint32_t> pixels, Targets& targets) const;
   Status add(const SparseMatrix& rows, const Targets& targets, Equations& equations);
   Status solve(const Equations& equations, std::span<TracedCurve> curves);
+  Status build_matrix(std::span<const TracedCurve> curves);
   Status find_residual(std::span<const FourFloats> x);
   Status for_each_band(std::span<const TracedCurve> curves, float negligible,
                        FunctionRef<Status(const PixelRows&, const SparseMatrix&)> visit);

@@ -9,13 +9,14 @@
 #include "base/lanes.hpp"
 #include "base/limit_error.hpp"
 #include "base/parallel.hpp"
-#include "base/poll.hpp"
 
 namespace sfumato::tracing {
 namespace {
 
 /// Rows that one task computes.
 constexpr std::size_t kRows = 128;
+/// Rows that one task transposes, to which it has a number for each column.
+constexpr std::size_t kSliceRows = 8192;
 
 /// Lists of entries of consecutive rows, each made by one task.
 struct RowBlock {
@@ -36,17 +37,20 @@ Status join(Context& context, std::vector<RowBlock>& blocks, SparseMatrix& out) 
     return make_limit_error("memory", "too many entries in the equations of a fit");
   }
   Status status = out.memory.reserve(context, out.begin, rows + 1);
-  if (status) status = out.memory.reserve(context, out.column, entries);
-  if (status) status = out.memory.reserve(context, out.value, entries);
+  if (status) status = out.memory.resize(context, out.column, entries);
+  if (status) status = out.memory.resize(context, out.value, entries);
   if (!status) return status;
-  for (RowBlock& block : blocks) {
-    if (context.cancelled()) return context.cancel_status();
+  for (const RowBlock& block : blocks) {
     for (const std::uint32_t count : block.count) out.begin.push_back(out.begin.back() + count);
-    out.column.insert(out.column.end(), block.column.begin(), block.column.end());
-    out.value.insert(out.value.end(), block.value.begin(), block.value.end());
-    block = {};
   }
-  return ok_status();
+  return parallel_for(context, blocks.size(), 1, [&](std::size_t i, std::size_t end) {
+    for (; i < end; ++i) {
+      const auto at = static_cast<std::ptrdiff_t>(out.begin[i * kRows]);
+      std::ranges::copy(blocks[i].column, out.column.begin() + at);
+      std::ranges::copy(blocks[i].value, out.value.begin() + at);
+      blocks[i] = {};
+    }
+  });
 }
 
 /// Of two halves of a symmetric matrix, both with the diagonal, the whole.
@@ -114,27 +118,39 @@ Result<SparseMatrix> build_rows(Context& context, std::size_t row_count, std::ui
 Result<SparseMatrix> transposed(Context& context, const SparseMatrix& matrix) {
   SparseMatrix out;
   out.column_count = matrix.row_count();
-  const std::size_t entries = matrix.column.size();
-  Status status = out.memory.resize(context, out.begin, matrix.column_count + std::size_t{1});
-  if (status) status = out.memory.resize(context, out.column, entries);
-  if (status) status = out.memory.resize(context, out.value, entries);
+  const std::size_t rows = matrix.row_count(), columns = matrix.column_count;
+  const std::size_t slices = std::max<std::size_t>((rows + kSliceRows - 1) / kSliceRows, 1);
+  std::vector<std::uint32_t> next;  // per slice and column: where its next entry goes
+  TableMemory memory("the equations of a fit");
+  Status status = memory.resize(context, next, slices * columns);
+  if (status) status = out.memory.resize(context, out.begin, columns + 1);
+  if (status) status = out.memory.resize(context, out.column, matrix.column.size());
+  if (status) status = out.memory.resize(context, out.value, matrix.column.size());
   if (!status) return status;
-  RarePoll<65536> poll(context);
-  for (const std::uint32_t column : matrix.column) {
-    if (poll.cancelled()) return context.cancel_status();
-    ++out.begin[column + 1];
-  }
-  for (std::size_t i = 1; i < out.begin.size(); ++i) out.begin[i] += out.begin[i - 1];
-  for (std::uint32_t row = 0; row < matrix.row_count(); ++row) {
-    for (std::uint32_t k = matrix.begin[row]; k < matrix.begin[row + 1]; ++k) {
-      if (poll.cancelled()) return context.cancel_status();
-      const std::uint32_t at = out.begin[matrix.column[k]]++;
-      out.column[at] = row;
-      out.value[at] = matrix.value[k];
+  const auto for_each_slice = [&](auto&& visit) {
+    return parallel_for(context, rows, kSliceRows, [&](std::size_t row, std::size_t end) {
+      std::uint32_t* const of_slice = next.data() + row / kSliceRows * columns;
+      for (; row < end; ++row) {
+        for (std::uint32_t k = matrix.begin[row]; k < matrix.begin[row + 1]; ++k) {
+          visit(of_slice[matrix.column[k]], static_cast<std::uint32_t>(row), matrix.value[k]);
+        }
+      }
+    });
+  };
+  status = for_each_slice([](std::uint32_t& count, std::uint32_t, float) { ++count; });
+  if (!status) return status;
+  std::uint32_t sum = 0;
+  for (std::size_t column = 0; column < columns; ++column) {
+    for (std::size_t slice = 0; slice < slices; ++slice) {
+      sum += std::exchange(next[slice * columns + column], sum);
     }
+    out.begin[column + 1] = sum;
   }
-  for (std::size_t i = out.begin.size() - 1; i > 0; --i) out.begin[i] = out.begin[i - 1];
-  out.begin[0] = 0;
+  status = for_each_slice([&](std::uint32_t& at, std::uint32_t row, float value) {
+    out.column[at] = row;
+    out.value[at++] = value;
+  });
+  if (!status) return status;
   return out;
 }
 

@@ -34,8 +34,6 @@ constexpr double kTolerance = 1.2;
 constexpr double kMissingTolerance = 2.2;
 /// Pixels to which colours are fitted between rounds, about.
 constexpr double kFittedPixels = 60000;
-/// Fits of colours, with one of radii between them.
-constexpr int kTurns = 2;
 /// With less blur a curve's radius does not show in its derivative.
 constexpr double kFirstRadius = 1;
 /// Sides of an end that differ less in every channel leak nothing that shows, and nothing that is
@@ -169,17 +167,33 @@ Status Tracer::improve_shapes() {
 }
 
 Status Tracer::fit() {
-  const bool fits_radii = options_.blur == TraceBlur::fitted;
+  Status status = prepare_fit();
+  if (status) status = fit_->fit_values(curves_);
+  return status ? improve_radii() : status;
+}
+
+/// Of curves that hardly changed since their colours were fitted: radii come first.
+Status Tracer::fit_again() {
+  Status status = prepare_fit();
+  if (!status) return status;
+  if (!fits_radii()) return fit_->fit_values(curves_);
+  status = fit_->take_values(curves_);
+  return status ? improve_radii() : status;
+}
+
+Status Tracer::prepare_fit() {
   for (TracedCurve& curve : curves_) {
-    if (fits_radii && !curve.is_frame) curve.radius = std::max(curve.radius, kFirstRadius);
+    if (fits_radii() && !curve.is_frame) curve.radius = std::max(curve.radius, kFirstRadius);
   }
   const double one_in = std::max(1.0, pixel_count(*picture_) / kFittedPixels);
-  Status status = fit_->prepare(curves_, one_in, options_.seed);
-  for (int turn = 0; turn < kTurns && status; ++turn) {
-    if (turn > 0 && fits_radii) status = fit_->fit_radii(curves_);
-    if (status && (turn == 0 || fits_radii)) status = fit_->fit_values(curves_);
-  }
-  return status;
+  return fit_->prepare(curves_, one_in, options_.seed);
+}
+
+/// And then the colours, which depend on them.
+Status Tracer::improve_radii() {
+  if (!fits_radii()) return ok_status();
+  Status status = fit_->fit_radii(curves_);
+  return status ? fit_->fit_values(curves_) : status;
 }
 
 Status Tracer::finish() {
@@ -194,7 +208,7 @@ Status Tracer::finish() {
     const Result<bool> is_changed = tidy();
     if (!is_changed) return is_changed.status();
     if (!*is_changed) break;
-    status = fit();
+    status = fit_again();
   }
   forget_blur();
   return status ? fit_->fit_to_all(curves_, kPruneShare, prune_count(options_.stops)) : status;

@@ -33,7 +33,11 @@ class Tracer {
   Status add_edges_of_missing(int round);
   Status add(std::span<const Plane> blurred, Result<std::vector<TracedCurve>> candidates,
              double budget);
+  bool fits_radii() const { return options_.blur == TraceBlur::fitted; }
   Status fit();
+  Status fit_again();
+  Status prepare_fit();
+  Status improve_radii();
   Status finish();
   Status improve_shapes();
   Status snap(float leak);
