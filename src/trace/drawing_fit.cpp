@@ -92,7 +92,8 @@ void DrawingFit::list_neighbours(std::span<const TracedCurve> curves) {
       const auto count = static_cast<std::uint32_t>(side.place.size());
       if (is_closed(curve) && count > 1) ties_.push_back({first, first + count - 1});
       for (std::size_t i = 0; i < side.place.size(); ++i) {
-        has_next_.push_back(i + 1 < side.place.size());
+        // Two stops at one place are a step.
+        has_next_.push_back(i + 1 < side.place.size() && side.place[i] < side.place[i + 1]);
       }
     }
   }

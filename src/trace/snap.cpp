@@ -35,6 +35,10 @@ constexpr int kParts = 64;
 /// closed curve.
 constexpr double kClosePx = 4.5;
 constexpr double kCloseShare = 0.02;
+/// Steps of a side are at least so far apart, by the curve's parameter.
+constexpr double kStepApart = 0.05;
+/// On the last piece of a curve, before its end.
+constexpr double kNearEnd = 0.9;
 
 /// Places of curves by the pixel that they lie in.
 class PlaceGrid {
@@ -108,6 +112,7 @@ class PlaceGrid {
 /// A place on a curve, and the curve's direction there.
 struct Landing {
   Vec2 point, along;
+  double parameter;
 };
 
 /// The place nearest to p, of those around a parameter.
@@ -117,7 +122,24 @@ Landing landing_on(const TracedCurve& curve, double parameter, Vec2 p) {
   const curves::Cubic cubic = curves::piece(curve.control_points, piece);
   const double t = std::clamp(
       curves::nearest_parameter(cubic, p, parameter - static_cast<double>(piece)), 0.0, 1.0);
-  return {curves::point_at(cubic, t), curves::derivative_at(cubic, t)};
+  return {curves::point_at(cubic, t), curves::derivative_at(cubic, t),
+          static_cast<double>(piece) + t};
+}
+
+/// Gives a side a step of its values, unless one is near or the place is an end of it.
+void add_step(SideStops& side, double parameter) {
+  if (side.place.empty() || parameter - side.place.front() < kStepApart ||
+      side.place.back() - parameter < kStepApart) {
+    return;
+  }
+  const auto next = std::ranges::lower_bound(side.place, parameter);
+  for (auto i = side.place.begin() + 1; i != side.place.end(); ++i) {
+    if (*i == *(i - 1) && std::fabs(*i - parameter) < kStepApart) return;
+  }
+  const SideValue value = value_at(side, parameter);
+  const auto at = next - side.place.begin();
+  side.place.insert(next, 2, parameter);
+  side.value.insert(side.value.begin() + at, 2, value);
 }
 
 /// Closes a curve whose ends nearly meet.
@@ -209,9 +231,10 @@ class Snapper {
     std::ranges::copy(cubic, points.begin() + static_cast<std::ptrdiff_t>(first));
   }
 
-  bool cut(std::uint32_t index, bool is_last, curves::Cubic& cubic) const {
+  bool cut(std::uint32_t index, bool is_last, curves::Cubic& cubic) {
     double first = 1;
-    Vec2 to;
+    Landing to{};
+    std::uint32_t host = 0;
     for (const PlaceGrid::Place& place : nearest_places(index, cubic[3], is_last)) {
       const TracedCurve& other = curves_[place.curve];
       const double t = crossing_before_end(cubic, landing_on(other, place.parameter, cubic[3]));
@@ -220,10 +243,12 @@ class Snapper {
       const Landing landing = landing_on(other, place.parameter, crossed);
       if (length(landing.point - crossed) > kCrossed) continue;
       first = t;
-      to = landing.point;
+      to = landing;
+      host = place.curve;
     }
     if (first == 1) return false;
-    cubic = ended_at(cubic, first, to);
+    cubic = ended_at(cubic, first, to.point);
+    if (leaks(curves_[index], is_last, leak_)) part_at(host, to, cubic);
     return true;
   }
 
@@ -243,7 +268,7 @@ class Snapper {
   }
 
   /// Makes the last piece of a curve, which runs outwards, end on a curve; false: on none.
-  bool lead(std::uint32_t index, bool is_last, curves::Cubic& cubic) const {
+  bool lead(std::uint32_t index, bool is_last, curves::Cubic& cubic) {
     const std::optional<PlaceGrid::Place> place = target(index, cubic, is_last);
     if (!place) return false;
     const TracedCurve& other = curves_[place->curve];
@@ -254,7 +279,16 @@ class Snapper {
       landing = landing_on(other, place->parameter, curves::point_at(cubic, crossing));
       cubic = ended_at(cubic, crossing, landing.point);
     }
+    part_at(place->curve, landing, cubic);
     return true;
+  }
+
+  /// What is on the two sides of a curve that ends on another differs: the other's values get a
+  /// step there.
+  void part_at(std::uint32_t host, const Landing& landing, const curves::Cubic& cubic) {
+    const bool is_left =
+        dot(left_of(landing.along), curves::point_at(cubic, kNearEnd) - landing.point) > 0;
+    add_step(curves_[host].side[is_left ? 0 : 1], landing.parameter);
   }
 
   std::optional<PlaceGrid::Place> target(std::uint32_t index, const curves::Cubic& cubic,

@@ -221,9 +221,10 @@ Status Tracer::snap(float leak) {
 /// Mends what shows since colours were fitted.
 Result<bool> Tracer::tidy() {
   const std::vector<Vec2> before = ends_of(curves_);
+  const std::size_t stops = stop_count();
   Status status = snap(kShowingLeak);
   if (!status) return status;
-  const bool is_snapped = is_elsewhere(before, ends_of(curves_));
+  const bool is_snapped = stops != stop_count() || is_elsewhere(before, ends_of(curves_));
   const Result<bool> is_cut = untangle(context_, picture_->width(), picture_->height(), curves_);
   if (!is_cut || !*is_cut) return is_cut ? is_snapped : is_cut;
   drop_excess();
@@ -263,6 +264,12 @@ bool Tracer::goes_on() const {
 std::size_t Tracer::point_count() const {
   std::size_t sum = 0;
   for (const TracedCurve& curve : curves_) sum += curve.control_points.size();
+  return sum;
+}
+
+std::size_t Tracer::stop_count() const {
+  std::size_t sum = 0;
+  for (const TracedCurve& curve : curves_) sum += tracing::stop_count(curve);
   return sum;
 }
 
@@ -317,7 +324,7 @@ TraceState Tracer::state(int round) const {
   state.round_count = options_.edges_only ? 1 : kRounds + 1;
   state.curves = curves_.size();
   state.control_points = point_count();
-  for (const TracedCurve& curve : curves_) state.stops += stop_count(curve);
+  state.stops = stop_count();
   state.psnr_db = fit_->psnr_db();
   state.seconds = watch_.seconds();
   return state;

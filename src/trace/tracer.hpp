@@ -50,6 +50,7 @@ class Tracer {
   void measure_curves();
   Result<Document> finished_drawing();
   std::size_t point_count() const;
+  std::size_t stop_count() const;
   std::size_t curve_limit() const;
   Document drawing() const;
 
