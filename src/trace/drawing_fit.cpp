@@ -29,6 +29,8 @@ constexpr float kRoughlyNegligible = 1.5e-3f;
 constexpr float kNegligible = 2e-4f;
 /// Pixels, about, whose rows are there at once where all pixels are looked at.
 constexpr int kBandPixels = 16384;
+/// Leaving out a share of the stops may add so many times this share to the squared error.
+constexpr double kPruneCost = 0.5;
 /// Where nothing is seen of a pixel, its colour still counts a little.
 constexpr float kLeastWeight = 1e-3f;
 
@@ -229,7 +231,10 @@ Status DrawingFit::fit_to_all(std::span<TracedCurve> curves, double share, int t
 
 Status DrawingFit::prune(std::span<TracedCurve> curves, double share, Equations& equations) {
   const std::vector<float> weight = diagonal_of(equations.color.normal);
-  const std::vector<std::uint8_t> goes = stops_to_prune(curves, weight, share);
+  const Result<double> error = mean_square(context_, equations.color, values_of(curves));
+  if (!error) return error.status();
+  const double most = kPruneCost * share * *error * 3 * equations.color.weight;
+  const std::vector<std::uint8_t> goes = stops_to_prune(curves, weight, {share, most});
   const Result<SparseMatrix> values = values_without(context_, curves, goes);
   if (!values) return values.status();
   Equations left;

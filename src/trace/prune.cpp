@@ -35,7 +35,7 @@ void keep(std::vector<Item>& items, std::span<const std::uint8_t> goes) {
 }  // namespace
 
 std::vector<std::uint8_t> stops_to_prune(std::span<const TracedCurve> curves,
-                                         std::span<const float> weight, double share) {
+                                         std::span<const float> weight, const PruneLimits& limits) {
   std::vector<Price> prices;
   std::uint32_t first = 0;
   for (const TracedCurve& curve : curves) {
@@ -48,13 +48,15 @@ std::vector<std::uint8_t> stops_to_prune(std::span<const TracedCurve> curves,
   }
   std::ranges::stable_sort(prices, {}, &Price::cost);
   std::vector<std::uint8_t> goes(first);
-  const auto most = static_cast<std::size_t>(share * first);
+  const auto most = static_cast<std::size_t>(limits.share * first);
   std::size_t count = 0;
+  double cost = 0;
   for (const Price& price : prices) {
-    if (count == most) break;
+    if (count == most || cost + price.cost > limits.cost) break;
     // The first and the last stop of a side have no price, so that both neighbours are of the side.
     if (goes[price.stop_index - 1] || goes[price.stop_index + 1]) continue;
     goes[price.stop_index] = 1;
+    cost += price.cost;
     ++count;
   }
   return goes;

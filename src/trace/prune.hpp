@@ -11,13 +11,18 @@
 
 namespace sfumato::tracing {
 
-/// Marks the inner stops that change least if left out: at most `share` of all, and no two
-/// neighbours. Leaving out stop j changes the squared error by about |c_j - c|² · (AᵀA)_jj, where c
-/// is what lies between its neighbours.
-/// weight    per stop, in the order of curves, sides and stops: (AᵀA)_jj
-/// Returns   per stop 1 where it is to go
+/// How much is left out at a time.
+struct PruneLimits {
+  double share = 0;  ///< of all stops
+  double cost = 0;   ///< what that adds to the squared error
+};
+
+/// Marks the inner stops that change least if left out, within limits, and no two neighbours.
+/// Leaving out stop j changes the squared error by about |c_j - c|² · (AᵀA)_jj, where c is what
+/// lies between its neighbours. weight    per stop, in the order of curves, sides and stops:
+/// (AᵀA)_jj Returns   per stop 1 where it is to go
 std::vector<std::uint8_t> stops_to_prune(std::span<const TracedCurve> curves,
-                                         std::span<const float> weight, double share);
+                                         std::span<const float> weight, const PruneLimits& limits);
 
 /// What every stop has when the marked ones are gone, from those that are left: a row for each of
 /// all, with one entry, or two where it lay between two. Errors: limit (memory), cancelled.

@@ -81,13 +81,16 @@ TEST(Sparse, lists_the_entries_of_rows) {
 }
 
 TEST(Sparse, transposes) {
-  const Dense dense = random_dense(300, 130, 2);
-  Dense expected = zeros(130, 300);
-  for (std::size_t i = 0; i < 300; ++i) {
-    for (std::size_t j = 0; j < 130; ++j) expected.at(j, i) = dense.at(i, j);
+  // Tall ones are transposed in slices, by several threads.
+  for (const auto& [rows, columns] : {std::pair<std::size_t, std::size_t>{300, 130}, {20000, 7}}) {
+    const Dense dense = random_dense(rows, columns, 2);
+    Dense expected = zeros(columns, rows);
+    for (std::size_t i = 0; i < rows; ++i) {
+      for (std::size_t j = 0; j < columns; ++j) expected.at(j, i) = dense.at(i, j);
+    }
+    Context context;
+    expect_equal(take(transposed(context, sparse_of(context, dense))), expected);
   }
-  Context context;
-  expect_equal(take(transposed(context, sparse_of(context, dense))), expected);
 }
 
 TEST(Sparse, multiplies_and_adds) {
@@ -239,10 +242,12 @@ TracedCurve with_stops(std::size_t left, std::size_t right, std::uint32_t seed) 
   return curve;
 }
 
+constexpr double kAnyCost = std::numeric_limits<double>::infinity();
+
 TEST(PruneStops, gives_what_lies_between_those_that_are_left) {
   std::vector<TracedCurve> curves{with_stops(9, 1, 1), with_stops(0, 12, 2), with_stops(2, 7, 3)};
   const std::vector<float> weight(9 + 1 + 12 + 2 + 7, 1.0f);
-  const std::vector<std::uint8_t> goes = stops_to_prune(curves, weight, 0.3);
+  const std::vector<std::uint8_t> goes = stops_to_prune(curves, weight, {0.3, kAnyCost});
   ASSERT_EQ(goes.size(), weight.size());
   EXPECT_GT(std::ranges::count(goes, 1), 3);
   EXPECT_LE(std::ranges::count(goes, 1), static_cast<std::ptrdiff_t>(0.3 * 31));
@@ -279,9 +284,28 @@ TEST(PruneStops, leaves_out_what_changes_least_but_no_neighbours_and_no_ends) {
     side.value.push_back({v, v, v, 1});
   }
   const std::vector<float> weight(7, 1.0f);
-  const std::vector<std::uint8_t> goes = stops_to_prune(std::span(&curve, 1), weight, 1);
+  const std::vector<std::uint8_t> goes =
+      stops_to_prune(std::span(&curve, 1), weight, {1, kAnyCost});
   EXPECT_EQ(goes, (std::vector<std::uint8_t>{0, 1, 0, 1, 0, 0, 0}));
-  EXPECT_EQ(std::ranges::count(stops_to_prune(std::span(&curve, 1), weight, 0), 1), 0);
+  EXPECT_EQ(std::ranges::count(stops_to_prune(std::span(&curve, 1), weight, {0, kAnyCost}), 1), 0);
+}
+
+TEST(PruneStops, leaves_out_what_together_costs_no_more_than_it_may) {
+  TracedCurve curve = test::traced(test::straight_curve({0, 0}, {50, 0}));
+  SideStops& side = curve.side[0];
+  side = {};
+  for (const float v : {0.0f, 0.1f, 0.0f, 0.5f, 0.0f}) {
+    side.place.push_back(0.25 * static_cast<double>(side.place.size()));
+    side.value.push_back({v, v, v, 1});
+  }
+  const std::vector<float> weight(7, 10.0f);
+  const auto goes_for = [&](double cost) {
+    return stops_to_prune(std::span(&curve, 1), weight, {1, cost});
+  };
+  const double first = 3 * 0.01 * 10, both = first + 3 * 0.25 * 10;
+  EXPECT_EQ(goes_for(0.9 * first), (std::vector<std::uint8_t>{0, 0, 0, 0, 0, 0, 0}));
+  EXPECT_EQ(goes_for(0.9 * both), (std::vector<std::uint8_t>{0, 1, 0, 0, 0, 0, 0}));
+  EXPECT_EQ(goes_for(1.1 * both), (std::vector<std::uint8_t>{0, 1, 0, 1, 0, 0, 0}));
 }
 
 }  // namespace

@@ -89,6 +89,29 @@ TEST(SnapToCurves, leaves_ends_alone_that_are_far_or_leak_nothing) {
   EXPECT_EQ(snapped(even)[1].control_points.back(), (Vec2{49, 50}));
 }
 
+/// What is above the curve that comes from the left, and what is below, may differ then.
+TEST(SnapToCurves, gives_the_side_on_which_an_end_lands_a_step) {
+  for (const bool is_mirrored : {false, true}) {
+    std::vector<TracedCurve> curves = line_and_end(49);
+    if (is_mirrored) {
+      for (Vec2& p : curves[1].control_points) p.x = 100 - p.x;
+    }
+    const TracedCurve line = snapped(curves)[0];
+    // The line runs down: on its right is the left of the picture.
+    const SideStops& lands = line.side[is_mirrored ? 0 : 1];
+    ASSERT_EQ(lands.place.size(), 4u);
+    EXPECT_EQ(lands.place[1], lands.place[2]);
+    EXPECT_NEAR(lands.place[1], 0.5, 0.01);
+    EXPECT_EQ(lands.value[1], lands.value[0]);
+    EXPECT_EQ(line.side[is_mirrored ? 1 : 0].place.size(), 2u);
+  }
+}
+
+TEST(SnapToCurves, gives_one_step_to_a_place_however_often_it_is_called) {
+  const std::vector<TracedCurve> once = snapped(line_and_end(49));
+  EXPECT_EQ(snapped(once)[0].side[1].place.size(), 4u);
+}
+
 /// A disc drawn `off` from where it is in the picture, after its shape was improved `turns` times:
 /// the largest distance of its border from the true one.
 double miss_of_disc(Vec2 off, int turns) {
