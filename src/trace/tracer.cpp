@@ -32,6 +32,14 @@ constexpr double kStopTolerance = 0.02;
 /// How far curves may be from edges of usual strength, pixels times √scale.
 constexpr double kTolerance = 1.2;
 constexpr double kMissingTolerance = 2.2;
+/// With less noise a picture was drawn, not taken: finer edges are edges.
+constexpr double kDrawnNoise = 2e-4;
+/// The finest scales, pixels, of edges of the picture and of what is missing.
+struct FinestScales {
+  double edge, missing;
+};
+constexpr FinestScales kTakenScales{1, 2};
+constexpr FinestScales kDrawnScales{0.7, 1};
 /// Pixels to which colours are fitted between rounds, about.
 constexpr double kFittedPixels = 60000;
 /// With less blur a curve's radius does not show in its derivative.
@@ -75,6 +83,10 @@ std::vector<Vec2> ends_of(std::span<const TracedCurve> curves) {
 
 bool is_elsewhere(std::span<const Vec2> before, std::span<const Vec2> after) {
   return !std::ranges::equal(before, after, [](Vec2 a, Vec2 b) { return length(a - b) < kMoved; });
+}
+
+const FinestScales& finest_scales(double noise) {
+  return noise < kDrawnNoise ? kDrawnScales : kTakenScales;
 }
 
 std::vector<double> scales_from(double finest) {
@@ -130,7 +142,8 @@ Status Tracer::add_edges_of_picture() {
   stats_.noise = *noise;
   if (picture_->opacity) planes.push_back(*picture_->opacity);
   EdgeOptions edges;
-  edges.scales = scales_from(std::max(1.0, options_.smooth_px * picture_->scale));
+  edges.scales =
+      scales_from(std::max(finest_scales(*noise).edge, options_.smooth_px * picture_->scale));
   edges.noise = *noise;
   return add(planes, find_candidates(context_, planes, edges, kTolerance, curves_),
              kFirstShare * static_cast<double>(budget_));
@@ -140,7 +153,8 @@ Status Tracer::add_edges_of_missing(int round) {
   const std::size_t left = budget_ - std::min(budget_, point_count());
   if (left < kLeastPoints) return ok_status();
   EdgeOptions edges;
-  edges.scales = scales_from(std::max(2.0, options_.smooth_px * picture_->scale));
+  edges.scales = scales_from(
+      std::max(finest_scales(stats_.noise).missing, options_.smooth_px * picture_->scale));
   edges.high = 0.015;
   edges.noise = 0.5 * stats_.noise;
   const double share = round == kRounds ? 1.0 : kRoundShare;
