@@ -5,9 +5,9 @@
 #include <cstring>
 
 #include "sfumato/base/context.hpp"
+#include "sfumato/base/image.hpp"
 #include "sfumato/base/status.hpp"
 #include "sfumato/document/document.hpp"
-#include "sfumato/base/image.hpp"
 
 namespace sfumato::tracing {
 

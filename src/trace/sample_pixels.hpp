@@ -14,8 +14,8 @@
 namespace sfumato::tracing {
 
 /// Pixels to which a drawing is fitted, and the points in them at which it is looked at: the
-/// middle, or in pixels that sharp curves cross four points of a rotated grid, since there a pixel's
-/// colour is the mean over it.
+/// middle, or in pixels that sharp curves cross four points of a rotated grid, since there a
+/// pixel's colour is the mean over it.
 struct SamplePixels {
   std::vector<std::uint32_t> pixel;        ///< y · width + x, in an order of neighbours
   std::vector<std::uint32_t> point_begin;  ///< per pixel, and one more: into `point`

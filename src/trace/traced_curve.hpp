@@ -24,6 +24,7 @@ struct TracedCurve {
   double scale = 1;                  ///< of the Gaussian at which its edge was found
   double benefit = 0;                ///< Σ strength² · scale over its edge
   double radius = 0;                 ///< of blur, of the whole curve
+  double seen_radius = 0;            ///< that the edge tells by itself, before any fit
   bool is_frame = false;             ///< along the picture's border: its left side bears nothing
 };
 

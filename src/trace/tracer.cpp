@@ -40,6 +40,9 @@ struct FinestScales {
 };
 constexpr FinestScales kTakenScales{1, 2};
 constexpr FinestScales kDrawnScales{0.7, 1};
+/// A little blur that is fitted to an edge of a drawn picture hides how its curve misses it, where
+/// the edge itself looks sharp.
+constexpr double kDrawnSharpRadius = 1.2;
 /// Pixels to which colours are fitted between rounds, about.
 constexpr double kFittedPixels = 60000;
 /// With less blur a curve's radius does not show in its derivative.
@@ -85,8 +88,12 @@ bool is_elsewhere(std::span<const Vec2> before, std::span<const Vec2> after) {
   return !std::ranges::equal(before, after, [](Vec2 a, Vec2 b) { return length(a - b) < kMoved; });
 }
 
+bool is_drawn(double noise) {
+  return noise < kDrawnNoise;
+}
+
 const FinestScales& finest_scales(double noise) {
-  return noise < kDrawnNoise ? kDrawnScales : kTakenScales;
+  return is_drawn(noise) ? kDrawnScales : kTakenScales;
 }
 
 std::vector<double> scales_from(double finest) {
@@ -171,6 +178,7 @@ Status Tracer::add(std::span<const Plane> blurred, Result<std::vector<TracedCurv
   if (!chosen) return chosen.status();
   Status status;
   if (options_.blur != TraceBlur::sharp) status = estimate_blur(context_, blurred, *chosen);
+  for (TracedCurve& curve : *chosen) curve.seen_radius = curve.radius;
   if (status) status = sample_sides(context_, *picture_, kStopTolerance, *chosen);
   for (TracedCurve& curve : *chosen) curves_.push_back(std::move(curve));
   return status;
@@ -264,7 +272,8 @@ void Tracer::drop_excess() {
 
 void Tracer::forget_blur() {
   for (TracedCurve& curve : curves_) {
-    if (curve.radius < kSharpRadius) curve.radius = 0;
+    const bool is_seen_sharp = is_drawn(stats_.noise) && curve.seen_radius < kSharpRadius;
+    if (curve.radius < (is_seen_sharp ? kDrawnSharpRadius : kSharpRadius)) curve.radius = 0;
   }
 }
 
