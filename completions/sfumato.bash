@@ -48,7 +48,7 @@ _sfumato() {
       ;;
     --viewport | --width | --height | --scale | --rays | --seed | --tolerance | --max-area | \
       --min-angle | --quality | --port | --detail | --dpi | --title | --threads | --max-memory | \
-      --points | --max-curves | --psnr | --smooth | --max-side)
+      --points | --max-curves | --psnr | --smooth | --max-side | --only)
       return
       ;;
   esac
@@ -79,8 +79,8 @@ _sfumato() {
       ;;
     trace)
       options='--output --out-dir --points --detail --max-curves --psnr --smooth --stops
-        --edges-only --no-alpha --texture --blur --max-side --seed --colors-only --allow-files
-        --threads --stats --quiet
+        --edges-only --no-alpha --texture --blur --max-side --seed --colors-only --only
+        --keep-colors --allow-files --threads --stats --quiet
         --max-memory --max-time --limit --help'
       ;;
     lint)

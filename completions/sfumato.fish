@@ -84,6 +84,8 @@ complete -c sfumato -n '__fish_seen_subcommand_from trace' -l blur -x -a 'on off
 complete -c sfumato -n '__fish_seen_subcommand_from trace' -l max-side -x -d 'Look at larger pictures in this size'
 complete -c sfumato -n '__fish_seen_subcommand_from trace' -l seed -x -d 'Of the choice of pixels'
 complete -c sfumato -n '__fish_seen_subcommand_from trace' -l colors-only -r -F -d 'Only give this drawing the colours'
+complete -c sfumato -n '__fish_seen_subcommand_from trace' -l only -x -d 'These of its curves'
+complete -c sfumato -n '__fish_seen_subcommand_from trace' -l keep-colors -d 'Fit its blur alone'
 complete -c sfumato -n '__fish_seen_subcommand_from trace' -l allow-files -x -a '(__fish_complete_directories)' -d 'Read textures from this folder too'
 complete -c sfumato -n '__fish_seen_subcommand_from trace' -l threads -x -d 'Number of threads'
 complete -c sfumato -n '__fish_seen_subcommand_from trace' -l stats -r -F -d 'Sizes, times and nearness as JSON'

@@ -1,6 +1,7 @@
 #include "sfumato/trace/trace.hpp"
 
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -13,8 +14,6 @@
 
 namespace sfumato::capi {
 namespace {
-
-constexpr const char* kNoCurves = "only: expected layer:curve, and so on, with commas between";
 
 std::uint32_t counted(std::size_t count) {
   return static_cast<std::uint32_t>(count);
@@ -80,7 +79,9 @@ Outcome read_choice(const Context& context, const options::TraceSettings& settin
   if (!settings.only) return {};
   if (Status status = memory.reserve(context, only, options::most_curves(*settings.only)); !status)
     return status;
-  if (!options::parse_curves(*settings.only, only)) return bad_usage(kNoCurves);
+  if (!options::parse_curves(*settings.only, only)) {
+    return bad_usage(std::string("only: expected ") + options::kCurveList);
+  }
   return {};
 }
 
@@ -122,11 +123,7 @@ Outcome fit_image(sfumato_context* context, const sfumato_document* handle,
   if (Outcome read = read_wish(work, given, text, options::kFitColors, wish);
       read.code != SFUMATO_OK)
     return read;
-  const TraceOptions& asked = wish.settings.trace;
-  ColorFit fit{.blur = asked.blur,
-               .max_side = asked.max_side,
-               .seed = asked.seed,
-               .keeps_colors = wish.settings.keeps_colors};
+  ColorFit fit = options::color_fit_of(wish.settings);
   TableMemory only_memory("the curves to be fitted");
   if (Outcome read = read_choice(work, wish.settings, only_memory, fit.only);
       read.code != SFUMATO_OK)

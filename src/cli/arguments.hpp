@@ -70,6 +70,7 @@ struct EditArguments : DocumentArguments {
 /// `input`: the drawing of --colors-only; empty: there is none.
 struct TraceArguments : DocumentArguments, JobArguments {
   TraceOptions options;  ///< but the watch
+  ColorFit fit;          ///< of --colors-only
   int threads = 0;       ///< 0: all cores
 };
 

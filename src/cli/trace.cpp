@@ -18,6 +18,7 @@
 #include "cli/trace_stats.hpp"
 #include "codecs/photo.hpp"
 #include "sfumato/base/native/thread_pool.hpp"
+#include "trace/curve_choice.hpp"
 
 namespace sfumato::cli {
 namespace {
@@ -74,7 +75,10 @@ Status Tracing::read_drawing_to_color() {
   Result<ReadDocument> read = read_drawing(context_, arguments_);
   if (!read) return read.status();
   drawing_ = std::move(read->document);
-  return drawing_charge_.add(context_, bytes_of(*drawing_), "the drawing");
+  Status status = drawing_charge_.add(context_, bytes_of(*drawing_), "the drawing");
+  if (status) status = tracing::check_curves(context_, *drawing_, arguments_.fit.only);
+  if (!status && status.where.file.empty()) status.where.file = display_name(arguments_.input);
+  return status;
 }
 
 Result<Image> Tracing::read_picture(const std::string& path) {
@@ -93,11 +97,7 @@ Result<Image> Tracing::read_picture(const std::string& path) {
 }
 
 Result<Document> Tracing::make_drawing(const Image& picture, TraceStats& stats) {
-  if (drawing_) {
-    const ColorFit fit{arguments_.options.blur, arguments_.options.max_side,
-                       arguments_.options.seed};
-    return fit_colors(context_, *drawing_, picture, fit, &stats);
-  }
+  if (drawing_) return fit_colors(context_, *drawing_, picture, arguments_.fit, &stats);
   TraceOptions options = arguments_.options;
   options.watch = &watch_;
   return trace(context_, picture, options, &stats);

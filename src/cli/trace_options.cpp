@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cli/paths.hpp"
+#include "options/curve_list.hpp"
 #include "options/tables.hpp"
 #include "sfumato/base/limits.hpp"
 
@@ -17,7 +18,8 @@ constexpr const char* kTraceFooter =
     "  sfumato trace photo.jpg -o drawing.svgz --points 5000\n"
     "  sfumato trace painting.png -o painting.svg --psnr 32 --smooth 2\n"
     "  sfumato trace *.jpg --out-dir drawings --detail 0.3\n"
-    "  sfumato trace photo.jpg -o recoloured.svg --colors-only drawing.svg";
+    "  sfumato trace photo.jpg -o recoloured.svg --colors-only drawing.svg\n"
+    "  sfumato trace photo.jpg -o mended.svg --colors-only drawing.svg --only 0:4,0:7";
 
 void add_files(CLI::App& app, TraceArguments& arguments, TraceChoices& choices) {
   app.add_option("IN", choices.inputs,
@@ -62,6 +64,17 @@ void expect_none_of_curves(const CLI::App& app) {
   }
 }
 
+/// What is fitted of the drawing of --colors-only.
+ColorFit settled_fit(const options::TraceSettings& settings) {
+  ColorFit fit = options::color_fit_of(settings);
+  const bool is_any_fitted = !fit.keeps_colors || fit.blur == TraceBlur::fitted;
+  expect(is_any_fitted, "--keep-colors", "expected with --blur on; else nothing is fitted");
+  if (!settings.only) return fit;
+  expect(options::parse_curves(*settings.only, fit.only), "--only",
+         '"' + *settings.only + "\" given, expected " + options::kCurveList);
+  return fit;
+}
+
 }  // namespace
 
 CLI::App* add_trace(CLI::App& root, TraceArguments& arguments, TraceChoices& choices) {
@@ -69,7 +82,8 @@ CLI::App* add_trace(CLI::App& root, TraceArguments& arguments, TraceChoices& cho
   app->footer(kTraceFooter);
   add_files(*app, arguments, choices);
   for (const options::Option<options::TraceSettings>& option : options::trace_options()) {
-    if (option.info.group != options::Group::none) add_option(*app, option, choices.settings);
+    CLI::Option* const added = add_option(*app, option, choices.settings);
+    if ((option.info.calls & options::kTrace) == 0) added->needs(app->get_option("--colors-only"));
   }
   add_running_options(*app, arguments);
   add_resources(*app, arguments.resources);
@@ -91,6 +105,7 @@ void settle(const CLI::App& app, TraceArguments& arguments, const TraceChoices& 
   settle_jobs(choices, "svg", kTraceWords, drawings, arguments, arguments.outputs);
   const options::TraceSettings& settings = choices.settings;
   arguments.options = settings.trace;
+  arguments.fit = settled_fit(settings);
   if (settings.detail) arguments.options.points = options::points_of_detail(*settings.detail);
   // How long there is for further rounds; deadline_of() is for what must end.
   arguments.options.max_seconds = arguments.resources.seconds.value_or(0);

@@ -8,6 +8,9 @@
 
 namespace sfumato::options {
 
+/// What parse_curves() reads, for messages.
+inline constexpr const char* kCurveList = "LAYER:CURVE, and so on, with commas between";
+
 /// Curves that a text of this length names at most.
 std::size_t most_curves(std::string_view text);
 

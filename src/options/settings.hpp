@@ -96,6 +96,9 @@ struct TraceSettings {
 /// The control points that a detail from 0 to 1 stands for: 250 to 16,000.
 int points_of_detail(double detail);
 
+/// What the settings say of colours, but `only`, whose memory is the caller's affair.
+ColorFit color_fit_of(const TraceSettings& settings);
+
 /// Of a document that is made from options.
 struct DocumentSettings {
   std::optional<Box> artboard{};

@@ -118,16 +118,34 @@ constexpr Option<TraceSettings> kTraceOptions[] = {
       .group = Group::drawing,
       .calls = kTrace | kFitColors},
      [](TraceSettings& s, const Value& v) { s.trace.seed = v.whole; }},
-    {{.key = "keep-colors", .kind = ValueKind::flag, .calls = kFitColors},
-     [](TraceSettings& s, const Value&) { s.keeps_colors = true; }},
-    {{.key = "only", .kind = ValueKind::text, .calls = kFitColors},
+    {{.key = "only",
+      .kind = ValueKind::text,
+      .value_name = "CURVES",
+      .help = "These curves alone take colours, others stay as they\n"
+              "are: LAYER:CURVE, and so on, with commas between,\n"
+              "numbers from 0 [all]",
+      .group = Group::drawing,
+      .calls = kFitColors},
      [](TraceSettings& s, const Value& v) { s.only = v.text; }},
+    {{.key = "keep-colors",
+      .kind = ValueKind::flag,
+      .help = "Colours stay, blur alone is fitted",
+      .group = Group::drawing,
+      .calls = kFitColors},
+     [](TraceSettings& s, const Value&) { s.keeps_colors = true; }},
 };
 
 }  // namespace
 
 int points_of_detail(double detail) {
   return static_cast<int>(std::lround(kFewestPoints * std::pow(kPointsFactor, detail)));
+}
+
+ColorFit color_fit_of(const TraceSettings& settings) {
+  return {.blur = settings.trace.blur,
+          .max_side = settings.trace.max_side,
+          .seed = settings.trace.seed,
+          .keeps_colors = settings.keeps_colors};
 }
 
 std::span<const Option<TraceSettings>> trace_options() {

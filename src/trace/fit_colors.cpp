@@ -5,11 +5,11 @@
 
 #include "base/charge.hpp"
 #include "base/parallel.hpp"
-#include "base/poll.hpp"
 #include "base/public_verb.hpp"
 #include "base/stopwatch.hpp"
 #include "curves/attributes.hpp"
 #include "sfumato/trace/trace.hpp"
+#include "trace/curve_choice.hpp"
 #include "trace/picture.hpp"
 #include "trace/stop_fit.hpp"
 
@@ -37,18 +37,6 @@ Status validate(const Context& context, const ColorFit& options) {
   }
   if (options.keeps_colors && options.blur != TraceBlur::fitted) {
     return make_error(StatusCode::bad_input, "neither colours nor radii are to be fitted");
-  }
-  return context.check();
-}
-
-Status validate_choice(const Context& context, const Document& drawing, const ColorFit& options) {
-  RarePoll<4096> poll(context);
-  for (const auto& [layer, curve] : options.only) {
-    if (poll.cancelled()) return context.cancel_status();
-    if (layer < drawing.layers.size() && curve < drawing.layers[layer].curves.size()) continue;
-    return make_error(StatusCode::bad_input, "there is no curve " + std::to_string(curve) +
-                                                 " in layer " + std::to_string(layer) +
-                                                 " to be fitted");
   }
   return context.check();
 }
@@ -151,7 +139,7 @@ Result<Document> fit_colors(Context& context, const Document& drawing, const Ima
     Status status = tracing::validate(context, options);
     if (status) status = validate(context.limits, picture);
     if (status) status = validate(context, drawing);
-    if (status) status = tracing::validate_choice(context, drawing, options);
+    if (status) status = tracing::check_curves(context, drawing, options.only);
     if (!status) return status;
     return tracing::fit(context, drawing, picture, options, stats);
   });

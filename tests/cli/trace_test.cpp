@@ -268,6 +268,17 @@ TEST(Trace, wrong_options_are_told_and_nothing_is_done) {
       {{"--colors-only", "a.svg", "--points", "9"}, "--points: has no place with --colors-only"},
       {{"--colors-only", "a.svg", "--no-alpha"}, "--no-alpha: has no place with --colors-only"},
       {{"--colors-only", "a.svg", "--texture"}, "--texture: has no place with --colors-only"},
+      {{"--only", "0:0"}, "--only requires --colors-only"},
+      {{"--keep-colors"}, "--keep-colors requires --colors-only"},
+      {{"--colors-only", "a.svg", "--keep-colors", "--blur", "off"},
+       "--keep-colors: expected with --blur on"},
+      {{"--colors-only", "a.svg", "--keep-colors", "--blur", "fixed"},
+       "--keep-colors: expected with --blur on"},
+      {{"--colors-only", "a.svg", "--only", "0:0,1;1"},
+       "--only: \"0:0,1;1\" given, expected LAYER:CURVE, and so on, with commas between"},
+      {{"--colors-only", "a.svg", "--only", ""}, "--only: \"\" given, expected LAYER:CURVE"},
+      {{"--colors-only", "a.svg", "--only", "0:0,"}, "--only: \"0:0,\" given, expected"},
+      {{"--colors-only", "a.svg", "--only", "0:4294967296"}, "expected LAYER:CURVE"},
   };
   for (const BadUsage& bad : cases) {
     const TemporaryFolder folder;
@@ -355,6 +366,18 @@ TEST(TraceStatistics, are_one_object_that_tells_of_every_round) {
   EXPECT_TRUE(std::regex_match(result.out, line)) << result.out;
 }
 
+/// The elements of curves in an SVG.
+Names curves_of(const std::string& svg) {
+  const std::regex curve("<path[^>]*/>");
+  return Names(std::sregex_token_iterator(svg.begin(), svg.end(), curve), {});
+}
+
+/// The values of an attribute in the order of the text.
+Names values_of(const std::string& text, const std::string& attribute) {
+  const std::regex value(" " + attribute + "=\"[^\"]*\"");
+  return Names(std::sregex_token_iterator(text.begin(), text.end(), value), {});
+}
+
 TEST(ColorsOnly, keeps_the_curves_of_a_drawing) {
   const TemporaryFolder folder;
   const std::string drawing = folder.add("scene.xml", two_curve_scene());
@@ -363,12 +386,69 @@ TEST(ColorsOnly, keeps_the_curves_of_a_drawing) {
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const std::string svg = read_whole(folder.path("out.svg"));
   const std::string before = run_sfumato({"convert", drawing, "-o", "-"}).out;
-  const std::regex path(" d=\"[^\"]*\"");
-  const auto paths_of = [&path](const std::string& text) {
-    return Names(std::sregex_token_iterator(text.begin(), text.end(), path), {});
-  };
-  EXPECT_EQ(paths_of(svg).size(), 2u);
-  EXPECT_EQ(paths_of(svg), paths_of(before));
+  EXPECT_EQ(values_of(svg, "d").size(), 2u);
+  EXPECT_EQ(values_of(svg, "d"), values_of(before, "d"));
+}
+
+TEST(ColorsOnly, the_named_curves_alone_are_fitted) {
+  const TemporaryFolder folder;
+  const std::string drawing = folder.add("scene.xml", two_curve_scene());
+  const Names before = curves_of(run_sfumato({"convert", drawing, "-o", "-"}).out);
+  const std::string picture = png_of(disc(64, 48));
+  ASSERT_EQ(before.size(), 2u);
+  for (const std::size_t chosen : {0u, 1u}) {
+    const std::string only = "0:" + std::to_string(chosen);
+    const CommandResult result =
+        trace(folder, picture, {"--colors-only", drawing, "--only", only, "--blur", "off"});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const Names after = curves_of(read_whole(folder.path("out.svg")));
+    ASSERT_EQ(after.size(), 2u);
+    EXPECT_NE(after[chosen], before[chosen]);
+    EXPECT_EQ(after[1 - chosen], before[1 - chosen]);
+  }
+  ASSERT_EQ(trace(folder, picture, {"--colors-only", drawing, "--only", "0:1,0:0"}).exit_code, 0);
+  const std::string both = read_whole(folder.path("out.svg"));
+  ASSERT_EQ(trace(folder, picture, {"--colors-only", drawing}).exit_code, 0);
+  EXPECT_EQ(both, read_whole(folder.path("out.svg")));
+}
+
+TEST(ColorsOnly, colours_can_be_kept_and_blur_alone_fitted) {
+  const TemporaryFolder folder;
+  const std::string drawing =
+      folder.add("scene.svg",
+                 "<svg xmlns='http://www.w3.org/2000/svg' xmlns:sf='urn:sfumato:1' "
+                 "viewBox='0 0 64 48'><g sf:diffuse='true'><path d='M32 -9V57' "
+                 "sf:left='#3c3c3c' sf:right='#bebebe' sf:blur='3'/></g></svg>");
+  Image ramp{64, 48, PixelFormat::rgb8, {}};
+  for (int i = 0; i < 64 * 48; ++i) {
+    ramp.bytes.insert(ramp.bytes.end(), 3,
+                      static_cast<std::uint8_t>(std::clamp(i % 64 * 10 - 190, 60, 190)));
+  }
+  const std::string before = run_sfumato({"convert", drawing, "-o", "-"}).out;
+  const CommandResult result =
+      trace(folder, png_of(ramp), {"--colors-only", drawing, "--keep-colors", "--only", "0:0"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const std::string after = read_whole(folder.path("out.svg"));
+  for (const std::string kept : {"d", "sf:left", "sf:right"}) {
+    EXPECT_FALSE(values_of(before, kept).empty()) << kept;
+    EXPECT_EQ(values_of(after, kept), values_of(before, kept)) << kept;
+  }
+  EXPECT_EQ(values_of(before, "sf:blur"), (Names{" sf:blur=\"3\""}));
+  EXPECT_NE(values_of(after, "sf:blur"), values_of(before, "sf:blur"));
+}
+
+TEST(ColorsOnly, a_curve_that_is_not_there_is_told_before_any_picture_is_read) {
+  const TemporaryFolder folder;
+  const std::string drawing = folder.add("scene.xml", two_curve_scene());
+  for (const auto& [only, told] :
+       {std::pair("0:0,0:2", "curve 2 in layer 0"), std::pair("1:0", "curve 0 in layer 1"),
+        std::pair("0:4294967295", "curve 4294967295 in layer 0")}) {
+    const CommandResult result =
+        trace(folder, "no picture", {"--colors-only", drawing, "--only", only});
+    EXPECT_EQ(result.exit_code, 1) << result.err;
+    EXPECT_EQ(result.err, drawing + ": error: there is no " + told + " to be fitted\n");
+    EXPECT_EQ(folder.names(), (Names{"in.png", "scene.xml"}));
+  }
 }
 
 TEST(ColorsOnly, reads_the_drawing_from_standard_input) {
