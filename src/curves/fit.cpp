@@ -31,8 +31,8 @@ Vec2 unit(Vec2 v) {
 }
 
 /// Fractions of the polyline's length.
-std::vector<double> chord_parameters(Points points) {
-  std::vector<double> parameter(points.size(), 0.0);
+void chord_parameters(Points points, std::vector<double>& parameter) {
+  parameter.assign(points.size(), 0.0);
   for (std::size_t i = 1; i < points.size(); ++i) {
     parameter[i] = parameter[i - 1] + length(points[i] - points[i - 1]);
   }
@@ -40,7 +40,6 @@ std::vector<double> chord_parameters(Points points) {
   if (whole > 0) {
     for (double& t : parameter) t /= whole;
   }
-  return parameter;
 }
 
 /// The two ends' directions, into the curve.
@@ -101,7 +100,9 @@ double nearer_parameter(const Cubic& cubic, Vec2 point, double t) {
 
 class Fitter {
  public:
-  explicit Fitter(double tolerance) : tolerance_(tolerance) {}
+  /// Control points are added to a table that is empty.
+  Fitter(double tolerance, std::vector<Vec2>& control_points)
+      : tolerance_(tolerance), control_points_(control_points) {}
 
   /// Appends pieces through a run of points without corners.
   void add_run(Points points, EndDirections direction, int depth = 0) {
@@ -110,23 +111,21 @@ class Fitter {
       return append({points.front(), points.front() + handle * direction.first,
                      points.back() + handle * direction.last, points.back()});
     }
-    std::vector<double> parameter = chord_parameters(points);
-    Cubic cubic = least_squares(points, parameter, direction);
-    Miss miss = largest_miss(cubic, points, parameter);
+    chord_parameters(points, parameter_);
+    Cubic cubic = least_squares(points, parameter_, direction);
+    Miss miss = largest_miss(cubic, points, parameter_);
     for (int turn = 0; turn < kReparametrizations && miss.distance > tolerance_; ++turn) {
       if (turn > 0 && miss.distance > kHopeless * tolerance_) break;
       for (std::size_t i = 0; i < points.size(); ++i) {
-        parameter[i] = nearer_parameter(cubic, points[i], parameter[i]);
+        parameter_[i] = nearer_parameter(cubic, points[i], parameter_[i]);
       }
-      cubic = least_squares(points, parameter, direction);
-      miss = largest_miss(cubic, points, parameter);
+      cubic = least_squares(points, parameter_, direction);
+      miss = largest_miss(cubic, points, parameter_);
     }
     if (miss.distance <= tolerance_) return append(cubic);
     const std::size_t at = depth < kDeepest ? miss.point : points.size() / 2;
     split(points, direction, std::clamp<std::size_t>(at, 1, points.size() - 2), depth + 1);
   }
-
-  std::vector<Vec2> take() { return std::move(control_points_); }
 
  private:
   void split(Points points, EndDirections direction, std::size_t at, int depth) {
@@ -142,7 +141,8 @@ class Fitter {
   }
 
   double tolerance_;
-  std::vector<Vec2> control_points_;
+  std::vector<double> parameter_;  ///< per point of the run that is looked at
+  std::vector<Vec2>& control_points_;
 };
 
 /// Finds corners, the sharpest first, none near another.
@@ -221,7 +221,7 @@ std::vector<Vec2> rotated(Points loop, std::size_t first) {
 
 }  // namespace
 
-std::vector<Vec2> fit_curve(Points points, const FitOptions& options) {
+void fit_curve(Points points, const FitOptions& options, std::vector<Vec2>& control_points) {
   const bool is_loop = points.size() > 3 && points.front() == points.back();
   std::vector<std::size_t> corners = CornerFinder(points, options).run();
   std::vector<Vec2> turned;
@@ -238,7 +238,8 @@ std::vector<Vec2> fit_curve(Points points, const FitOptions& options) {
   ends.push_back(points.size() - 1);
   const std::size_t reach = std::min(kEndReach, points.size() - 1);
   const Vec2 seam = unit(points[reach] - points[points.size() - 1 - reach]);
-  Fitter fitter(options.tolerance);
+  control_points.clear();
+  Fitter fitter(options.tolerance, control_points);
   for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
     const Points run = points.subspan(ends[i], ends[i + 1] - ends[i] + 1);
     EndDirections direction = directions_of(run);
@@ -246,7 +247,6 @@ std::vector<Vec2> fit_curve(Points points, const FitOptions& options) {
     if (has_smooth_seam && i + 2 == ends.size()) direction.last = -1.0 * seam;
     fitter.add_run(run, direction);
   }
-  return fitter.take();
 }
 
 }  // namespace sfumato::curves

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -20,9 +21,16 @@ struct FitOptions {
 /// each, smooth but for corners (Schneider 1990). A loop, whose last point equals its first, is
 /// closed, and smooth there too unless it has a corner.
 ///
-/// points    at least 2, not all the same
-/// Returns   3 n + 1 control points; the first and the last are points, and so are corners
-/// Cost      O(points · log points + corners²)
-std::vector<Vec2> fit_curve(std::span<const Vec2> points, const FitOptions& options);
+/// points           at least 2, not all the same
+/// control_points   becomes 3 n + 1, at most most_control_points() of the number of points; the
+///                  first and the last are points, and so are corners
+/// Cost             O(points · log points + corners²)
+void fit_curve(std::span<const Vec2> points, const FitOptions& options,
+               std::vector<Vec2>& control_points);
+
+/// For so many points, at least 1: a piece between each two of them.
+constexpr std::size_t most_control_points(std::size_t points) {
+  return 3 * (points - 1) + 1;
+}
 
 }  // namespace sfumato::curves

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <utility>
 
 #include "base/parallel.hpp"
@@ -39,10 +40,10 @@ class PixelMask {
 
   template <class Visit>
   void along(const TracedCurve& curve, Visit visit) {
-    for (const CurveSample& sample : samples_along(curve, 0.5)) {
+    for_each_sample(curve, 0.5, [&](const CurveSample& sample) {
       visit(std::clamp(static_cast<int>(sample.point.x), 0, width_ - 1),
             std::clamp(static_cast<int>(sample.point.y), 0, height_ - 1));
-    }
+    });
   }
 
   std::uint8_t& at(int x, int y) {
@@ -102,58 +103,87 @@ double slack_of(const Chain& chain) {
   return std::clamp(std::pow(weakness, kContrastPower), kLeastSlack, kMostSlack);
 }
 
-TracedCurve curve_of(const Chain& chain, double tolerance) {
-  TracedCurve curve;
+/// Makes a curve that has nothing yet but room.
+void fit(const Chain& chain, double tolerance, TracedCurve& curve) {
   curve.scale = chain.scale;
   tolerance *= slack_of(chain);
-  curve.control_points =
-      curves::fit_curve(chain.point, {.tolerance = tolerance * std::sqrt(chain.scale)});
+  curves::fit_curve(chain.point, {.tolerance = tolerance * std::sqrt(chain.scale)},
+                    curve.control_points);
+  curve.control_points.shrink_to_fit();
   for (const float strength : chain.strength) curve.benefit += double{strength} * strength;
   curve.benefit *= std::max(chain.scale, kLeastScale);
-  return curve;
 }
 
 double worth(const TracedCurve& curve) {
   return curve.benefit / (static_cast<double>(curve.control_points.size()) + kCurvePrice);
 }
 
+Result<std::vector<TracedCurve>> curves_along(Context& context, std::span<const Chain> chains,
+                                              double tolerance, TableMemory& memory) {
+  std::vector<TracedCurve> curves;
+  Status status = memory.resize(context, curves, chains.size());
+  for (std::size_t i = 0; i < chains.size() && status; ++i) {
+    if (context.cancelled()) return context.cancel_status();
+    const std::size_t most = curves::most_control_points(chains[i].point.size());
+    status = memory.reserve(context, curves[i].control_points, most);
+  }
+  if (!status) return status;
+  status = parallel_for(context, chains.size(), 8, [&](std::size_t i, std::size_t end) {
+    for (; i < end; ++i) fit(chains[i], tolerance, curves[i]);
+  });
+  if (!status) return status;
+  return curves;
+}
+
+/// The index of each curve, those of most worth first.
+Status rank(const Context& context, std::span<const TracedCurve> curves, TableMemory& memory,
+            std::vector<std::uint32_t>& order) {
+  Status status = memory.resize(context, order, curves.size());
+  if (!status) return status;
+  std::iota(order.begin(), order.end(), 0u);
+  return TableMemory::sort(context, order, [curves](std::uint32_t a, std::uint32_t b) {
+    const double worth_a = worth(curves[a]), worth_b = worth(curves[b]);
+    return worth_a > worth_b || (worth_a == worth_b && a < b);
+  });
+}
+
 }  // namespace
 
 Result<std::vector<TracedCurve>> find_candidates(Context& context, std::span<const Plane> channels,
                                                  const EdgeOptions& options, double tolerance,
-                                                 std::span<const TracedCurve> present) {
-  TableMemory memory("the edges of a picture");
+                                                 std::span<const TracedCurve> present,
+                                                 TableMemory& memory) {
+  TableMemory edge_memory("the edges of a picture");
   Plane taken;
   Status status =
-      mark_present(context, channels[0].width, channels[0].height, present, memory, taken);
+      mark_present(context, channels[0].width, channels[0].height, present, edge_memory, taken);
   if (!status) return status;
   const Result<EdgeMap> edges = find_edges(context, channels, options, taken);
   if (!edges) return edges.status();
-  const Result<std::vector<Chain>> chains = link_chains(context, *edges);
+  const Result<std::vector<Chain>> chains = link_chains(context, *edges, edge_memory);
   if (!chains) return chains.status();
-  std::vector<TracedCurve> candidates(chains->size());
-  status = parallel_for(context, chains->size(), 8, [&](std::size_t i, std::size_t end) {
-    for (; i < end; ++i) candidates[i] = curve_of((*chains)[i], tolerance);
-  });
-  if (!status) return status;
-  return candidates;
+  return curves_along(context, *chains, tolerance, memory);
 }
 
 Result<std::vector<TracedCurve>> choose_curves(Context& context,
                                                std::vector<TracedCurve> candidates, int width,
                                                int height, const CurveBudget& budget,
-                                               std::span<const TracedCurve> present) {
-  std::ranges::stable_sort(
-      candidates, [](const TracedCurve& a, const TracedCurve& b) { return worth(a) > worth(b); });
+                                               std::span<const TracedCurve> present,
+                                               TableMemory& memory) {
+  TableMemory own_memory("the edges of a picture");
+  std::vector<std::uint32_t> order;
+  Status status = rank(context, candidates, own_memory, order);
   PixelMask mask(width, height);
-  if (Status status = mask.create(context); !status) return status;
+  if (status) status = mask.create(context);
+  if (!status) return status;
   mask.draw_border();
   for (const TracedCurve& curve : present) {
     if (!curve.is_frame) mask.draw(curve, 0);
   }
   std::vector<TracedCurve> chosen;
   std::size_t used = 0;
-  for (TracedCurve& candidate : candidates) {
+  for (const std::uint32_t i : order) {
+    TracedCurve& candidate = candidates[i];
     if (context.cancelled()) return context.cancel_status();
     const std::size_t points = candidate.control_points.size();
     if (chosen.size() == budget.curves) break;
@@ -161,7 +191,8 @@ Result<std::vector<TracedCurve>> choose_curves(Context& context,
     if (mask.share_set(candidate) > kLargestOverlap) continue;
     mask.draw(candidate, std::max(1, static_cast<int>(0.6 * candidate.scale)));
     used += points;
-    chosen.push_back(std::move(candidate));
+    status = memory.push_back(context, chosen, std::move(candidate));
+    if (!status) return status;
   }
   return chosen;
 }

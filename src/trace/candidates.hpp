@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "base/table_memory.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
 #include "trace/edges.hpp"
@@ -15,10 +16,12 @@ namespace sfumato::tracing {
 /// Curves fitted to the edges of some channels, without colours.
 /// tolerance   of the fit to an edge of usual strength, pixels, times √scale
 /// present     curves near which none is to be found
+/// memory      of the candidates
 /// Errors      limit (memory), cancelled
 Result<std::vector<TracedCurve>> find_candidates(Context& context, std::span<const Plane> channels,
                                                  const EdgeOptions& options, double tolerance,
-                                                 std::span<const TracedCurve> present);
+                                                 std::span<const TracedCurve> present,
+                                                 TableMemory& memory);
 
 /// How much may be chosen.
 struct CurveBudget {
@@ -27,10 +30,13 @@ struct CurveBudget {
 };
 
 /// Of the candidates those that promise most for their control points, within a budget, none of
-/// which lies along another or along what is present. Errors: cancelled.
+/// which lies along another or along what is present.
+/// memory   of the candidates
+/// Errors   limit (memory), cancelled
 Result<std::vector<TracedCurve>> choose_curves(Context& context,
                                                std::vector<TracedCurve> candidates, int width,
                                                int height, const CurveBudget& budget,
-                                               std::span<const TracedCurve> present);
+                                               std::span<const TracedCurve> present,
+                                               TableMemory& memory);
 
 }  // namespace sfumato::tracing

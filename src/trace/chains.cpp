@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <span>
 #include <utility>
 
-#include "base/poll.hpp"
 #include "trace/pixel_chains.hpp"
 
 namespace sfumato::tracing {
@@ -22,11 +24,11 @@ std::vector<double> weights_along(double sigma) {
   return weight;
 }
 
-/// Points smoothed along the chain. Of an open chain the ends stay where they are.
-std::vector<Vec2> smoothed(const std::vector<Vec2>& points, double sigma, bool is_loop) {
+/// Smooths points along their chain. Of an open chain the ends stay where they are.
+/// out   as large as the points, to be changed
+void smooth(double sigma, bool is_loop, std::span<Vec2> out, std::span<Vec2> points) {
   const std::vector<double> weight = weights_along(sigma);
-  const auto count = static_cast<std::ptrdiff_t>(points.size());
-  std::vector<Vec2> out(points.size());
+  const auto count = std::ssize(points);
   const auto at = [&](std::ptrdiff_t i) {
     i = is_loop ? (i % count + count) % count : std::clamp<std::ptrdiff_t>(i, 0, count - 1);
     return points[static_cast<std::size_t>(i)];
@@ -34,7 +36,7 @@ std::vector<Vec2> smoothed(const std::vector<Vec2>& points, double sigma, bool i
   for (std::ptrdiff_t i = 0; i < count; ++i) {
     Vec2 sum = weight[0] * at(i);
     double total = weight[0];
-    for (std::ptrdiff_t k = 1; k < static_cast<std::ptrdiff_t>(weight.size()); ++k) {
+    for (std::ptrdiff_t k = 1; k < std::ssize(weight); ++k) {
       const double w = weight[static_cast<std::size_t>(k)];
       sum = sum + w * (at(i - k) + at(i + k));
       total += 2 * w;
@@ -45,65 +47,109 @@ std::vector<Vec2> smoothed(const std::vector<Vec2>& points, double sigma, bool i
     out.front() = points.front();
     out.back() = points.back();
   }
-  return out;
+  std::ranges::copy(out, points.begin());
 }
 
-double median_scale(const EdgeMap& edges, const PixelChain& pixels) {
-  std::vector<float> scales;
-  for (const PixelPlace& p : pixels) {
-    if (const float scale = edges.at(p.x, p.y).scale; scale > 0) scales.push_back(scale);
-  }
-  if (scales.empty()) return 1;
-  const auto middle = scales.begin() + static_cast<std::ptrdiff_t>(scales.size() / 2);
-  std::nth_element(scales.begin(), middle, scales.end());
-  return *middle;
-}
+/// Makes chains of points from chains of pixels.
+class ChainMaker {
+ public:
+  ChainMaker(const Context& context, const EdgeMap& edges, const ChainOptions& options)
+      : context_(context), edges_(edges), options_(options) {}
 
-Chain chain_of(const EdgeMap& edges, const PixelChain& pixels, double scale,
-               const ChainOptions& options) {
-  Chain chain;
-  chain.scale = scale;
-  for (const PixelPlace& p : pixels) {
-    const EdgePixel& edge = edges.at(p.x, p.y);
-    chain.point.push_back({p.x + 0.5 + edge.offset_x, p.y + 0.5 + edge.offset_y});
-    chain.strength.push_back(edge.strength);
+  /// For chains of so many pixels. Errors: limit (memory), cancelled.
+  Status make_room(std::size_t longest) {
+    Status status = memory_.reserve(context_, found_at_, longest);
+    return status ? memory_.resize(context_, smoothed_, longest) : status;
   }
-  chain.is_closed = chain.point.size() > kLoopPixels &&
-                    length(chain.point.front() - chain.point.back()) < kLoopGap;
-  if (chain.is_closed && chain.point.front() == chain.point.back()) {
-    chain.point.pop_back();
-    chain.strength.pop_back();
+
+  double median_scale(PixelChain pixels) {
+    found_at_.clear();
+    for (const PixelPlace& p : pixels) {
+      if (const float scale = edges_.at(p.x, p.y).scale; scale > 0) found_at_.push_back(scale);
+    }
+    if (found_at_.empty()) return 1;
+    const auto middle = found_at_.begin() + std::ssize(found_at_) / 2;
+    std::nth_element(found_at_.begin(), middle, found_at_.end());
+    return *middle;
   }
-  if (chain.point.size() > 5) {
-    chain.point = smoothed(chain.point, options.smoothing * std::sqrt(scale), chain.is_closed);
+
+  /// Errors: limit (memory), cancelled.
+  Status make(PixelChain pixels, double scale, TableMemory& memory, Chain& chain) {
+    Status status = memory.reserve(context_, chain.point, pixels.size() + 1);
+    if (status) status = memory.reserve(context_, chain.strength, pixels.size() + 1);
+    if (!status) return status;
+    chain.scale = scale;
+    for (const PixelPlace& p : pixels) {
+      const EdgePixel& edge = edges_.at(p.x, p.y);
+      chain.point.push_back({p.x + 0.5 + edge.offset_x, p.y + 0.5 + edge.offset_y});
+      chain.strength.push_back(edge.strength);
+    }
+    close_and_smooth(chain);
+    return status;
   }
-  if (chain.is_closed) {
-    chain.point.push_back(chain.point.front());
-    chain.strength.push_back(chain.strength.front());
+
+ private:
+  void close_and_smooth(Chain& chain) {
+    chain.is_closed = chain.point.size() > kLoopPixels &&
+                      length(chain.point.front() - chain.point.back()) < kLoopGap;
+    if (chain.is_closed && chain.point.front() == chain.point.back()) {
+      chain.point.pop_back();
+      chain.strength.pop_back();
+    }
+    if (chain.point.size() > 5) {
+      smooth(options_.smoothing * std::sqrt(chain.scale), chain.is_closed,
+             std::span(smoothed_).first(chain.point.size()), chain.point);
+    }
+    if (chain.is_closed) {
+      chain.point.push_back(chain.point.front());
+      chain.strength.push_back(chain.strength.front());
+    }
   }
-  return chain;
+
+  const Context& context_;
+  const EdgeMap& edges_;
+  const ChainOptions& options_;
+  TableMemory memory_{"the edges of a picture"};
+  std::vector<float> found_at_;
+  std::vector<Vec2> smoothed_;
+};
+
+std::size_t longest_of(const PixelChains& chains) {
+  std::size_t longest = 0;
+  for (std::size_t i = 0; i < chains.size(); ++i) longest = std::max(longest, chains[i].size());
+  return longest;
 }
 
 }  // namespace
 
-Result<std::vector<Chain>> link_chains(Context& context, const EdgeMap& edges,
+Result<std::vector<Chain>> link_chains(Context& context, const EdgeMap& edges, TableMemory& memory,
                                        const ChainOptions& options) {
-  Result<std::vector<PixelChain>> pixels = pixel_chains(context, edges);
+  Result<PixelChains> pixels = pixel_chains(context, edges);
   if (!pixels) return pixels.status();
   Status status = join_gaps(context, *pixels, edges, options.gap);
-  if (!status) return status;
+  ChainMaker maker(context, edges, options);
+  // Two more run on at its ends.
+  if (status) status = maker.make_room(longest_of(*pixels) + 2);
+  TableMemory own_memory("the edges of a picture");
   std::vector<double> scales;
-  for (const PixelChain& chain : *pixels) scales.push_back(median_scale(edges, chain));
-  status = snap_ends(context, edges, scales, options.snap_base, options.snap_rise, *pixels);
-  if (!status) return status;
-  std::vector<Chain> chains;
-  for (std::size_t i = 0; i < pixels->size(); ++i) {
+  if (status) status = own_memory.reserve(context, scales, pixels->size());
+  for (std::size_t i = 0; i < pixels->size() && status; ++i) {
     if (context.cancelled()) return context.cancel_status();
-    const PixelChain& chain = (*pixels)[i];
-    const double least = options.least_length * std::sqrt(scales[i]);
-    if (static_cast<double>(chain.size()) < least) continue;
-    chains.push_back(chain_of(edges, chain, scales[i], options));
+    scales.push_back(maker.median_scale((*pixels)[i]));
   }
+  if (status) {
+    status = snap_ends(context, edges, scales, options.snap_base, options.snap_rise, *pixels);
+  }
+  std::vector<Chain> chains;
+  for (std::size_t i = 0; i < pixels->size() && status; ++i) {
+    if (context.cancelled()) return context.cancel_status();
+    const double least = options.least_length * std::sqrt(scales[i]);
+    if (static_cast<double>((*pixels)[i].size()) < least) continue;
+    Chain chain;
+    status = maker.make((*pixels)[i], scales[i], memory, chain);
+    if (status) status = memory.push_back(context, chains, std::move(chain));
+  }
+  if (!status) return status;
   return chains;
 }
 

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "base/table_memory.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
 #include "sfumato/base/vec2.hpp"
@@ -26,8 +27,9 @@ struct ChainOptions {
 };
 
 /// Follows the lines of an edge map, which is thin. At junctions a chain goes straight on.
-/// Errors: limit (memory), cancelled.
-Result<std::vector<Chain>> link_chains(Context& context, const EdgeMap& edges,
+/// memory   of the chains
+/// Errors   limit (memory), cancelled
+Result<std::vector<Chain>> link_chains(Context& context, const EdgeMap& edges, TableMemory& memory,
                                        const ChainOptions& options = {});
 
 }  // namespace sfumato::tracing

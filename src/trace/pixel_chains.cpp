@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "base/poll.hpp"
@@ -33,8 +35,9 @@ class ChainWalker {
   ChainWalker(const Context& context, const EdgeMap& edges)
       : context_(context), poll_(context), edges_(edges) {}
 
-  Result<std::vector<PixelChain>> run() {
+  Result<PixelChains> run() {
     Status status = memory_.resize(context_, is_used_, edges_.pixel.size());
+    if (status) status = make_room();
     if (!status) return status;
     for (const bool from_ends : {true, false}) {
       for (int y = 0; y < edges_.height; ++y) {
@@ -60,6 +63,18 @@ class ChainWalker {
   }
   bool is_free(PixelPlace p) const { return is_edge(p) && !is_used_[index(p)]; }
 
+  /// For chains of all edge pixels, each of which is in one of them at most.
+  Status make_room() {
+    std::size_t count = 0;
+    for (const EdgePixel& pixel : edges_.pixel) {
+      if (poll_.cancelled()) return context_.cancel_status();
+      count += pixel.scale > 0;
+    }
+    Status status = chains_.memory.reserve(context_, chains_.place, count);
+    if (!status) return status;
+    return chains_.memory.reserve(context_, chains_.end, count / kLeastPixels);
+  }
+
   /// How many lines leave the pixel.
   int crossings(PixelPlace p) const {
     int count = 0;
@@ -71,26 +86,32 @@ class ChainWalker {
   }
 
   void begin_at(PixelPlace p, bool both_ways) {
-    PixelChain chain = walk(p);
+    std::vector<PixelPlace>& places = chains_.place;
+    const std::size_t begin = places.size();
+    walk(p);
     if (both_ways) {
-      if (const std::optional<PixelPlace> other = next(PixelChain{p})) {
-        PixelChain back = walk(*other);
-        std::ranges::reverse(back);
-        back.insert(back.end(), chain.begin(), chain.end());
-        chain = std::move(back);
+      const auto ahead = static_cast<std::ptrdiff_t>(places.size() - begin);
+      if (const std::optional<PixelPlace> other = next(PixelChain(&p, 1))) {
+        walk(*other);
+        // What was walked back comes first, from its end to its beginning.
+        std::reverse(places.begin() + static_cast<std::ptrdiff_t>(begin), places.end());
+        std::reverse(places.end() - ahead, places.end());
       }
     }
-    if (chain.size() >= kLeastPixels) chains_.push_back(std::move(chain));
+    if (places.size() - begin >= kLeastPixels) return chains_.end_chain();
+    places.resize(begin);
   }
 
-  PixelChain walk(PixelPlace p) {
-    PixelChain chain{p};
+  /// Adds the places of a walk from p on.
+  void walk(PixelPlace p) {
+    std::vector<PixelPlace>& places = chains_.place;
+    const std::size_t begin = places.size();
+    places.push_back(p);
     is_used_[index(p)] = 1;
-    while (const std::optional<PixelPlace> to = next(chain)) {
-      use_step(chain.back(), *to);
-      chain.push_back(*to);
+    while (const std::optional<PixelPlace> to = next(std::span(places).subspan(begin))) {
+      use_step(places.back(), *to);
+      places.push_back(*to);
     }
-    return chain;
   }
 
   /// A diagonal step passes the pixel in its corner too: thin lines at 45° are staircases, and what
@@ -103,7 +124,7 @@ class ChainWalker {
   }
 
   /// The free neighbour of the chain's end that lies most nearly straight ahead.
-  std::optional<PixelPlace> next(const PixelChain& chain) const {
+  std::optional<PixelPlace> next(PixelChain chain) const {
     const PixelPlace at = chain.back();
     const PixelPlace from = chain[chain.size() - std::min<std::size_t>(chain.size(), 5)];
     const Vec2 ahead = center(at) - center(from);
@@ -123,15 +144,15 @@ class ChainWalker {
   const EdgeMap& edges_;
   TableMemory memory_{"the edges of a picture"};
   std::vector<std::uint8_t> is_used_;
-  std::vector<PixelChain> chains_;
+  PixelChains chains_;
 };
 
-PixelPlace end_of(const PixelChain& chain, bool is_last) {
+PixelPlace end_of(PixelChain chain, bool is_last) {
   return is_last ? chain.back() : chain.front();
 }
 
 /// The direction in which a chain leaves through an end; (0, 0) if it has none.
-Vec2 outwards(const PixelChain& chain, bool is_last) {
+Vec2 outwards(PixelChain chain, bool is_last) {
   const std::size_t back = std::min(chain.size() - 1, kDirectionPixels);
   const PixelPlace inner = is_last ? chain[chain.size() - 1 - back] : chain[back];
   const Vec2 direction = center(end_of(chain, is_last)) - center(inner);
@@ -139,7 +160,7 @@ Vec2 outwards(const PixelChain& chain, bool is_last) {
   return far > 0 ? direction / far : direction;
 }
 
-bool is_loop(const PixelChain& chain) {
+bool is_loop(PixelChain chain) {
   return length(center(chain.front()) - center(chain.back())) < 2;
 }
 
@@ -179,7 +200,7 @@ class PixelTable {
 /// Ends of chains, and which of them are to be joined.
 class GapJoiner {
  public:
-  GapJoiner(const Context& context, std::vector<PixelChain>& chains, double gap)
+  GapJoiner(const Context& context, PixelChains& chains, double gap)
       : context_(context), poll_(context), chains_(chains), gap_(gap) {}
 
   Status run(const EdgeMap& edges) {
@@ -206,33 +227,21 @@ class GapJoiner {
 
   /// Whether any were joined.
   Result<bool> join_once() {
-    std::vector<Pair> pairs;
     Status status = list_ends();
-    if (status) status = list_pairs(pairs);
+    if (status) status = list_pairs();
+    if (status) status = choose_pairs();
     if (!status) return status;
-    std::ranges::stable_sort(pairs, {}, &Pair::distance);
-    std::vector<std::uint8_t> is_joined(chains_.size());
-    std::vector<PixelChain> joined;
-    for (const Pair& pair : pairs) {
-      if (poll_.cancelled()) return context_.cancel_status();
-      const End &a = ends_[pair.a], &b = ends_[pair.b];
-      if (a.chain == b.chain || is_joined[a.chain] || is_joined[b.chain] || !face(a, b)) continue;
-      joined.push_back(join(a, b));
-      is_joined[a.chain] = is_joined[b.chain] = 1;
-    }
-    if (joined.empty()) return false;
-    std::vector<PixelChain> kept;
-    for (std::size_t i = 0; i < chains_.size(); ++i) {
-      if (!is_joined[i]) kept.push_back(std::move(chains_[i]));
-    }
-    for (PixelChain& chain : joined) kept.push_back(std::move(chain));
-    chains_ = std::move(kept);
+    if (pairs_.empty()) return false;
+    status = join_pairs();
+    if (!status) return status;
     for (const End& end : ends_) table_.at(end.place) = -1;
     return true;
   }
 
   Status list_ends() {
     ends_.clear();
+    Status status = memory_.reserve(context_, ends_, 2 * chains_.size());
+    if (!status) return status;
     for (std::uint32_t i = 0; i < chains_.size(); ++i) {
       if (poll_.cancelled()) return context_.cancel_status();
       if (chains_[i].size() < 3 || is_loop(chains_[i])) continue;
@@ -246,15 +255,73 @@ class GapJoiner {
     return ok_status();
   }
 
-  Status list_pairs(std::vector<Pair>& pairs) {
+  /// The nearest first.
+  Status list_pairs() {
+    pairs_.clear();
+    const auto across = 2 * static_cast<std::size_t>(gap_) + 1;
     for (std::uint32_t i = 0; i < ends_.size(); ++i) {
       if (poll_.cancelled()) return context_.cancel_status();
+      Status status = memory_.make_room(context_, pairs_, across * across);
+      if (!status) return status;
       table_.near(ends_[i].place, gap_, [&](PixelPlace q, std::int32_t other) {
         const auto j = static_cast<std::uint32_t>(other);
-        if (j > i) pairs.push_back({i, j, length(center(q) - center(ends_[i].place))});
+        if (j > i) pairs_.push_back({i, j, length(center(q) - center(ends_[i].place))});
       });
     }
+    const auto rank = [this](const Pair& pair) {
+      const PixelPlace b = ends_[pair.b].place;
+      return std::tuple(pair.distance, pair.a, b.y, b.x);
+    };
+    return TableMemory::sort(context_, pairs_,
+                             [rank](const Pair& p, const Pair& q) { return rank(p) < rank(q); });
+  }
+
+  /// Leaves those that are to be joined, each chain once.
+  Status choose_pairs() {
+    is_joined_.clear();
+    Status status = memory_.resize(context_, is_joined_, chains_.size());
+    if (!status) return status;
+    std::size_t chosen = 0;
+    for (const Pair& pair : pairs_) {
+      if (poll_.cancelled()) return context_.cancel_status();
+      const End &a = ends_[pair.a], &b = ends_[pair.b];
+      if (a.chain == b.chain || is_joined_[a.chain] || is_joined_[b.chain] || !face(a, b)) continue;
+      is_joined_[a.chain] = is_joined_[b.chain] = 1;
+      pairs_[chosen++] = pair;
+    }
+    pairs_.resize(chosen);
     return ok_status();
+  }
+
+  /// Others keep their order, and stand first.
+  Status join_pairs() {
+    PixelChains joined;
+    Status status = joined.memory.reserve(context_, joined.place, chains_.place.size());
+    if (status) status = joined.memory.reserve(context_, joined.end, chains_.size());
+    for (std::size_t i = 0; i < chains_.size() && status; ++i) {
+      if (poll_.cancelled()) return context_.cancel_status();
+      if (is_joined_[i]) continue;
+      status = add(i, false, joined);
+      joined.end_chain();
+    }
+    for (const Pair& pair : pairs_) {
+      if (poll_.cancelled()) return context_.cancel_status();
+      const End &a = ends_[pair.a], &b = ends_[pair.b];
+      if (status) status = add(a.chain, !a.is_last, joined);
+      if (status) status = add(b.chain, b.is_last, joined);
+      joined.end_chain();
+    }
+    if (status) chains_ = std::move(joined);
+    return status;
+  }
+
+  Status add(std::size_t chain, bool is_reversed, PixelChains& to) const {
+    const PixelChain places = chains_[chain];
+    Status status = to.memory.append(context_, places, to.place);
+    if (status && is_reversed) {
+      std::reverse(to.place.end() - std::ssize(places), to.place.end());
+    }
+    return status;
   }
 
   bool face(const End& a, const End& b) const {
@@ -265,34 +332,27 @@ class GapJoiner {
     return -dot(out_a, out_b) >= kFacing && (far <= 1.5 || dot(out_a, between) >= kFacing * far);
   }
 
-  PixelChain join(const End& a, const End& b) const {
-    PixelChain first = chains_[a.chain], second = chains_[b.chain];
-    if (!a.is_last) std::ranges::reverse(first);
-    if (b.is_last) std::ranges::reverse(second);
-    first.insert(first.end(), second.begin(), second.end());
-    return first;
-  }
-
   const Context& context_;
   RarePoll<64> poll_;
-  std::vector<PixelChain>& chains_;
+  PixelChains& chains_;
   PixelTable table_;
   double gap_;
+  TableMemory memory_{"the edges of a picture"};
   std::vector<End> ends_;
+  std::vector<Pair> pairs_;
+  std::vector<std::uint8_t> is_joined_;  ///< per chain
 };
 
 /// Where pixels of chains are.
 class EndSnapper {
  public:
-  EndSnapper(const Context& context, const std::vector<PixelChain>& chains)
+  EndSnapper(const Context& context, const PixelChains& chains)
       : context_(context), chains_(chains) {}
 
   /// Errors: limit (memory), cancelled.
   Status list_places(const EdgeMap& edges) {
     Status status = table_.create(context_, edges);
-    std::size_t count = 0;
-    for (const PixelChain& chain : chains_) count += chain.size();
-    if (status) status = memory_.reserve(context_, places_, count);
+    if (status) status = memory_.reserve(context_, places_, chains_.place.size());
     for (std::uint32_t i = 0; i < chains_.size() && status; ++i) {
       if (context_.cancelled()) return context_.cancel_status();
       for (std::uint32_t j = 0; j < chains_[i].size(); ++j) {
@@ -303,20 +363,19 @@ class EndSnapper {
     return status;
   }
 
-  /// The chain with its ends run on.
-  PixelChain snapped(std::uint32_t i, double reach) {
-    PixelChain chain = chains_[i];
+  /// Adds the chain with its ends run on, for which there is room.
+  Status add_snapped(std::uint32_t i, double reach, PixelChains& to) {
+    const PixelChain chain = chains_[i];
     constexpr std::size_t kLoopPixels = 12;
-    if (chain.size() >= kLoopPixels &&
-        length(center(chain.front()) - center(chain.back())) <= reach) {
-      chain.push_back(chain.front());
-      return chain;
-    }
-    for (const bool is_last : {true, false}) {
-      const std::optional<PixelPlace> to = ahead(i, is_last, reach);
-      if (to) chain.insert(is_last ? chain.end() : chain.begin(), *to);
-    }
-    return chain;
+    const bool closes = chain.size() >= kLoopPixels &&
+                        length(center(chain.front()) - center(chain.back())) <= reach;
+    const std::optional<PixelPlace> first = closes ? std::nullopt : ahead(i, false, reach);
+    const std::optional<PixelPlace> last = closes ? chain.front() : ahead(i, true, reach);
+    if (first) to.place.push_back(*first);
+    Status status = to.memory.append(context_, chain, to.place);
+    if (status && last) to.place.push_back(*last);
+    to.end_chain();
+    return status;
   }
 
  private:
@@ -325,7 +384,7 @@ class EndSnapper {
   };
 
   std::optional<PixelPlace> ahead(std::uint32_t i, bool is_last, double reach) {
-    const PixelChain& chain = chains_[i];
+    const PixelChain chain = chains_[i];
     const PixelPlace end = end_of(chain, is_last);
     const Vec2 out = outwards(chain, is_last);
     const double own_index = is_last ? static_cast<double>(chain.size() - 1) : 0.0;
@@ -345,7 +404,7 @@ class EndSnapper {
   }
 
   const Context& context_;
-  const std::vector<PixelChain>& chains_;
+  const PixelChains& chains_;
   PixelTable table_;
   TableMemory memory_{"the edges of a picture"};
   std::vector<Place> places_;
@@ -353,23 +412,25 @@ class EndSnapper {
 
 }  // namespace
 
-Result<std::vector<PixelChain>> pixel_chains(Context& context, const EdgeMap& edges) {
+Result<PixelChains> pixel_chains(Context& context, const EdgeMap& edges) {
   return ChainWalker(context, edges).run();
 }
 
-Status join_gaps(const Context& context, std::vector<PixelChain>& chains, const EdgeMap& edges,
-                 double gap) {
+Status join_gaps(const Context& context, PixelChains& chains, const EdgeMap& edges, double gap) {
   return GapJoiner(context, chains, gap).run(edges);
 }
 
 Status snap_ends(const Context& context, const EdgeMap& edges, const std::vector<double>& scales,
-                 double base, double rise, std::vector<PixelChain>& chains) {
+                 double base, double rise, PixelChains& chains) {
   EndSnapper snapper(context, chains);
   Status status = snapper.list_places(edges);
-  std::vector<PixelChain> snapped;
+  PixelChains snapped;
+  const std::size_t most = chains.place.size() + 2 * chains.size();
+  if (status) status = snapped.memory.reserve(context, snapped.place, most);
+  if (status) status = snapped.memory.reserve(context, snapped.end, chains.size());
   for (std::uint32_t i = 0; i < chains.size() && status; ++i) {
     if (context.cancelled()) return context.cancel_status();
-    snapped.push_back(snapper.snapped(i, base + rise * std::sqrt(scales[i])));
+    status = snapper.add_snapped(i, base + rise * std::sqrt(scales[i]), snapped);
   }
   if (status) chains = std::move(snapped);
   return status;

@@ -80,7 +80,7 @@ Result<PixelMarks> mark_curves(Context& context, int width, int height,
   for (const TracedCurve& curve : curves) {
     if (context.cancelled()) return context.cancel_status();
     if (curve.is_frame || curve.radius > kSharpRadiusPx) continue;
-    for (const CurveSample& sample : samples_along(curve, 0.4)) marks->cross(sample.point);
+    for_each_sample(curve, 0.4, [&](const CurveSample& at) { marks->cross(at.point); });
   }
   return marks;
 }

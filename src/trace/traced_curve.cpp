@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 
+#include "base/table_memory.hpp"
 #include "curves/bezier.hpp"
 
 namespace sfumato::tracing {
@@ -29,16 +29,30 @@ Vec2 direction_at(const curves::Cubic& cubic, double t) {
 
 std::vector<CurveSample> samples_along(const TracedCurve& curve, double step) {
   std::vector<CurveSample> samples;
+  for_each_sample(curve, step, [&](const CurveSample& sample) { samples.push_back(sample); });
+  return samples;
+}
+
+void for_each_sample(const TracedCurve& curve, double step,
+                     FunctionRef<void(const CurveSample&)> visit) {
   for (std::size_t i = 0; i < piece_count(curve); ++i) {
     const curves::Cubic cubic = curves::piece(curve.control_points, i);
     const int parts = std::max(2, static_cast<int>(std::ceil(polygon_length(cubic) / step)));
     for (int k = i == 0 ? 0 : 1; k <= parts; ++k) {
       const double t = static_cast<double>(k) / parts;
-      samples.push_back({curves::point_at(cubic, t), static_cast<double>(i) + t,
-                         left_of(direction_at(cubic, t))});
+      visit({curves::point_at(cubic, t), static_cast<double>(i) + t,
+             left_of(direction_at(cubic, t))});
     }
   }
-  return samples;
+}
+
+std::size_t bytes_of(const std::vector<TracedCurve>& curves) {
+  std::size_t bytes = capacity_bytes(curves);
+  for (const TracedCurve& curve : curves) {
+    bytes += capacity_bytes(curve.control_points);
+    for (const SideStops& side : curve.side) bytes += capacity_bytes(side.place, side.value);
+  }
+  return bytes;
 }
 
 TracedCurve frame_of(int width, int height) {

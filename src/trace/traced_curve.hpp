@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "sfumato/base/function_ref.hpp"
 #include "sfumato/base/vec2.hpp"
 
 namespace sfumato::tracing {
@@ -37,6 +38,12 @@ struct CurveSample {
 
 /// Places at most about `step` apart, both ends of each piece among them.
 std::vector<CurveSample> samples_along(const TracedCurve& curve, double step);
+/// visit(sample) for each of them, without a table.
+void for_each_sample(const TracedCurve& curve, double step,
+                     FunctionRef<void(const CurveSample&)> visit);
+
+/// Memory of curves, with all that they have.
+std::size_t bytes_of(const std::vector<TracedCurve>& curves);
 
 /// The rectangle of a picture's border as a closed curve, its inside on the right.
 TracedCurve frame_of(int width, int height);

@@ -152,8 +152,7 @@ Status Tracer::add_edges_of_picture() {
   edges.scales =
       scales_from(std::max(finest_scales(*noise).edge, options_.smooth_px * picture_->scale));
   edges.noise = *noise;
-  return add(planes, find_candidates(context_, planes, edges, kTolerance, curves_),
-             kFirstShare * static_cast<double>(budget_));
+  return add(planes, planes, edges, kTolerance, kFirstShare * static_cast<double>(budget_));
 }
 
 Status Tracer::add_edges_of_missing(int round) {
@@ -165,23 +164,26 @@ Status Tracer::add_edges_of_missing(int round) {
   edges.high = 0.015;
   edges.noise = 0.5 * stats_.noise;
   const double share = round == kRounds ? 1.0 : kRoundShare;
-  return add(picture_->code, find_candidates(context_, missing_, edges, kMissingTolerance, curves_),
-             share * static_cast<double>(left));
+  return add(missing_, picture_->code, edges, kMissingTolerance, share * static_cast<double>(left));
 }
 
-Status Tracer::add(std::span<const Plane> blurred, Result<std::vector<TracedCurve>> candidates,
-                   double budget) {
+/// Curves along edges of some planes, whose blur shows in others.
+Status Tracer::add(std::span<const Plane> edges, std::span<const Plane> blurred,
+                   const EdgeOptions& options, double tolerance, double budget) {
+  TableMemory memory("curves along edges");
+  Result<std::vector<TracedCurve>> candidates =
+      find_candidates(context_, edges, options, tolerance, curves_, memory);
   if (!candidates) return candidates.status();
-  Result<std::vector<TracedCurve>> chosen =
-      choose_curves(context_, std::move(*candidates), picture_->width(), picture_->height(),
-                    {static_cast<std::size_t>(budget), curve_limit() - curves_.size()}, curves_);
+  Result<std::vector<TracedCurve>> chosen = choose_curves(
+      context_, std::move(*candidates), picture_->width(), picture_->height(),
+      {static_cast<std::size_t>(budget), curve_limit() - curves_.size()}, curves_, memory);
   if (!chosen) return chosen.status();
   Status status;
   if (options_.blur != TraceBlur::sharp) status = estimate_blur(context_, blurred, *chosen);
   for (TracedCurve& curve : *chosen) curve.seen_radius = curve.radius;
   if (status) status = sample_sides(context_, *picture_, kStopTolerance, *chosen);
   for (TracedCurve& curve : *chosen) curves_.push_back(std::move(curve));
-  return status;
+  return status ? charge_curves() : status;
 }
 
 Status Tracer::improve_shapes() {
@@ -203,7 +205,13 @@ Status Tracer::fit_again() {
   return status ? improve_radii() : status;
 }
 
+/// To the most that they have had.
+Status Tracer::charge_curves() {
+  return curves_charge_.raise_to(context_, bytes_of(curves_), "the curves of a trace");
+}
+
 Status Tracer::prepare_fit() {
+  if (Status status = charge_curves(); !status) return status;
   for (TracedCurve& curve : curves_) {
     if (fits_radii() && !curve.is_frame) curve.radius = std::max(curve.radius, kFirstRadius);
   }

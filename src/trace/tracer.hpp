@@ -4,11 +4,13 @@
 #include <span>
 #include <vector>
 
+#include "base/charge.hpp"
 #include "base/stopwatch.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
 #include "sfumato/trace/trace.hpp"
 #include "trace/drawing_fit.hpp"
+#include "trace/edges.hpp"
 #include "trace/picture.hpp"
 #include "trace/traced_curve.hpp"
 
@@ -31,11 +33,12 @@ class Tracer {
   Status begin();
   Status add_edges_of_picture();
   Status add_edges_of_missing(int round);
-  Status add(std::span<const Plane> blurred, Result<std::vector<TracedCurve>> candidates,
-             double budget);
+  Status add(std::span<const Plane> edges, std::span<const Plane> blurred,
+             const EdgeOptions& options, double tolerance, double budget);
   bool fits_radii() const { return options_.blur == TraceBlur::fitted; }
   Status fit();
   Status fit_again();
+  Status charge_curves();
   Status prepare_fit();
   Status improve_radii();
   Status finish();
@@ -60,6 +63,7 @@ class Tracer {
   std::optional<Picture> picture_;
   std::optional<DrawingFit> fit_;
   std::vector<TracedCurve> curves_;
+  ScopedCharge curves_charge_;
   TableMemory memory_{"what a trace misses"};
   std::vector<Plane> missing_;
   std::size_t budget_ = 0;  ///< control points

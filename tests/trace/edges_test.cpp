@@ -25,7 +25,8 @@ EdgeMap edges_of(Context& context, const Plane& plane, const EdgeOptions& option
 
 std::vector<Chain> chains_of(const EdgeMap& edges) {
   Context context;
-  Result<std::vector<Chain>> chains = link_chains(context, edges);
+  TableMemory memory("chains");
+  Result<std::vector<Chain>> chains = link_chains(context, edges, memory);
   EXPECT_TRUE(chains.ok()) << to_string(chains.status());
   return chains.ok() ? std::move(*chains) : std::vector<Chain>{};
 }
@@ -179,14 +180,45 @@ EdgeMap dashes(int side) {
   return edges;
 }
 
-TEST(LinkChains, charges_what_it_has_of_each_pixel) {
+/// Memory of chains.
+std::size_t bytes_of(const std::vector<Chain>& chains) {
+  std::size_t bytes = capacity_bytes(chains);
+  for (const Chain& chain : chains) bytes += capacity_bytes(chain.point, chain.strength);
+  return bytes;
+}
+
+TEST(LinkChains, charges_what_it_has_to_the_byte) {
   const EdgeMap edges = dashes(512);
-  Context small{.budget = Budget(512 * 512 * 4)};
-  EXPECT_EQ(link_chains(small, edges).status().code, StatusCode::limit);
-  EXPECT_EQ(small.budget.used(), 0u);
-  Context enough{.budget = Budget(16 << 20)};
-  EXPECT_TRUE(link_chains(enough, edges).ok());
-  EXPECT_EQ(enough.budget.used(), 0u);
+  Context context;
+  {
+    TableMemory memory("chains");
+    const Result<std::vector<Chain>> chains = link_chains(context, edges, memory);
+    ASSERT_TRUE(chains.ok());
+    EXPECT_GT(chains->size(), 1000u);
+    EXPECT_EQ(context.budget.used(), bytes_of(*chains));
+  }
+  EXPECT_EQ(context.budget.used(), 0u);
+}
+
+TEST(LinkChains, every_memory_is_a_limit_or_enough) {
+  const EdgeMap edges = dashes(128);
+  constexpr std::size_t kPixels = 128 * 128, kMost = 64 * kPixels;
+  // A fourth of the pixels: places of chains, where they are, and again as they run on; beside a
+  // table of all pixels.
+  constexpr std::size_t kLeast = 3 * 8 * kPixels / 4 + 4 * kPixels;
+  bool was_enough = false;
+  for (std::size_t bytes = 1000; bytes < kMost; bytes += 997) {
+    Context context{.budget = Budget(bytes)};
+    const StatusCode code = [&] {
+      TableMemory memory("chains");
+      return link_chains(context, edges, memory).status().code;
+    }();
+    EXPECT_TRUE(code == StatusCode::ok || (code == StatusCode::limit && !was_enough)) << bytes;
+    EXPECT_FALSE(code == StatusCode::ok && bytes < kLeast) << bytes;
+    EXPECT_EQ(context.budget.used(), 0u) << bytes;
+    was_enough = was_enough || code == StatusCode::ok;
+  }
+  EXPECT_TRUE(was_enough);
 }
 
 TEST(LinkChains, looks_at_the_flag_within_50_ms) {
@@ -195,7 +227,8 @@ TEST(LinkChains, looks_at_the_flag_within_50_ms) {
   test::PollRecorder recorder;
   context.poll_watch = &recorder;
   recorder.start();
-  ASSERT_TRUE(link_chains(context, edges).ok());
+  TableMemory memory("chains");
+  ASSERT_TRUE(link_chains(context, edges, memory).ok());
   recorder.stop();
   EXPECT_LT(recorder.longest_seconds(), 0.05 * kSlowdown);
 }

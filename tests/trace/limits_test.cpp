@@ -15,6 +15,7 @@
 #include "support/sanitizers.hpp"
 #include "support/synthetic_photo.hpp"
 #include "trace/candidates.hpp"
+#include "trace/planes_of.hpp"
 #include "trace/snap.hpp"
 #include "trace/sparse.hpp"
 #include "trace/tracing.hpp"
@@ -84,27 +85,94 @@ TEST(TraceLimits, it_looks_at_the_flag_within_50_ms) {
   EXPECT_LT(recorder.longest_seconds(), 0.05 * kSlowdown);
 }
 
-TEST(TraceLimits, little_memory_is_a_limit_or_enough) {
-  const Image photo = test::synthetic_photo(160);
-  bool was_refused = false, was_enough = false;
-  for (std::size_t mebibytes = 1; mebibytes <= 256; mebibytes *= 2) {
-    Context context{.budget = Budget(mebibytes << 20)};
-    const StatusCode code = trace(context, photo).status().code;
-    EXPECT_TRUE(code == StatusCode::ok || code == StatusCode::limit) << mebibytes;
-    EXPECT_FALSE(was_enough && code != StatusCode::ok) << mebibytes;
-    (code == StatusCode::ok ? was_enough : was_refused) = true;
-    EXPECT_EQ(context.budget.used(), 0u) << mebibytes;
+/// A gray picture of value(x, y).
+template <class Value>
+Image gray(int side, const Value& value) {
+  Image image{side, side, PixelFormat::rgb8, {}};
+  for (int y = 0; y < side; ++y) {
+    for (int x = 0; x < side; ++x) {
+      image.bytes.insert(image.bytes.end(), 3, static_cast<std::uint8_t>(value(x, y)));
+    }
   }
-  EXPECT_TRUE(was_refused);
+  return image;
+}
+
+/// Chains and curves of these are as many as there can be.
+Image noise(int side) {
+  std::uint32_t state = 1;
+  return gray(side, [&state](int, int) {
+    state = state * 1'664'525 + 1'013'904'223;
+    return state >> 24;
+  });
+}
+Image checkers(int side) {
+  return gray(side, [](int x, int y) { return (x / 4 + y / 4) % 2 == 0 ? 255 : 0; });
+}
+
+TEST(TraceLimits, little_memory_is_a_limit_or_enough) {
+  for (const Image& picture : {test::synthetic_photo(160), noise(48), checkers(48)}) {
+    bool was_refused = false, was_enough = false;
+    for (std::size_t mebibytes = 1; mebibytes <= 256; mebibytes *= 2) {
+      Context context{.budget = Budget(mebibytes << 20)};
+      const StatusCode code = trace(context, picture).status().code;
+      EXPECT_TRUE(code == StatusCode::ok || code == StatusCode::limit) << mebibytes;
+      EXPECT_FALSE(was_enough && code != StatusCode::ok) << mebibytes;
+      (code == StatusCode::ok ? was_enough : was_refused) = true;
+      EXPECT_EQ(context.budget.used(), 0u) << mebibytes;
+    }
+    EXPECT_TRUE(was_refused);
+    EXPECT_TRUE(was_enough);
+  }
+}
+
+/// Candidates for curves of a gray picture, each charged.
+void expect_candidates_are_charged(const Image& image) {
+  const auto plane = test::plane_of(image.width, image.height, [&image](Vec2 p) {
+    const auto at =
+        static_cast<std::size_t>(p.y) * image.row_bytes() + 3 * static_cast<std::size_t>(p.x);
+    return image.bytes[at] / 255.0;
+  });
+  const std::vector<tracing::TracedCurve> none;
+  const auto find = [&](Context& context, TableMemory& memory) {
+    return tracing::find_candidates(context, std::span(&plane, 1), {}, 1.2, none, memory);
+  };
+  std::size_t bytes = 0;
+  {
+    Context context;
+    TableMemory memory("curves");
+    const auto candidates = find(context, memory);
+    ASSERT_TRUE(candidates.ok());
+    bytes = tracing::bytes_of(*candidates);
+    EXPECT_GT(candidates->size(), 50u);
+    EXPECT_GE(context.budget.used(), bytes);
+  }
+  bool was_enough = false;
+  for (std::size_t most = bytes / 4; most < 64 * bytes; most += most / 4) {
+    Context context{.budget = Budget(most)};
+    const StatusCode code = [&] {
+      TableMemory memory("curves");
+      return find(context, memory).status().code;
+    }();
+    EXPECT_TRUE(code == StatusCode::ok || (code == StatusCode::limit && !was_enough)) << most;
+    EXPECT_EQ(context.budget.used(), 0u) << most;
+    was_enough = was_enough || code == StatusCode::ok;
+  }
   EXPECT_TRUE(was_enough);
+}
+
+TEST(TraceLimits, candidates_are_charged_however_many_there_are) {
+  expect_candidates_are_charged(noise(128));
+  expect_candidates_are_charged(checkers(128));
 }
 
 TEST(TraceLimits, what_is_kept_of_each_pixel_is_charged) {
   Context small{.budget = Budget(100000)};
   std::vector<tracing::TracedCurve> curves{tracing::frame_of(400, 300)};
   EXPECT_EQ(tracing::snap_to_curves(small, 400, 300, 0.1f, curves).code, StatusCode::limit);
-  EXPECT_EQ(tracing::choose_curves(small, curves, 400, 300, {100, 10}, curves).status().code,
-            StatusCode::limit);
+  TableMemory memory("curves");
+  EXPECT_EQ(
+      tracing::choose_curves(small, curves, 400, 300, {100, 10}, curves, memory).status().code,
+      StatusCode::limit);
   EXPECT_EQ(small.budget.used(), 0u);
 }
 
