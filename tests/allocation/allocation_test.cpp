@@ -30,6 +30,7 @@
 #include "sfumato/raster/rasterize.hpp"
 #include "sfumato/solve/diffuse.hpp"
 #include "sfumato/solve/solution.hpp"
+#include "sfumato/trace/trace.hpp"
 #include "support/same_document.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -174,6 +175,50 @@ Image image_of(int width, int height, PixelFormat format) {
     image.bytes[i] = static_cast<std::uint8_t>(i * i % 251);
   }
   return image;
+}
+
+std::string digest_of_drawing(const Document& drawing) {
+  return made([&](Context& context) { return write_svg(context, drawing); });
+}
+
+/// A disc, an edge of which shows in each step of a trace; half transparent where there is alpha.
+Image picture_of_disc(PixelFormat format) {
+  constexpr int kSide = 12;
+  Image image{kSide, kSide, format, {}};
+  for (int i = 0; i < kSide * kSide; ++i) {
+    const int x = i % kSide - 5, y = i / kSide - 6;
+    const bool is_inside = x * x + y * y < 16;
+    image.bytes.insert(image.bytes.end(), {is_inside ? std::uint8_t{230} : std::uint8_t{40},
+                                           static_cast<std::uint8_t>(90 + 6 * x), 60});
+    if (format == PixelFormat::rgba8) image.bytes.push_back(is_inside ? 255 : 128);
+  }
+  return image;
+}
+
+void check_trace(PixelFormat format, const TraceOptions& options, std::size_t every) {
+  const Image picture = picture_of_disc(format);
+  expect_every_refusal_is_survived(
+      "trace", [&](Context& context) { return trace(context, picture, options); },
+      digest_of_drawing, {.every = every});
+}
+
+TEST(AllocationOf, a_trace) {
+  check_trace(PixelFormat::rgb8, {.points = 60, .edges_only = true}, 31);
+}
+
+TEST(AllocationOf, a_trace_of_all_that_there_is) {
+  check_trace(PixelFormat::rgba8, {.points = 100, .has_texture = true}, 809);
+}
+
+TEST(AllocationOf, colours_of_a_picture) {
+  const Image picture = picture_of_disc(PixelFormat::rgb8);
+  const Document drawing = made([&](Context& context) {
+    return trace(context, picture, {.points = 60, .edges_only = true});
+  });
+  const Image other = image_of(12, 12, PixelFormat::rgb8);
+  expect_every_refusal_is_survived(
+      "fit", [&](Context& context) { return fit_colors(context, drawing, other); },
+      digest_of_drawing, {.every = 11});
 }
 
 TEST(AllocationOf, png_encoder) {
