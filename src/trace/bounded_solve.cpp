@@ -10,8 +10,6 @@ namespace sfumato::tracing {
 namespace {
 
 constexpr int kSteps = 60;
-/// The search ends where the residual has fallen to this share of what it was at first.
-constexpr double kTolerance = 3e-3;
 /// How often unknowns outside their bounds are held and the rest is solved again.
 constexpr int kRounds = 3;
 /// Against weights of pixels that add up to some dozen for a stop.
@@ -122,7 +120,7 @@ class BoundedSolver {
     for (int step = 0; step < kSteps; ++step) {
       bool is_done = true;
       for (std::size_t c = 0; c < 4; ++c) {
-        is_done = is_done && slope[c] <= kTolerance * kTolerance * (*first_)[c];
+        is_done = is_done && slope[c] <= problem_.tolerance * problem_.tolerance * (*first_)[c];
       }
       if (is_done) break;
       status = apply(direction_);

@@ -25,6 +25,8 @@ struct BoundedProblem {
   std::span<const float> pull;
   float even = 0;
   std::span<const Tie> ties{};
+  /// The search ends where the residual has fallen to this share of what it was at first.
+  double tolerance = 1e-4;
 };
 
 /// x   in: x⁰, where the search begins; out: the solution, by conjugate gradients with the diagonal

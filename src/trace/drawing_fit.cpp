@@ -11,6 +11,8 @@
 namespace sfumato::tracing {
 namespace {
 
+/// BoundedProblem::tolerance: colours are rounded, and most are fitted several times.
+constexpr double kTolerance = 3e-3;
 /// Weights of the two regularisers of colours.
 constexpr float kPull = 0.3f;
 constexpr float kEven = 0.3f;
@@ -133,10 +135,10 @@ Status DrawingFit::solve(const Equations& equations, std::span<TracedCurve> curv
   std::vector<FourFloats> x = values_of(curves);
   const std::vector<float> pull(x.size(), kPull);
   const auto solve_one = [&](const ValueEquations& of, std::vector<FourFloats>& values) {
-    return solve_bounded(
-        context_,
-        {of.normal, of.right_side, has_next_, bounds->low, bounds->high, pull, kEven, ties_},
-        values);
+    return solve_bounded(context_,
+                         {of.normal, of.right_side, has_next_, bounds->low, bounds->high, pull,
+                          kEven, ties_, kTolerance},
+                         values);
   };
   Status status;
   if (picture_.opacity) {
