@@ -544,6 +544,43 @@ SFUMATO_API void sfumato_field_free(sfumato_field* field);
 SFUMATO_API int32_t sfumato_field_colors(sfumato_context* context, const sfumato_field* field,
                                          const double* xy, size_t point_count, float* rgba);
 
+/** How much each stop of a layer counts at points: the rows of a sparse matrix. Times the values of
+ * the stops they are the exact colours, or opacities, in the space in which the document mixes. */
+typedef struct sfumato_weights sfumato_weights;
+
+/** Prepares a layer; the document is not needed afterwards. `attribute`: SFUMATO_COLOR or
+ * SFUMATO_OPACITY. What a row says holds as long as the curves, their blur, and the offsets and
+ * kinds of their sides stay as they are, and, at the free end of a curve, while its sides differ.
+ *
+ * options: as of sfumato_field_new(), but for ends, which are soft. */
+SFUMATO_API int32_t sfumato_weights_new(sfumato_context* context, const sfumato_document* document,
+                                        uint32_t layer, uint32_t attribute, const char* options,
+                                        sfumato_weights** weights);
+/** Gives weights back. */
+SFUMATO_API void sfumato_weights_free(sfumato_weights* weights);
+/** Finds the rows of `point_count` points, as of sfumato_field_colors(), in the place of those
+ * before; where it fails these stay. What counts less than `negligible`, 0 to 1, for a point may be
+ * left out; the rest is scaled up. The weights of a point that sees stops alone add up to 1. */
+SFUMATO_API int32_t sfumato_weights_at(sfumato_context* context, sfumato_weights* weights,
+                                       const double* xy, size_t point_count, double negligible);
+/** Tables of weights. Those of one value in a column have 3 columns for colours, 1 for opacities.
+ */
+enum sfumato_weights_table_name {
+  SFUMATO_ROW_BEGINS = 0, /**< u32, 1 column: for each point where its entries begin, and an end */
+  SFUMATO_COLUMNS = 1,    /**< u32, 1 column: of each entry, ascending in a row */
+  SFUMATO_WEIGHTS = 2,    /**< f32, 1 column: of each entry */
+  SFUMATO_COLUMN_STOPS = 3,  /**< u32, 3 columns: the curve, the side and the stop of each column */
+  SFUMATO_COLUMN_VALUES = 4, /**< f32: the value that each column's stop had in the document */
+  SFUMATO_PAINT_VALUES = 5   /**< f32: for each point what gradients and textures add to it */
+};
+/** A table, which lasts until rows are found anew, or the weights are freed. */
+SFUMATO_API int32_t sfumato_weights_table(const sfumato_weights* weights, uint32_t table,
+                                          sfumato_view* view);
+/** Converts colours, 3 numbers each, from one space of ::sfumato_interpolation to another;
+ * `converted` may be `colors`. Nothing is clamped. */
+SFUMATO_API int32_t sfumato_convert_colors(int32_t from, int32_t to, const double* colors,
+                                           size_t color_count, double* converted);
+
 /** @} */
 
 #ifdef __cplusplus

@@ -1,7 +1,10 @@
 #include "gather/row_sources.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "base/poll.hpp"
 
@@ -74,14 +77,18 @@ Status add_edges(const Context& context, const mesh::TriangleMesh& mesh,
   return status;
 }
 
-Status add_ends(const Context& context, RowSources& sources) {
+/// Sources of the ends that `sources` has. `places`: of these and perhaps of others, in the order
+/// of their vertices, with places for values.
+Status add_ends(const Context& context, std::span<const FreeEnd> places, RowSources& sources) {
   const std::span<const FreeEnd> ends = sources.ends.all();
   const std::size_t count = sources.edge.size() + 2 * ends.size();
   Status status = sources.memory.reserve(context, sources.source, count);
   if (!status) return status;
   for (const FreeEnd& end : ends) {
-    sources.source.push_back(source_of(end.positive, end.negative, end.blur_positive));
-    sources.source.push_back(source_of(end.negative, end.positive, end.blur_negative));
+    const auto [from, to] = std::ranges::equal_range(places, end.vertex, {}, &FreeEnd::vertex);
+    const FreeEnd& place = from == to ? end : *from;
+    sources.source.push_back(source_of(place.positive, place.negative, end.blur_positive));
+    sources.source.push_back(source_of(place.negative, place.positive, end.blur_negative));
   }
   return context.check();
 }
@@ -89,14 +96,23 @@ Status add_ends(const Context& context, RowSources& sources) {
 }  // namespace
 
 Result<RowSources> find_row_sources(Context& context, const mesh::TriangleMesh& mesh,
-                                    const curves::SegmentAttributes& places, const Scene& scene) {
+                                    const curves::SegmentAttributes& places, const Scene& scene,
+                                    const curves::SegmentAttributes* values) {
   RowSources sources;
   Status status = add_edges(context, mesh, places, scene, sources);
   if (!status) return status;
-  Result<FreeEnds> ends = FreeEnds::create(context, mesh, places, {}, scene.weight_unit);
+  Result<FreeEnds> ends =
+      FreeEnds::create(context, mesh, values ? *values : places, {}, scene.weight_unit);
   if (!ends) return ends.status();
   sources.ends = std::move(*ends);
-  status = add_ends(context, sources);
+  TableMemory memory("free ends of curves");
+  std::vector<FreeEnd> with_places;
+  if (values) {
+    Result<std::vector<FreeEnd>> found = find_free_ends(context, mesh, places, memory);
+    if (!found) return found.status();
+    with_places = std::move(*found);
+  }
+  status = add_ends(context, with_places, sources);
   if (!status) return status;
   return sources;
 }

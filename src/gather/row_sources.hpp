@@ -40,8 +40,10 @@ struct RowSources {
 
 /// places   curves::sample_stop_places() on the curves of `mesh`
 /// scene    of both
+/// values   RowOptions::values
 /// Errors   limit (memory), cancelled
 Result<RowSources> find_row_sources(Context& context, const mesh::TriangleMesh& mesh,
-                                    const curves::SegmentAttributes& places, const Scene& scene);
+                                    const curves::SegmentAttributes& places, const Scene& scene,
+                                    const curves::SegmentAttributes* values = nullptr);
 
 }  // namespace sfumato::gather

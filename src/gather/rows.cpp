@@ -143,7 +143,7 @@ class RowGather {
     if (!scene) return scene.status();
     scene_ = std::move(*scene);
     view_ = scene_.view();
-    Result<RowSources> sources = find_row_sources(context_, mesh_, places, scene_);
+    Result<RowSources> sources = find_row_sources(context_, mesh_, places, scene_, options_.values);
     if (!sources) return sources.status();
     sources_ = std::move(*sources);
     if (!scene_.triangle.empty()) {

@@ -31,7 +31,7 @@ struct RowSide {
 /// one side of a free end.
 ///
 /// Free ends whose two sides have the same value are none for other gathers (find_free_ends); here
-/// no two sides are the same, and every free end has its term.
+/// no two sides are the same, and every free end has its term, but for RowOptions::values.
 struct RowSource {
   RowSide front, back;
   std::uint32_t curve = 0;  ///< whose radius of blur it has
@@ -97,6 +97,10 @@ struct RowOptions {
   /// public scenes 2e-4 leaves one to two thirds of the terms, and colours differ by up to 0.08
   /// code values of 255 (RMS), by 1 at most.
   float negligible = 0;
+  /// The attribute's values on the same segments. A free end whose two sides have the same value
+  /// there has no term, as in other gathers: rows times these values are what those give. Null:
+  /// every free end has one.
+  const curves::SegmentAttributes* values = nullptr;
 };
 
 /// Rows of one attribute of a layer at points, closed form over the exact visible set.

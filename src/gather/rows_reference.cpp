@@ -102,7 +102,7 @@ Result<Rows> rows_reference(Context& context, const TriangleMesh& mesh,
                             const RowOptions& options) {
   const Result<Scene> scene = build_scene(context, mesh, places);
   if (!scene) return scene.status();
-  Result<RowSources> sources = find_row_sources(context, mesh, places, *scene);
+  Result<RowSources> sources = find_row_sources(context, mesh, places, *scene, options.values);
   if (!sources) return sources.status();
   RowReference reference(context, mesh, *scene, *sources);
   Rows rows;

@@ -72,7 +72,8 @@ enum Call : unsigned {
   kPayload = 128,
   kLint = 256,
   kTrace = 512,
-  kFitColors = 1024
+  kFitColors = 1024,
+  kWeights = 2048
 };
 
 /// One option of the command and of the C interface: what both say about it, and which values it

@@ -12,6 +12,7 @@
 #include "base/table_memory.hpp"
 #include "curves/flatten.hpp"
 #include "sfumato/base/limits.hpp"
+#include "solve/field_mesh.hpp"
 #include "solve/layer_units.hpp"
 #include "solve/layer_view.hpp"
 
@@ -40,79 +41,12 @@ bool bears_opacity(const Curve& curve) {
          curve.right.opacity.kind != ShaderKind::open;
 }
 
-bool bears_attribute(const curves::SegmentAttributes& attributes, std::size_t segment) {
-  return attributes.left[segment].kind != ShaderKind::open ||
-         attributes.right[segment].kind != ShaderKind::open;
-}
-
-/// Per constraint: 1 where a curve on it bears the attribute, on either side.
-Result<std::vector<std::uint8_t>> bearing_constraints(const Context& context,
-                                                      const mesh::TriangleMesh& mesh,
-                                                      const curves::SegmentAttributes& attributes,
-                                                      TableMemory& memory) {
-  std::vector<std::uint8_t> bears;
-  Status status = memory.resize(context, bears, mesh.constraint.size());
-  if (!status) return status;
-  for (std::size_t c = 0; c < bears.size(); ++c) {
-    for (const mesh::SegmentPiece& piece : mesh.pieces(mesh.constraint[c])) {
-      bears[c] |= bears_attribute(attributes, piece.segment);
-    }
-  }
-  return bears;
-}
-
-/// Whether any curve, of which the frame is none, lies where the attribute is not borne.
-bool is_thin(const mesh::TriangleMesh& mesh, const std::vector<std::uint8_t>& bears) {
-  for (std::size_t c = 0; c < bears.size(); ++c) {
-    if (!bears[c] && !mesh.pieces(mesh.constraint[c]).empty()) return true;
-  }
-  return false;
-}
-
 /// What FieldEdits say for one of the two fields.
 struct OneEdit {
   const PreparedField* before;
   std::optional<PreparedField>* used;
   const curves::SegmentAttributes* beside;  ///< of the other field
 };
-
-/// The visibility mesh of one field: without the curves that do not bear its attribute.
-struct FieldMesh {
-  TableMemory memory{"the visibility mesh"};
-  mesh::TriangleMesh thinned;
-  bool is_thinned = false;
-
-  const mesh::TriangleMesh& of(const mesh::TriangleMesh& visibility) const {
-    return is_thinned ? thinned : visibility;
-  }
-};
-
-/// Whether there is nothing to thin, since there was not before segments were inserted that bear
-/// the attribute. They are marked with the last vertex of their polyline, where none begins.
-bool stays_whole(const curves::SegmentAttributes& attributes, const PreparedField* before,
-                 const FieldEdits& edits) {
-  if (!before || before->is_thinned || edits.whole) return false;
-  const std::span<const std::uint8_t> inserted = edits.use.is_watched;
-  for (std::size_t i = 0; i + 1 < inserted.size(); ++i)
-    if (inserted[i] && inserted[i + 1] && !bears_attribute(attributes, i)) return false;
-  return true;
-}
-
-Result<FieldMesh> mesh_field(const Context& context, const mesh::Mesher& mesher,
-                             const mesh::TriangleMesh& visibility, const SampledField& sampled,
-                             const PreparedField* before, const FieldEdits& edits) {
-  FieldMesh field;
-  if (stays_whole(sampled.attributes, before, edits)) return field;
-  const Result<std::vector<std::uint8_t>> bears =
-      bearing_constraints(context, visibility, sampled.attributes, field.memory);
-  if (!bears) return bears.status();
-  field.is_thinned = is_thin(visibility, *bears);
-  if (!field.is_thinned) return field;
-  Result<mesh::TriangleMesh> mesh = mesher.thinned_mesh(context, visibility, *bears, field.memory);
-  if (!mesh) return mesh.status();
-  field.thinned = std::move(*mesh);
-  return field;
-}
 
 Result<PreparedField> prepare_field(Context& context, const mesh::TriangleMesh& visibility,
                                     const FieldMesh& mesh, SampledField sampled, gather::Ends ends,
@@ -142,12 +76,12 @@ Result<FieldMeshes> mesh_fields(const Context& context, const mesh::Mesher& mesh
                                 const mesh::TriangleMesh& visibility, const SampledFields& sampled,
                                 const FieldEdits& edits) {
   Result<FieldMesh> color =
-      mesh_field(context, mesher, visibility, sampled.color, edits.color_before, edits);
+      mesh_field(context, mesher, visibility, sampled.color.attributes, edits.color_before, edits);
   if (!color) return color.status();
   FieldMeshes meshes{std::move(*color), {}};
   if (!sampled.opacity) return meshes;
-  Result<FieldMesh> opacity =
-      mesh_field(context, mesher, visibility, *sampled.opacity, edits.opacity_before, edits);
+  Result<FieldMesh> opacity = mesh_field(context, mesher, visibility, sampled.opacity->attributes,
+                                         edits.opacity_before, edits);
   if (!opacity) return opacity.status();
   meshes.opacity.emplace(std::move(*opacity));
   return meshes;

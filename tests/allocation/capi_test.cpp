@@ -93,6 +93,11 @@ void look(Session& session, sfumato_context* c, Drawing& drawing) {
     session.take(sfumato_field_colors(c, field, at, 1, rgba));
     sfumato_field_free(field);
   }
+  sfumato_weights* weights = nullptr;
+  if (session.take(sfumato_weights_new(c, drawing.document, 0, 0, nullptr, &weights), &weights)) {
+    session.take(sfumato_weights_at(c, weights, at, 1, 0));
+    sfumato_weights_free(weights);
+  }
 }
 
 void change_colors(Session& session, sfumato_context* c, Drawing& drawing) {

@@ -24,6 +24,8 @@ using DocumentHandle =
 using PictureHandle =
     std::unique_ptr<sfumato_picture, Freed<sfumato_picture, sfumato_picture_free>>;
 using FieldHandle = std::unique_ptr<sfumato_field, Freed<sfumato_field, sfumato_field_free>>;
+using WeightsHandle =
+    std::unique_ptr<sfumato_weights, Freed<sfumato_weights, sfumato_weights_free>>;
 using BytesHandle = std::unique_ptr<sfumato_bytes, Freed<sfumato_bytes, sfumato_bytes_free>>;
 
 inline std::string example(const std::string& name) {

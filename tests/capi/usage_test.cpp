@@ -44,6 +44,7 @@ TEST_F(CUsage, null_is_an_error_everywhere) {
   sfumato_picture* out_p = nullptr;
   sfumato_bytes* out_b = nullptr;
   sfumato_field* out_f = nullptr;
+  sfumato_weights* out_w = nullptr;
   const double xy[8] = {};
   float rgba[4];
   double box[4];
@@ -93,6 +94,11 @@ TEST_F(CUsage, null_is_an_error_everywhere) {
   EXPECT_EQ(sfumato_add_image(c, "x", 0, nullptr), kUsage);
   EXPECT_EQ(sfumato_field_new(c, nullptr, 0, nullptr, &out_f), kUsage);
   EXPECT_EQ(sfumato_field_colors(c, nullptr, xy, 1, rgba), kUsage);
+  EXPECT_EQ(sfumato_weights_new(c, nullptr, 0, SFUMATO_COLOR, nullptr, &out_w), kUsage);
+  EXPECT_EQ(sfumato_weights_new(c, d, 0, SFUMATO_COLOR, nullptr, nullptr), kUsage);
+  EXPECT_EQ(sfumato_weights_at(c, nullptr, xy, 1, 0), kUsage);
+  EXPECT_EQ(sfumato_weights_table(nullptr, SFUMATO_WEIGHTS, &view), kUsage);
+  EXPECT_EQ(sfumato_convert_colors(SFUMATO_SRGB, SFUMATO_OKLAB, nullptr, 1, box), kUsage);
   EXPECT_EQ(sfumato_curve_stops(nullptr, 0, 0, 0, 0, nullptr, nullptr, nullptr, 0), 0u);
 }
 
@@ -101,6 +107,7 @@ TEST_F(CUsage, null_is_freed_and_looked_at_without_harm) {
   sfumato_document_free(nullptr);
   sfumato_picture_free(nullptr);
   sfumato_field_free(nullptr);
+  sfumato_weights_free(nullptr);
   sfumato_bytes_free(nullptr);
   sfumato_cancel(nullptr);
   sfumato_resume(nullptr);
@@ -123,6 +130,7 @@ TEST_F(CUsage, indices_past_the_end_are_errors) {
   const double xy[8] = {};
   sfumato_view view;
   sfumato_field* field = nullptr;
+  sfumato_weights* weights = nullptr;
   for (const std::uint32_t bad : {1u, UINT32_MAX}) {
     EXPECT_EQ(sfumato_curve_count(d, bad), 0u);
     EXPECT_EQ(sfumato_layer_id(d, bad), nullptr);
@@ -140,7 +148,9 @@ TEST_F(CUsage, indices_past_the_end_are_errors) {
     EXPECT_EQ(sfumato_remove_curve(c, d, bad, 0), kUsage);
     EXPECT_EQ(sfumato_remove_curve(c, d, 0, bad), kUsage);
     EXPECT_EQ(sfumato_field_new(c, d, bad, nullptr, &field), kUsage);
+    EXPECT_EQ(sfumato_weights_new(c, d, bad, SFUMATO_COLOR, nullptr, &weights), kUsage);
   }
+  EXPECT_EQ(sfumato_weights_new(c, d, 0, SFUMATO_BLUR, nullptr, &weights), kUsage);
   EXPECT_EQ(sfumato_insert_curve(c, d, 0, 2, xy, 4), kUsage);
   EXPECT_STREQ(sfumato_error_text(c), "there is no curve 2 in layer 0");
   const PictureHandle picture = solve(c, d);

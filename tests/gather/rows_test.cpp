@@ -310,6 +310,36 @@ Curve line_of_stops(double y, std::vector<Stop<Rgb>> stops) {
   return curve;
 }
 
+/// A line of one colour on both sides within a ring of another: its ends are none.
+TEST(Rows, with_values_leave_out_ends_whose_sides_are_alike) {
+  Document document;
+  document.artboard = {{0, 0}, {512, 512}};
+  document.layers.resize(1);
+  const Rgb grey{0.5f, 0.5f, 0.5f}, red{1, 0, 0};
+  Curve line{.control_points = {{200, 250}, {240, 250}, {280, 250}, {320, 250}}};
+  line.left.color =
+      line.right.color = {ShaderKind::curve_domain, {StopSpace::parameter, {{0, grey}}}, 0};
+  document.layers[0].curves = {line, line_of_stops(20, {{0, red}}), line_of_stops(490, {{0, red}})};
+  document.layers[0].curves[1].right = document.layers[0].curves[1].left;
+  const Mapped m = mapped(document);
+  const std::vector<Vec2> points{{190, 251}, {330, 249}, {195, 244}, {326, 255}};
+  Context context;
+  const Rows all = rows_of(context, m, points);
+  const Rows some = rows_of(context, m, points, {.values = &m.attributes});
+  TableMemory memory("a test");
+  const std::vector<FreeEnd> ends = *find_free_ends(context, m.mesh, m.attributes, memory);
+  bool some_differ = false;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::vector<double> expected = reference_of(m, points[i], ends);
+    const std::vector<double> value = value_of(some, i, m), with_all = value_of(all, i, m);
+    for (std::size_t c = 0; c < 3; ++c) {
+      EXPECT_NEAR(value[c], expected[c], 1e-5);
+      some_differ = some_differ || std::fabs(with_all[c] - expected[c]) > 0.01;
+    }
+  }
+  EXPECT_TRUE(some_differ);
+}
+
 TEST(Rows, name_the_columns_of_the_stops_beside_which_a_point_lies) {
   Document document;
   document.artboard = {{0, 0}, {512, 512}};
