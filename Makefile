@@ -8,7 +8,7 @@ fuzz_seconds := 60
 
 .DEFAULT_GOAL := help
 .PHONY: help demo build test check docs kills sanitize fuzz fuzz-merge bench wasm hostile-growth \
-  hostile-sanitized equal editor editor-tests clean
+  hostile-sanitized equal editor editor-tests python clean
 
 help:
 	@echo 'make demo    install what the build needs, build, draw $(scene)'
@@ -26,6 +26,7 @@ help:
 	@echo 'make wasm    the library for WebAssembly: build-wasm/sfumato.wasm'
 	@echo 'make editor  draw in a browser: $(build_folder)/editor/ and $(build_folder)/editor.html'
 	@echo 'make editor-tests   the editor in Chromium: all that a person does, and what fuzzers found; in Firefox the core of it'
+	@echo 'make python  the wheel: $(build_folder)/python/, tested where it is installed'
 	@echo 'make clean   remove what was built'
 
 build:
@@ -111,6 +112,10 @@ editor-tests: build editor
 	@scripts/setup firefox || true
 	@SFUMATO="$(CURDIR)/$(build_folder)/sfumato" node tests/editor/e2e/run.mjs $(build_folder)
 	@SFUMATO="$(CURDIR)/$(build_folder)/sfumato" node tests/editor/e2e/firefox.mjs $(build_folder)
+
+python: build
+	@scripts/setup python
+	@scripts/check-python $(build_folder)
 
 clean:
 	rm -rf $(build_folder) build-wasm build-check build-asan build-tsan build-fuzz

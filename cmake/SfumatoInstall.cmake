@@ -40,6 +40,10 @@ set(exports ${PROJECT_SOURCE_DIR}/src/capi/exports.map)
 target_link_options(sfumato_c PRIVATE -Wl,--version-script=${exports} -Wl,--gc-sections
   -Wl,--as-needed -Wl,--exclude-libs,ALL)
 set_target_properties(sfumato_c PROPERTIES LINK_DEPENDS ${exports})
+# Python's wheel carries it as it is built, with the libraries that it needs beside it, which find each
+# other there too. An installed one looks where the system does.
+set_target_properties(sfumato_c PROPERTIES BUILD_RPATH "$ORIGIN")
+target_link_options(sfumato_c PRIVATE -Wl,--disable-new-dtags)
 if(SFUMATO_SANITIZE)
   target_link_options(sfumato_c PUBLIC -fsanitize=${SFUMATO_SANITIZE})
 else()

@@ -1,0 +1,104 @@
+"""One wheel for every Python 3 of a platform: no extension module, but shared libraries beside the
+text. The C library is built by CMake from the checkout that this folder is part of, or is the one
+that SFUMATO_LIBRARY names; what it needs and a system may lack goes with it.
+"""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+from setuptools import Distribution, setup
+from setuptools.command.build_py import build_py
+from wheel.bdist_wheel import bdist_wheel
+
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parent.parent
+LIBRARY = "libsfumato.so.1"
+
+# Every Linux for which such wheels are has these, by the policies of PyPI; they belong together with
+# the system's own.
+SYSTEM = re.compile(r"(linux-vdso|ld-linux.*|lib(c|m|dl|rt|pthread|gcc_s|stdc\+\+))\.so.*")
+
+
+def run(*command, **how):
+    return subprocess.run([str(c) for c in command], check=True, **how)
+
+
+def built(folder):
+    """The library, made from the checkout."""
+    if not (ROOT / "CMakeLists.txt").is_file():
+        sys.exit("setup.py: Sfumato's sources are not around this folder; install from a checkout")
+    for program in ("cmake", "ninja"):
+        if shutil.which(program) is None:
+            sys.exit(f"setup.py: {program} is missing; scripts/setup build installs what is needed")
+    off = [f"-DSFUMATO_{name}=OFF" for name in ("TESTS", "BENCH", "EXAMPLES", "WERROR")]
+    run("cmake", "-S", ROOT, "-B", folder, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", *off)
+    run("cmake", "--build", folder, "--target", "sfumato_c")
+    return folder / LIBRARY
+
+
+def needed(library):
+    """What the loader would load for it: path by name."""
+    told = run("ldd", library, stdout=subprocess.PIPE, text=True).stdout
+    found = {}
+    for line in told.splitlines():
+        if "not found" in line:
+            sys.exit(f"setup.py: {line.strip()}")
+        match = re.match(r"\s*(\S+) => (/\S+)", line)
+        if match and not SYSTEM.fullmatch(match[1]):
+            found[match[1]] = Path(match[2])
+    return found
+
+
+def keep_licence(library, folder):
+    """Debian knows under which licence a library is."""
+    asked = ["dpkg-query", "--search", str(library.resolve())]
+    if shutil.which(asked[0]) is None:
+        return
+    told = subprocess.run(asked, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True).stdout
+    package = told.split(":")[0]
+    text = Path("/usr/share/doc") / package / "copyright"
+    if package and text.is_file():
+        shutil.copy(text, folder / f"{package}.txt")
+
+
+class Build(build_py):
+    """Copies the package, then the libraries to it."""
+
+    def run(self):
+        if not sys.platform.startswith("linux"):
+            sys.exit("setup.py: wheels are made on Linux alone so far")
+        target = Path(self.build_lib) / "sfumato"
+        shutil.rmtree(target, ignore_errors=True)  # what an earlier build left
+        super().run()
+        given = os.environ.get("SFUMATO_LIBRARY")
+        library = Path(given) if given else built(HERE / "build" / "library")
+        licences = target / "licences"
+        licences.mkdir()
+        shutil.copy(ROOT / "LICENSE", licences / "sfumato.txt")
+        for name, path in {LIBRARY: library, **needed(library)}.items():
+            shutil.copy(path.resolve(), target / name)
+            os.chmod(target / name, 0o644)
+            if shutil.which("strip") is not None:
+                run("strip", "--strip-unneeded", target / name)
+            keep_licence(path, licences)
+
+
+class Wheel(bdist_wheel):
+    def finalize_options(self):
+        super().finalize_options()
+        self.root_is_pure = False
+
+    def get_tag(self):
+        return "py3", "none", super().get_tag()[2]
+
+
+class WithLibrary(Distribution):
+    def has_ext_modules(self):
+        return True
+
+
+setup(cmdclass={"build_py": Build, "bdist_wheel": Wheel}, distclass=WithLibrary)

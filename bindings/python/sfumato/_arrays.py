@@ -1,0 +1,102 @@
+"""numpy arrays and the library's tables, points and pixels."""
+
+from __future__ import annotations
+
+import ctypes
+from typing import Any, Optional
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ._handle import Resource
+from ._library import Image, View
+
+Points = NDArray[np.float64]
+_dtypes: dict[int, type[np.generic]] = {1: np.uint8, 2: np.uint32, 3: np.float32, 4: np.float64}
+_formats = {(3, "u1"): 0, (4, "u1"): 1, (3, "u2"): 2, (4, "u2"): 3}
+
+
+class Export:
+    """Memory of a resource that arrays look at: alive as long as one of them."""
+
+    def __init__(self, view: View, owner: Resource) -> None:
+        self.owner = owner
+        dtype = np.dtype(_dtypes[view.type])
+        self.__array_interface__ = {
+            "version": 3,
+            "shape": (view.rows, view.columns),
+            "typestr": dtype.str,
+            "data": (view.data, True),
+            "strides": (view.row_bytes, dtype.itemsize),
+        }
+
+
+def empty_table(view: View) -> NDArray[Any]:
+    table: NDArray[Any] = np.empty((0, view.columns), _dtypes[view.type])
+    table.flags.writeable = False
+    return table
+
+
+def copied(view: View) -> NDArray[Any]:
+    """A table of its own."""
+    table: NDArray[Any] = np.empty((view.rows, view.columns), _dtypes[view.type])
+    if view.rows:
+        row = view.columns * table.itemsize
+        assert view.row_bytes == row
+        ctypes.memmove(table.ctypes.data, view.data, view.rows * row)
+    return table
+
+
+def numbers(values: ArrayLike, what: str) -> NDArray[np.float64]:
+    """Real numbers as doubles. TypeError: other things."""
+    array = np.asarray(values)
+    if array.dtype.kind not in "fiu":
+        raise TypeError(f"{what}: expected real numbers, not {array.dtype}")
+    return np.ascontiguousarray(array, np.float64)
+
+
+def rows_of(values: ArrayLike, columns: int, what: str) -> NDArray[np.float64]:
+    """n × columns doubles. ValueError: another shape."""
+    array = numbers(values, what)
+    if array.shape == (0,):
+        array = array.reshape(0, columns)
+    if array.ndim != 2 or array.shape[1] != columns:
+        raise ValueError(f"{what}: expected the shape (n, {columns}), not {array.shape}")
+    return array
+
+
+def fixed(array: NDArray[Any]) -> NDArray[Any]:
+    """A copy of what a document has: to write into it would change nothing there."""
+    array.flags.writeable = False
+    return array
+
+
+def pixels_of(array: NDArray[Any], what: str) -> Image:
+    """Rows of pixels, in place. The array is to be held as long as this."""
+    if not isinstance(array, np.ndarray):
+        raise TypeError(f"{what}: expected a numpy array, not {type(array).__name__}")
+    if array.dtype not in (np.dtype(np.uint8), np.dtype(np.uint16)):
+        raise TypeError(f"{what}: expected uint8 or uint16 of this machine, not {array.dtype}")
+    if array.ndim != 3 or array.shape[2] not in (3, 4) or 0 in array.shape:
+        raise ValueError(f"{what}: expected the shape (height, width, 3 or 4), not {array.shape}")
+    height, width, channels = array.shape
+    if max(height, width) > 0x7FFFFFFF:
+        raise ValueError(f"{what}: more than 2147483647 pixels to a side")
+    row = width * channels * array.itemsize
+    step = array.strides[0] if height > 1 else row
+    if array.strides[1:] != (channels * array.itemsize, array.itemsize) or step < row:
+        raise ValueError(f"{what}: the pixels of a row are not one behind the other")
+    kind = _formats[channels, array.dtype.str[1:]]
+    return Image(array.ctypes.data, step, width, height, kind)
+
+
+def picture_of(image: ArrayLike, what: str) -> NDArray[Any]:
+    """What is looked at, as rows of pixels, copied where it must be."""
+    array = np.asarray(image)
+    if array.ndim == 2 and array.dtype.kind == "u":
+        array = np.repeat(array[:, :, None], 3, axis=2)
+    return np.ascontiguousarray(array)
+
+
+def address_of(array: Optional[NDArray[Any]]) -> Optional[int]:
+    return None if array is None or array.size == 0 else int(array.ctypes.data)

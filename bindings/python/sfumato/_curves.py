@@ -1,0 +1,338 @@
+"""Layers, curves and sides of a document. What they are is in the document alone."""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Sequence as AbstractSequence
+from typing import TYPE_CHECKING, Any, Callable, Optional, Union, overload
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _library
+from ._arrays import address_of, copied, fixed, rows_of
+from ._colors import KINDS, OPEN, STOPS, Colors, Given, colors_given, scalars_given
+from ._errors import UsageError, text_of
+from ._library import View, lib
+
+if TYPE_CHECKING:
+    from ._document import Document
+
+_attributes = {"color": 0, "opacity": 1, "blur": 2}
+_spaces = ("length", "pieces")
+Scalars = Union[None, str, ArrayLike]
+
+
+class Layer:
+    """A layer of a document: curves whose colours mix."""
+
+    def __init__(self, document: "Document", index: int) -> None:
+        self._document, self._index = document, index
+
+    @property
+    def document(self) -> "Document":
+        return self._document
+
+    @property
+    def index(self) -> int:
+        return self._index
+
+    @property
+    def id(self) -> str:
+        """Perhaps ""."""
+        held = self._document._held()
+        with held.lock:
+            return text_of(lib.sfumato_layer_id(held.address, self._index))
+
+    def _count(self) -> int:
+        """While the document is used."""
+        return int(lib.sfumato_curve_count(self._document._held().address, self._index))
+
+    @property
+    def curves(self) -> "Curves":
+        """The curves in drawing order, those of now."""
+        return Curves(self)
+
+    def add(
+        self,
+        points: ArrayLike,
+        left: Colors = None,
+        right: Colors = None,
+        *,
+        blur: Scalars = None,
+        opacity: Scalars = None,
+        at: Optional[int] = None,
+    ) -> "Curve":
+        """Adds a curve. points: 3 n + 1 control points of n Bézier pieces, shape (3 n + 1, 2), in the
+        layer's units. left, right, blur, opacity: as Side.colors and its kin; blur and opacity are
+        those of both sides. at: before that curve [behind all]."""
+        document, xy = self._document, rows_of(points, 2, "points")
+        # All that can be wrong with the sides is found before anything changes.
+        given = [
+            (side, attribute, value)
+            for side in (0, 1)
+            for attribute, value in (
+                ("color", colors_given((left, right)[side])),
+                ("opacity", scalars_given(opacity, "opacity")),
+                ("blur", scalars_given(blur, "blur")),
+            )
+            if value.kind != OPEN
+        ]
+        added: list[Curve] = []
+
+        def place() -> tuple[int, int]:
+            count = self._count()
+            if at is not None and not 0 <= at <= count:
+                raise IndexError(f"there is no place {at} among {count} curves")
+            return self._index, count if at is None else at
+
+        def keep() -> None:
+            where = self._count() - 1 if at is None else at
+            document._moved(self._index, where, 1)
+            added.append(document._curve(self, where))
+
+        rest = (address_of(xy), len(xy))
+        document._session.edit("insert_curve", document._held(), place, rest, keep)
+        curve = added[0]
+        try:
+            for side, attribute, value in given:
+                (curve.left, curve.right)[side]._give(attribute, value)
+        except BaseException:
+            curve.remove()
+            raise
+        return curve
+
+    def __repr__(self) -> str:
+        return f"<Layer {self._index} {self.id!r}: {len(self.curves)} curves>"
+
+
+class Curves(AbstractSequence):  # type: ignore[type-arg]
+    """The curves of a layer, as a sequence: those that are there at each step."""
+
+    def __init__(self, layer: Layer) -> None:
+        self._layer = layer
+
+    def __len__(self) -> int:
+        with self._layer._document._held().lock:
+            return self._layer._count()
+
+    @overload
+    def __getitem__(self, index: int) -> "Curve": ...
+    @overload
+    def __getitem__(self, index: slice) -> "list[Curve]": ...
+    def __getitem__(self, index: Union[int, slice]) -> "Union[Curve, list[Curve]]":
+        if isinstance(index, slice):
+            return [self[i] for i in range(*index.indices(len(self)))]
+        with self._layer._document._held().lock:
+            count = self._layer._count()
+            if not -count <= index < count:
+                raise IndexError(f"there is no curve {index} among {count}")
+            return self._layer._document._curve(self._layer, index % count)
+
+
+class Curve:
+    """A diffusion curve. It stays the same one when curves before it are added or removed; once it is
+    removed itself, every use raises ValueError."""
+
+    def __init__(self, layer: Layer, index: int) -> None:
+        self._layer = layer
+        self._index: Optional[int] = index
+
+    @property
+    def layer(self) -> Layer:
+        return self._layer
+
+    @property
+    def index(self) -> int:
+        """Its place in the layer's drawing order."""
+        if self._index is None:
+            raise ValueError("this curve was removed")
+        return self._index
+
+    def _place(self) -> tuple[int, int]:
+        return self._layer._index, self.index
+
+    def _edit(self, name: str, *rest: Any, after: Optional[Callable[[], None]] = None) -> None:
+        document = self._layer._document
+        document._session.edit(name, document._held(), self._place, rest, after)
+
+    @property
+    def id(self) -> str:
+        """Perhaps ""."""
+        held = self._layer._document._held()
+        with held.lock:
+            return text_of(lib.sfumato_curve_id(held.address, *self._place()))
+
+    @property
+    def points(self) -> NDArray[np.float64]:
+        """3 n + 1 control points of n Bézier pieces, in units of the layer: (3 n + 1) × 2. A copy that
+        cannot be written to: to move the curve, set it."""
+        view = View()
+        held = self._layer._document._held()
+        with held.lock:
+            lib.sfumato_curve_points(held.address, *self._place(), ctypes.byref(view))
+            return fixed(copied(view))
+
+    @points.setter
+    def points(self, points: ArrayLike) -> None:
+        xy = rows_of(points, 2, "points")
+        self._edit("set_curve_points", address_of(xy), len(xy))
+
+    @property
+    def weight(self) -> float:
+        """How strongly it counts beside others, above 0; usually 1."""
+        held = self._layer._document._held()
+        with held.lock:
+            return float(lib.sfumato_curve_weight(held.address, *self._place()))
+
+    @weight.setter
+    def weight(self, weight: float) -> None:
+        self._edit("set_curve_weight", float(weight))
+
+    @property
+    def left(self) -> "Side":
+        """The side to the left, on the screen, of who walks along it. To set it is to set its colours,
+        or with a Side all that this one bears."""
+        return Side(self, 0)
+
+    @left.setter
+    def left(self, colors: "Union[Side, Colors]") -> None:
+        Side(self, 0)._take(colors)
+
+    @property
+    def right(self) -> "Side":
+        """The side to the right; see left."""
+        return Side(self, 1)
+
+    @right.setter
+    def right(self, colors: "Union[Side, Colors]") -> None:
+        Side(self, 1)._take(colors)
+
+    @property
+    def blur(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Side.blur of the left and the right; to set it is to set both."""
+        return self.left.blur, self.right.blur
+
+    @blur.setter
+    def blur(self, radii: Scalars) -> None:
+        self.left.blur = radii  # type: ignore[assignment]
+        self.right.blur = radii  # type: ignore[assignment]
+
+    @property
+    def opacity(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Side.opacity of the left and the right; to set it is to set both."""
+        return self.left.opacity, self.right.opacity
+
+    @opacity.setter
+    def opacity(self, opacities: Scalars) -> None:
+        self.left.opacity = opacities  # type: ignore[assignment]
+        self.right.opacity = opacities  # type: ignore[assignment]
+
+    def remove(self) -> None:
+        """Takes it out of its document."""
+        document = self._layer._document
+
+        def forget() -> None:
+            document._moved(*self._place(), -1)
+
+        self._edit("remove_curve", after=forget)
+
+    def __repr__(self) -> str:
+        if self._index is None:
+            return "<Curve, removed>"
+        return f"<Curve {self._index} {self.id!r}: {len(self.points)} points>"
+
+
+class Side:
+    """What one side of a curve bears: colours, opacities and radii of blur, each as stops along the
+    curve. Arrays are copies that cannot be written to; set them to change the side.
+
+    Offsets are shares of the curve's length, 0 to 1, or for a space of "pieces" Bézier pieces: i + t.
+    """
+
+    def __init__(self, curve: Curve, side: int) -> None:
+        self._curve, self._side = curve, side
+
+    @property
+    def colors(self) -> NDArray[np.float64]:
+        """n × 4: offset, red, green, blue, all 0 to 1 (sRGB code values).
+
+        May be set to colours (names of CSS or 3 numbers each), which are spread evenly; to n × 3
+        numbers, the same; to n × 4, as here; to the text of sf:left ("gold, #f06 60%, teal"); to "none":
+        rays end there and get no colour; to None: open, rays pass."""
+        return self.stops("color")[2]
+
+    @colors.setter
+    def colors(self, colors: Colors) -> None:
+        self._give("color", colors_given(colors))
+
+    @property
+    def opacity(self) -> NDArray[np.float64]:
+        """n × 2: offset, opacity from 0 to 1. May be set to a number, to n numbers, which are spread
+        evenly, to n × 2, to "none" or to None: as colors."""
+        return self.stops("opacity")[2]
+
+    @opacity.setter
+    def opacity(self, opacities: Scalars) -> None:
+        self._give("opacity", scalars_given(opacities, "opacity"))
+
+    @property
+    def blur(self) -> NDArray[np.float64]:
+        """n × 2: offset, radius in units of the layer. May be set to a number, to n numbers, which are
+        spread evenly, to n × 2, or to None: sharp."""
+        return self.stops("blur")[2]
+
+    @blur.setter
+    def blur(self, radii: Scalars) -> None:
+        self._give("blur", scalars_given(radii, "blur"))
+
+    def kind(self, attribute: str = "color") -> str:
+        """What the side is to "color", "opacity" or "blur": "open", "barrier" (rays end and get
+        nothing), "stops", or "paint" (a gradient or texture, which only files make)."""
+        return self.stops(attribute)[0]
+
+    def stops(self, attribute: str) -> tuple[str, str, NDArray[np.float64]]:
+        """Of "color", "opacity" or "blur": the kind, the space of the offsets, "length" or "pieces",
+        and the rows."""
+        which, columns = self._attribute(attribute)
+        kind, space = ctypes.c_int32(), ctypes.c_int32()
+        held = self._curve._layer._document._held()
+        with held.lock:
+            place = (*self._curve._place(), self._side, which)
+            count = lib.sfumato_curve_stops(held.address, *place, kind, space, None, 0)
+            rows = np.empty((count, columns))
+            lib.sfumato_curve_stops(held.address, *place, None, None, address_of(rows), count)
+        return KINDS[kind.value], _spaces[space.value], fixed(rows)
+
+    def set_stops(self, attribute: str, rows: ArrayLike, space: str = "length") -> None:
+        """Sets the stops of "color" (n × 4), "opacity" or "blur" (n × 2), with offsets in a space."""
+        _, columns = self._attribute(attribute)
+        if space not in _spaces:
+            raise UsageError(f'{space!r} is no space of offsets; expected "length" or "pieces"')
+        self._give(attribute, Given(STOPS, rows_of(rows, columns, attribute), True), space)
+
+    @staticmethod
+    def _attribute(attribute: str) -> tuple[int, int]:
+        if attribute not in _attributes:
+            raise UsageError(f'{attribute!r}: expected "color", "opacity" or "blur"')
+        return _attributes[attribute], 4 if attribute == "color" else 2
+
+    def _give(self, attribute: str, given: Given, space: Optional[str] = None) -> None:
+        """Rows with offsets stay in the space of those that are there."""
+        if space is None:
+            space = self.stops(attribute)[1] if given.has_offsets else "length"
+        self._curve._edit(
+            "set_curve_stops", self._side, _attributes[attribute], given.kind, _spaces.index(space),
+            address_of(given.rows), len(given.rows),
+        )
+
+    def _take(self, what: "Union[Side, Colors]") -> None:
+        if not isinstance(what, Side):
+            self.colors = what  # type: ignore[assignment]
+            return
+        for attribute in _attributes:
+            kind, space, rows = what.stops(attribute)
+            self._give(attribute, Given(KINDS.index(kind), rows, True), space)
+
+    def __repr__(self) -> str:
+        return f"<Side {('left', 'right')[self._side]}: {self.kind()}, {len(self.colors)} colours>"

@@ -1,0 +1,250 @@
+"""Pictures: solved drawings of no resolution, their tables, pixels and files."""
+
+from __future__ import annotations
+
+import base64
+import ctypes
+import io
+import os
+import sys
+import weakref
+from numbers import Integral
+from typing import TYPE_CHECKING, Any, Optional
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _library
+from ._arrays import Export, copied, empty_table, pixels_of
+from ._errors import UsageError
+from ._handle import Handle, Resource
+from ._library import View, lib
+from ._options import Option, encode
+from ._session import Session, session_of
+
+if TYPE_CHECKING:
+    from ._document import Box, Document, Path
+
+_statistics = (
+    "curves", "segments", "triangles", "vertices", "nodes",
+    "geometry_seconds", "triangulation_seconds", "gather_seconds", "waiting_nodes",
+)
+_tables = (
+    "vertices", "triangles", "curve_edges",
+    "color_nodes", "color_values", "opacity_nodes", "opacity_values",
+)
+
+
+class Picture(Handle):
+    """A solved document. The arrays of its tables are views of the library's memory, which keep that
+    alive; they cannot be written to."""
+
+    def __init__(self, resource: Resource, session: Optional[Session]) -> None:
+        super().__init__(resource)
+        self._given = session
+        self._exports: weakref.WeakSet[Export] = weakref.WeakSet()
+
+    @property
+    def _session(self) -> Session:
+        return session_of(self._given)
+
+    @property
+    def viewport(self) -> "Box":
+        """What was solved: x, y, width and height in user units."""
+        from ._document import box_of
+
+        held = self._held()
+        with held.lock:
+            return box_of(lib.sfumato_picture_viewport, held.address)
+
+    @property
+    def layer_count(self) -> int:
+        held = self._held()
+        with held.lock:
+            return int(lib.sfumato_picture_layer_count(held.address))
+
+    @property
+    def statistics(self) -> dict[str, float]:
+        """Of the last time that it was solved: counts, and seconds of the steps."""
+        held = self._held()
+        with held.lock:
+            return {
+                name: float(lib.sfumato_picture_statistic(held.address, i))
+                for i, name in enumerate(_statistics)
+            }
+
+    def render(
+        self,
+        width: Optional[int] = None,
+        height: Optional[int] = None,
+        *,
+        scale: Optional[float] = None,
+        depth: int = 8,
+        alpha: bool = False,
+        out: Optional[NDArray[Any]] = None,
+        **options: Option,
+    ) -> NDArray[Any]:
+        """Pixels: height × width × 3, or 4 with alpha (not premultiplied), sRGB; uint8, or uint16 with
+        depth=16.
+
+        width, height: in pixels; one of them follows from the other. scale: pixels to a user unit [1].
+        out: such an array, which is drawn into and returned; its rows may be apart, so that it may be
+        a part of a larger one. options: viewport=(x, y, width, height), background (a colour, "none"),
+        dither, no_antialias, mesh_overlay. A picture is as fine as solve() was told.
+        """
+        if out is None:
+            out = self._room(width, height, scale, depth, alpha, options.get("viewport"))
+        elif width is not None or height is not None or scale is not None:
+            raise TypeError("out has a size of its own")
+        pixels = pixels_of(out, "out")
+        if not out.flags.writeable:
+            raise ValueError("out cannot be written to")
+        if alpha and out.shape[2] != 4:
+            raise ValueError("out has no alpha")
+        held = self._held()
+        self._session.call(
+            "raster", held.address, ctypes.byref(pixels), encode(options), reads=held, slow=True
+        )
+        return out
+
+    def _room(
+        self, width: Optional[int], height: Optional[int], scale: Optional[float], depth: int,
+        alpha: bool, viewport: Any,
+    ) -> NDArray[Any]:
+        if depth not in (8, 16):
+            raise UsageError(f"depth is 8 or 16 bits, not {depth}")
+        _, _, w, h = self.viewport if viewport is None else viewport
+        if not (w > 0 and h > 0):
+            raise UsageError("a viewport has a width and a height above 0")
+        if scale is not None and (width is not None or height is not None):
+            raise TypeError("expected a scale, or width and height")
+        for side in (width, height):
+            if side is not None and not isinstance(side, Integral):
+                raise TypeError(f"width and height are whole numbers, not {type(side).__name__}")
+        by = scale or 1.0
+        if width is not None or height is not None:
+            by = width / w if width is not None else height / h
+        across = width if width is not None else max(round(w * by), 1)
+        down = height if height is not None else max(round(h * by), 1)
+        if not (0 < across < 2**31 and 0 < down < 2**31):
+            raise UsageError(f"there are no pictures of {across} x {down} pixels")
+        channels, kind = 4 if alpha else 3, np.dtype(np.uint8 if depth == 8 else np.uint16)
+        if down * across * channels * kind.itemsize > sys.maxsize:
+            raise MemoryError(f"no memory holds {across} x {down} pixels")
+        return np.empty((down, across, channels), kind)
+
+    def to_bytes(self, format: str, **options: Option) -> bytes:
+        """A file: png, jpg, webp, html, pdf, eps, svg or glb. options: width, height, scale,
+        background; of pixels also viewport, depth, dither, quality, lossless, no_antialias,
+        mesh_overlay; of others dpi, svg, force, pdf_flatten, title. What the format cannot show is a
+        DrawingWarning."""
+        if not isinstance(format, str):
+            raise TypeError(f"a format is text, not {type(format).__name__}")
+        held, session = self._held(), self._session
+        data = session.make_bytes(
+            "export", held.address, format.replace("\0", "?").encode("utf-8", "replace"),
+            encode(options), reads=held, slow=True,
+        )
+        session.warn()
+        return data
+
+    def save(self, path: "Path", **options: Option) -> None:
+        """Writes a file of the kind that its name says; options as of to_bytes()."""
+        data = self.to_bytes(os.path.splitext(os.fspath(path))[1][1:], **options)
+        with io.open(path, "wb") as file:
+            file.write(data)
+
+    def vertices(self, layer: int = 0) -> NDArray[np.float64]:
+        """n × 2: positions in the frame of the layer."""
+        return self._table(layer, _library.VERTICES)
+
+    def triangles(self, layer: int = 0) -> NDArray[np.uint32]:
+        """m × 3: rows of vertices()."""
+        return self._table(layer, _library.TRIANGLES)
+
+    def curve_edges(self, layer: int = 0) -> NDArray[np.uint8]:
+        """m × 3: 1 where colours may jump across the edge of the triangle."""
+        return self._table(layer, _library.CURVE_EDGES)
+
+    def color_nodes(self, layer: int = 0) -> NDArray[np.uint32]:
+        """m × 10: rows of color_values(), the nodes of a cubic patch each."""
+        return self._table(layer, _library.COLOR_NODES)
+
+    def color_values(self, layer: int = 0) -> NDArray[np.float32]:
+        """k × 3 or more: a colour in the space in which the document mixes, then the weight of each
+        gradient and texture of the layer."""
+        return self._table(layer, _library.COLOR_VALUES)
+
+    def opacity_nodes(self, layer: int = 0) -> NDArray[np.uint32]:
+        """m × 10: rows of opacity_values(); none where the layer is opaque."""
+        return self._table(layer, _library.OPACITY_NODES)
+
+    def opacity_values(self, layer: int = 0) -> NDArray[np.float32]:
+        """k × 1 or more: an opacity, then the weight of each gradient and texture."""
+        return self._table(layer, _library.OPACITY_VALUES)
+
+    def changes(self, table: str, layer: int = 0) -> NDArray[np.uint32]:
+        """k × 2: which rows of a table, as "color_values", the last solve(again=…) made anew: from and
+        up to. A copy."""
+        if table not in _tables:
+            raise UsageError(f"{table!r} is no table; expected one of {', '.join(_tables)}")
+        view = View()
+        held = self._held()
+        with held.lock:
+            self._check_layer(held.address, layer)
+            lib.sfumato_picture_changes(held.address, layer, _tables.index(table), ctypes.byref(view))
+            return copied(view)
+
+    def _table(self, layer: int, table: int) -> NDArray[Any]:
+        held, view = self._held(), View()
+        held = self._held()
+        with held.lock:
+            self._check_layer(held.address, layer)
+            lib.sfumato_picture_table(held.address, layer, table, ctypes.byref(view))
+            if view.rows == 0:
+                return empty_table(view)
+            export = Export(view, held)
+            self._exports.add(export)
+        return np.asarray(export)
+
+    @staticmethod
+    def _check_layer(address: int, layer: int) -> None:
+        count = lib.sfumato_picture_layer_count(address)
+        if not 0 <= layer < count:
+            raise IndexError(f"there is no layer {layer} among {count}")
+
+    def _solve_again(self, document: "Document", of: Resource, quick: bool) -> None:
+        held = self._held()
+        if len(self._exports) > 0:
+            raise BufferError("arrays look at this picture's tables: copy them, or let go of them")
+        document._session.call(
+            "solve_again", of.address, int(quick), held.address, reads=of, changes=held, slow=True
+        )
+
+    def _repr_png_(self) -> bytes:
+        _, _, width, height = self.viewport
+        scale = min(max(1.0, 512 / max(width, height)), 2048 / max(width, height))
+        return self.to_bytes("png", scale=scale)
+
+    def interactive(self, height: int = 480) -> "Interactive":
+        """For notebooks: the viewer in a frame, to zoom into; 150 kB and more. What a cell shows by
+        itself is a PNG."""
+        page = base64.b64encode(self.to_bytes("html")).decode()
+        return Interactive(
+            f'<iframe src="data:text/html;base64,{page}" sandbox="allow-scripts" title="picture"'
+            f' style="width:100%;height:{int(height)}px;border:0" allow="fullscreen"></iframe>'
+        )
+
+    def __repr__(self) -> str:
+        if self.freed:
+            return "<Picture, freed>"
+        _, _, width, height = self.viewport
+        count = int(self.statistics["triangles"])
+        return f"<Picture {width:g} x {height:g}: {self.layer_count} layers, {count} triangles>"
+
+
+class Interactive(str):
+    """HTML that notebooks show."""
+
+    def _repr_html_(self) -> str:
+        return str(self)

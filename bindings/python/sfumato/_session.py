@@ -1,0 +1,248 @@
+"""Sessions: threads, budgets, progress and cancelling; every call of the library goes through one."""
+
+from __future__ import annotations
+
+import contextlib
+import ctypes
+import functools
+import os
+import threading
+import time
+import warnings
+import weakref
+from typing import Any, Callable, Iterator, Mapping, Optional
+
+from . import _library
+from ._errors import DrawingWarning, Error, error_of, text_of
+from ._flight import Flight
+from ._handle import Lease, Resource
+from ._library import lib
+from ._options import Option, encode
+
+Progress = Callable[[str, float], object]
+
+_WAIT = 0.001  # seconds, between looks at whether others have ended
+
+
+class Session:
+    """Threads, memory and time that work may take.
+
+    threads: how many [all cores]. max_memory: MiB of work and of what is made in the session [2048].
+    max_time: seconds that a call may take. limits: of an input, by the names of docs/limits.md.
+    simd: "sse2", "avx2" or "avx512". progress: called with a stage ("gather") and a fraction from 0
+    to 1, in the thread that works with Sfumato; what it raises ends the work and comes out of the
+    call. It may call cancel() and nothing else of the session.
+
+    Every function takes a session, or works in one of its own for each thread. A session does one
+    thing at a time, others wait. Ctrl+C ends what the main thread does, within about 50 ms.
+    """
+
+    def __init__(
+        self,
+        *,
+        threads: Optional[int] = None,
+        max_memory: Optional[int] = None,
+        max_time: Optional[float] = None,
+        limits: Optional[Mapping[str, int]] = None,
+        simd: Optional[str] = None,
+        progress: Optional[Progress] = None,
+    ) -> None:
+        options: dict[str, Option] = {
+            "threads": threads,
+            "max-memory": max_memory,
+            "max-time": max_time,
+            "simd": simd,
+            **{f"limit.{name}": value for name, value in (limits or {}).items()},
+        }
+        if progress is not None and not callable(progress):
+            raise TypeError("progress is a function of a stage and a fraction")
+        address = lib.sfumato_context_new(encode(options))
+        if not address:
+            raise MemoryError("no memory for a session")
+        self._context: int = address
+        weakref.finalize(self, lib.sfumato_context_free, address).atexit = False
+        if lib.sfumato_error_text(address):
+            raise error_of(address, _library.BAD_USAGE) or Error("no session")
+        self.progress = progress
+        self._process = os.getpid()
+        self._one = threading.RLock()
+        self._flight: Optional[Flight] = None
+        self._is_lent = False  # to a callback that may use it
+        self._cancelled = False
+
+    def cancel(self) -> None:
+        """From any thread, or in a callback: ends what runs, and all that follows until resume(), with
+        Cancelled."""
+        self._cancelled = True
+        lib.sfumato_cancel(self._context)
+
+    def resume(self) -> None:
+        """Lets the session work again."""
+        self._cancelled = False
+        lib.sfumato_resume(self._context)
+
+    @property
+    def cancelled(self) -> bool:
+        """Whether cancel() was called, and resume() not yet."""
+        return self._cancelled
+
+    # What follows is for this package.
+
+    def call(
+        self,
+        name: str,
+        *arguments: Any,
+        reads: Optional[Resource] = None,
+        changes: Optional[Resource] = None,
+        slow: bool = False,
+    ) -> None:
+        """Calls sfumato_NAME with the context and these arguments, or raises what it ends by.
+
+        slow: it may take long, so it hears interrupts and tells of progress.
+        """
+        if reads is None:
+            return self._change(name, arguments, changes, slow)
+        lease = Lease()
+        with self._turn():
+            try:
+                with reads.lock:
+                    reads.leases.add(lease)
+                self._change(name, arguments, changes, slow)
+            finally:
+                reads.leases.discard(lease)
+
+    def _change(
+        self, name: str, arguments: tuple[Any, ...], changes: Optional[Resource], slow: bool
+    ) -> None:
+        with self._turn():
+            if changes is None:
+                return self._do(name, arguments, slow)
+            while True:
+                with changes.lock:
+                    if not changes.is_read():
+                        try:
+                            changes.changing = threading.get_ident()
+                            return self._do(name, arguments, slow)
+                        finally:
+                            changes.changing = 0
+                time.sleep(_WAIT)
+
+    def edit(
+        self,
+        name: str,
+        resource: Resource,
+        place: Callable[[], tuple[Any, ...]],
+        rest: tuple[Any, ...],
+        after: Optional[Callable[[], None]] = None,
+    ) -> None:
+        """Changes a resource: place() is asked, and after() is called, while nobody else uses it."""
+        with self._turn():
+            while True:
+                with resource.lock:
+                    if not resource.is_read():
+                        self._do(name, (resource.address, *place(), *rest), False)
+                        return None if after is None else after()
+                time.sleep(_WAIT)
+
+    @contextlib.contextmanager
+    def _turn(self) -> Iterator[None]:
+        if self._process != os.getpid():
+            raise RuntimeError("this session belongs to the process from which this one was forked")
+        with self._one:
+            if self._flight is not None and not self._is_lent:
+                raise RuntimeError("a progress function may call cancel(), and nothing else")
+            yield
+
+    def _do(self, name: str, arguments: tuple[Any, ...], slow: bool) -> None:
+        function = getattr(lib, "sfumato_" + name)
+        status = (self._fly if slow else _directly)(function, (self._context, *arguments))
+        error = error_of(self._context, status)
+        if error is not None:
+            raise error
+
+    def make(
+        self, name: str, free: Callable[[int], object], *arguments: Any, **how: Any
+    ) -> Resource:
+        """The same for calls that hand something out, which is given back by free()."""
+        out = ctypes.c_void_p()
+        try:
+            self.call(name, *arguments, ctypes.byref(out), **how)
+        except BaseException:
+            if out.value is not None:  # a callback raised, and the call went on to its end
+                free(out.value)
+            raise
+        assert out.value is not None
+        return Resource(out.value, free)
+
+    def make_bytes(self, name: str, *arguments: Any, **how: Any) -> bytes:
+        out = ctypes.c_void_p()
+        try:
+            self.call(name, *arguments, ctypes.byref(out), **how)
+            size = lib.sfumato_bytes_size(out.value)
+            return ctypes.string_at(lib.sfumato_bytes_data(out.value), size) if size else b""
+        finally:
+            lib.sfumato_bytes_free(out.value)
+
+    def ask(self, answer: Callable[[], Any]) -> Any:
+        """In a callback of a slow call: runs answer() in the thread that called, which may use the
+        session meanwhile."""
+        flight = self._flight
+        assert flight is not None
+
+        def lent() -> Any:
+            self._is_lent, was = True, self._is_lent
+            try:
+                return answer()
+            finally:
+                self._is_lent = was
+
+        return flight.ask(lent)
+
+    def warn(self, level: int = 3) -> None:
+        """Python's warnings for those of the last call."""
+        index = 0
+        while True:
+            words = lib.sfumato_warning(self._context, index)
+            if words is None:
+                return
+            warnings.warn(text_of(words), DrawingWarning, stacklevel=level + 1)
+            index += 1
+
+    def _fly(self, function: Callable[..., int], arguments: tuple[Any, ...]) -> int:
+        flight, outer = Flight(lambda: lib.sfumato_cancel(self._context)), self._flight
+        lent = self._is_lent
+        self._flight, self._is_lent = flight, False
+        told = None
+        if self.progress is not None and outer is None:
+            told = _library.PROGRESS(self._tell)
+            lib.sfumato_set_progress(self._context, told, None)
+        try:
+            return flight.run(function, arguments)
+        finally:
+            self._flight, self._is_lent = outer, lent
+            if told is not None:
+                lib.sfumato_set_progress(self._context, _library.PROGRESS(0), None)
+            if not self._cancelled:
+                lib.sfumato_resume(self._context)
+
+    def _tell(self, _: Any, stage: bytes, fraction: float) -> None:
+        flight, hears = self._flight, self.progress
+        if flight is not None and hears is not None:
+            flight.tell(functools.partial(hears, stage.decode(), fraction))
+
+
+def _directly(function: Callable[..., int], arguments: tuple[Any, ...]) -> int:
+    return function(*arguments)
+
+
+_own = threading.local()
+
+
+def session_of(given: Optional[Session]) -> Session:
+    """The one that is given, or that of the thread."""
+    if given is not None:
+        return given
+    if not hasattr(_own, "session") or _own.session._process != os.getpid():
+        _own.session = Session()
+    found: Session = _own.session
+    return found

@@ -1,0 +1,122 @@
+"""What is installed: its libraries, its signatures, its documents and examples."""
+
+from __future__ import annotations
+
+import ctypes
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import sfumato
+from conftest import EXAMPLES, ROOT
+from sfumato import _library
+
+FOLDER = Path(sfumato.__file__).parent
+# Set by who tests an installed package; without it the checkout's text may be tested alone.
+INSTALLED = os.environ.get("SFUMATO_INSTALLED") == "1"
+
+
+@pytest.mark.skipif(not INSTALLED, reason="the text of the checkout carries no libraries")
+def test_the_package_carries_its_libraries():
+    assert ROOT / "bindings" not in FOLDER.parents
+    with open("/proc/self/maps") as maps:
+        loaded = {line.split()[-1] for line in maps if ".so" in line}
+    for name in ("sfumato", "tbb", "pugixml", "spng", "webp"):
+        of_it = {path for path in loaded if Path(path).name.startswith(f"lib{name}.so")}
+        assert of_it and {Path(path).parent for path in of_it} == {FOLDER}, of_it
+    assert (FOLDER / "licences" / "sfumato.txt").is_file()
+    assert (FOLDER / "py.typed").is_file()
+
+
+def declarations():
+    """Of the header: what functions return and how many things they take."""
+    header = (ROOT / "include" / "sfumato" / "sfumato.h").read_text()
+    found = {}
+    for result, name, arguments in re.findall(
+        r"^SFUMATO_API ([^()]*?)\bsfumato_([a-z_]+)\(([^;]*)\);", header, re.MULTILINE
+    ):
+        given = [a for a in arguments.split(",") if a.strip() != "void"]
+        found[name] = (result.strip(), [" ".join(a.split()) for a in given])
+    return found
+
+
+def kind_of(declared):
+    """How ctypes names it: the size of a number, or a pointer."""
+    sizes = {"int32_t": ("i", 4), "uint32_t": ("u", 4), "size_t": ("u", ctypes.sizeof(ctypes.c_size_t)),
+             "double": ("f", 8), "void": None}
+    if "*" in declared or "[" in declared or "progress_fn" in declared:
+        return "pointer"
+    word = declared.replace("const ", "").split()[0]
+    return sizes[word]
+
+
+def kind_of_ctype(ctype):
+    if ctype is None:
+        return None
+    if ctype in (ctypes.c_void_p, ctypes.c_char_p) or not hasattr(ctype, "_type_"):
+        return "pointer"
+    if issubclass(ctype, ctypes._Pointer) or issubclass(ctype, ctypes._CFuncPtr):
+        return "pointer"
+    letter = "f" if ctype is ctypes.c_double else "i" if ctype is ctypes.c_int32 else "u"
+    return letter, ctypes.sizeof(ctype)
+
+
+def test_signatures_are_those_of_the_header():
+    declared = declarations()
+    assert len(declared) > 50
+    for name, (result, *arguments) in _library._signatures.items():
+        of_it, takes = declared[name]
+        assert kind_of_ctype(result) == kind_of(of_it), name
+        assert [kind_of_ctype(a) for a in arguments] == [kind_of(a) for a in takes], name
+
+
+def snippets(document):
+    return re.findall(r"^```python\n(.*?)^```", document.read_text(), re.MULTILINE | re.DOTALL)
+
+
+@pytest.mark.parametrize("name", ["bindings/python/README.md", "docs/python.md"])
+def test_programs_of_the_documents_run(name, tmp_path, monkeypatch):
+    (tmp_path / "examples").symlink_to(EXAMPLES)
+    monkeypatch.chdir(tmp_path)
+    names: dict[str, object] = {}
+    programs = snippets(ROOT / name)
+    assert programs
+    for program in programs:
+        exec(compile(program, name, "exec"), names)
+    image = names["image"]
+    assert image.ndim == 3 and len(list(tmp_path.glob("*.pdf"))) == 1  # type: ignore[attr-defined]
+
+
+def run_example(name, *arguments):
+    script = ROOT / "bindings" / "python" / "examples" / name
+    done = subprocess.run(
+        [sys.executable, str(script), *map(str, arguments)], capture_output=True, text=True, timeout=300
+    )
+    assert done.returncode == 0, done.stderr
+    return [float(number) for number in re.findall(r"\d+\.\d+", done.stdout)]
+
+
+def test_the_example_fits_colours_to_a_photo(tmp_path):
+    pytest.importorskip("PIL.Image")
+    before, after = run_example("fit_photo.py", EXAMPLES / "photos" / "lake.jpg", tmp_path / "out.svg")
+    assert after < before / 4
+    assert len(sfumato.open(tmp_path / "out.svg").layers[0].curves) > 100
+
+
+def test_the_example_moves_a_curve(tmp_path):
+    before, after, away = run_example("optimize.py", tmp_path / "out.svg")
+    assert before > 20 and after < 0.1 and away < 0.1
+
+
+def test_a_library_that_is_none_is_an_import_error(tmp_path):
+    (tmp_path / "none.so").write_bytes(b"no library")
+    for path, words in ((tmp_path / "none.so", "cannot be loaded"), ("libc.so.6", "too old")):
+        done = subprocess.run(
+            [sys.executable, "-c", "import sfumato"], capture_output=True, text=True,
+            env={**os.environ, "SFUMATO_LIBRARY": str(path)},
+        )
+        assert done.returncode == 1 and "ImportError" in done.stderr and words in done.stderr
