@@ -1,3 +1,6 @@
+#include <cstddef>
+#include <cstdint>
+
 #include "sfumato/base/color_space.hpp"
 #include "sfumato/sfumato.h"
 

@@ -14,6 +14,7 @@ from ._arrays import address_of, copied, fixed, rows_of
 from ._colors import KINDS, OPEN, STOPS, Colors, Given, colors_given, scalars_given
 from ._errors import UsageError, text_of
 from ._library import View, lib
+from ._settable import Settable
 
 if TYPE_CHECKING:
     from ._document import Document
@@ -163,8 +164,7 @@ class Curve:
         with held.lock:
             return text_of(lib.sfumato_curve_id(held.address, *self._place()))
 
-    @property
-    def points(self) -> NDArray[np.float64]:
+    def _get_points(self) -> NDArray[np.float64]:
         """3 n + 1 control points of n Bézier pieces, in units of the layer: (3 n + 1) × 2. A copy that
         cannot be written to: to move the curve, set it."""
         view = View()
@@ -173,10 +173,11 @@ class Curve:
             lib.sfumato_curve_points(held.address, *self._place(), ctypes.byref(view))
             return fixed(copied(view))
 
-    @points.setter
-    def points(self, points: ArrayLike) -> None:
+    def _set_points(self, points: ArrayLike) -> None:
         xy = rows_of(points, 2, "points")
         self._edit("set_curve_points", address_of(xy), len(xy))
+
+    points = Settable(_get_points, _set_points)
 
     @property
     def weight(self) -> float:
@@ -189,44 +190,44 @@ class Curve:
     def weight(self, weight: float) -> None:
         self._edit("set_curve_weight", float(weight))
 
-    @property
-    def left(self) -> "Side":
+    def _get_left(self) -> "Side":
         """The side to the left, on the screen, of who walks along it. To set it is to set its colours,
         or with a Side all that this one bears."""
         return Side(self, 0)
 
-    @left.setter
-    def left(self, colors: "Union[Side, Colors]") -> None:
+    def _set_left(self, colors: "Union[Side, Colors]") -> None:
         Side(self, 0)._take(colors)
 
-    @property
-    def right(self) -> "Side":
+    left = Settable(_get_left, _set_left)
+
+    def _get_right(self) -> "Side":
         """The side to the right; see left."""
         return Side(self, 1)
 
-    @right.setter
-    def right(self, colors: "Union[Side, Colors]") -> None:
+    def _set_right(self, colors: "Union[Side, Colors]") -> None:
         Side(self, 1)._take(colors)
 
-    @property
-    def blur(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    right = Settable(_get_right, _set_right)
+
+    def _get_blur(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Side.blur of the left and the right; to set it is to set both."""
         return self.left.blur, self.right.blur
 
-    @blur.setter
-    def blur(self, radii: Scalars) -> None:
-        self.left.blur = radii  # type: ignore[assignment]
-        self.right.blur = radii  # type: ignore[assignment]
+    def _set_blur(self, radii: Scalars) -> None:
+        self.left.blur = radii
+        self.right.blur = radii
 
-    @property
-    def opacity(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    blur = Settable(_get_blur, _set_blur)
+
+    def _get_opacity(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Side.opacity of the left and the right; to set it is to set both."""
         return self.left.opacity, self.right.opacity
 
-    @opacity.setter
-    def opacity(self, opacities: Scalars) -> None:
-        self.left.opacity = opacities  # type: ignore[assignment]
-        self.right.opacity = opacities  # type: ignore[assignment]
+    def _set_opacity(self, opacities: Scalars) -> None:
+        self.left.opacity = opacities
+        self.right.opacity = opacities
+
+    opacity = Settable(_get_opacity, _set_opacity)
 
     def remove(self) -> None:
         """Takes it out of its document."""
@@ -253,8 +254,7 @@ class Side:
     def __init__(self, curve: Curve, side: int) -> None:
         self._curve, self._side = curve, side
 
-    @property
-    def colors(self) -> NDArray[np.float64]:
+    def _get_colors(self) -> NDArray[np.float64]:
         """n × 4: offset, red, green, blue, all 0 to 1 (sRGB code values).
 
         May be set to colours (names of CSS or 3 numbers each), which are spread evenly; to n × 3
@@ -262,29 +262,30 @@ class Side:
         rays end there and get no colour; to None: open, rays pass."""
         return self.stops("color")[2]
 
-    @colors.setter
-    def colors(self, colors: Colors) -> None:
+    def _set_colors(self, colors: Colors) -> None:
         self._give("color", colors_given(colors))
 
-    @property
-    def opacity(self) -> NDArray[np.float64]:
+    colors = Settable(_get_colors, _set_colors)
+
+    def _get_opacity(self) -> NDArray[np.float64]:
         """n × 2: offset, opacity from 0 to 1. May be set to a number, to n numbers, which are spread
         evenly, to n × 2, to "none" or to None: as colors."""
         return self.stops("opacity")[2]
 
-    @opacity.setter
-    def opacity(self, opacities: Scalars) -> None:
+    def _set_opacity(self, opacities: Scalars) -> None:
         self._give("opacity", scalars_given(opacities, "opacity"))
 
-    @property
-    def blur(self) -> NDArray[np.float64]:
+    opacity = Settable(_get_opacity, _set_opacity)
+
+    def _get_blur(self) -> NDArray[np.float64]:
         """n × 2: offset, radius in units of the layer. May be set to a number, to n numbers, which are
         spread evenly, to n × 2, or to None: sharp."""
         return self.stops("blur")[2]
 
-    @blur.setter
-    def blur(self, radii: Scalars) -> None:
+    def _set_blur(self, radii: Scalars) -> None:
         self._give("blur", scalars_given(radii, "blur"))
+
+    blur = Settable(_get_blur, _set_blur)
 
     def kind(self, attribute: str = "color") -> str:
         """What the side is to "color", "opacity" or "blur": "open", "barrier" (rays end and get
@@ -328,7 +329,7 @@ class Side:
 
     def _take(self, what: "Union[Side, Colors]") -> None:
         if not isinstance(what, Side):
-            self.colors = what  # type: ignore[assignment]
+            self.colors = what
             return
         for attribute in _attributes:
             kind, space, rows = what.stops(attribute)
