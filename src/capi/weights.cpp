@@ -40,8 +40,8 @@ namespace {
 
 constexpr std::size_t kPointsPerTask = 1024;
 
-/// Calls sink(curve, side, stop, value) for each column, where a value is a colour in the space in
-/// which the document mixes or an opacity, with as many numbers.
+/// Calls sink(curve, side, stop_index, value) for each column, where a value is a colour in the
+/// space in which the document mixes or an opacity, with as many numbers.
 template <class Sink>
 void for_each_column(const Document& document, std::uint32_t layer, StopAttribute attribute,
                      Sink&& sink) {
@@ -49,15 +49,15 @@ void for_each_column(const Document& document, std::uint32_t layer, StopAttribut
   for (std::uint32_t c = 0; c < curves.size(); ++c) {
     for (const std::uint32_t s : {SFUMATO_LEFT, SFUMATO_RIGHT}) {
       const Side& side = s == SFUMATO_LEFT ? curves[c].left : curves[c].right;
-      std::uint32_t stop = 0;
+      std::uint32_t stop_index = 0;
       if (attribute == StopAttribute::opacity) {
         if (side.opacity.kind != ShaderKind::curve_domain) continue;
         for (const Stop<float>& at : side.opacity.stops.stops)
-          sink(c, s, stop++, std::array{at.value});
+          sink(c, s, stop_index++, std::array{at.value});
       } else if (side.color.kind == ShaderKind::curve_domain) {
         for (const Stop<Rgb>& at : side.color.stops.stops) {
           const Rgb color = from_srgb(document.interpolation, at.value);
-          sink(c, s, stop++, std::array{color.r, color.g, color.b});
+          sink(c, s, stop_index++, std::array{color.r, color.g, color.b});
         }
       }
     }
@@ -73,8 +73,8 @@ Status list_columns(const Context& context, const Document& document, std::uint3
   if (!status) return status;
   for_each_column(
       document, layer, weights.attribute,
-      [&](std::uint32_t curve, std::uint32_t side, std::uint32_t stop, const auto& value) {
-        weights.column_stop.push_back({curve, side, stop});
+      [&](std::uint32_t curve, std::uint32_t side, std::uint32_t stop_index, const auto& value) {
+        weights.column_stop.push_back({curve, side, stop_index});
         weights.column_value.insert(weights.column_value.end(), value.begin(), value.end());
       });
   return context.check();
