@@ -22,33 +22,39 @@ target_link_libraries(sfumato_library PUBLIC TBB::tbb
   ${CMAKE_DL_LIBS})
 # The number of SFUMATO_ABI in sfumato.h.
 set(sfumato_abi 1)
-add_library(sfumato_c SHARED)
+# sfumato_shared(NAME [EXCLUDE_FROM_ALL]): the C interface as a shared library. Its symbols are those alone,
+# under the version node of their ABI.
+set(exports ${PROJECT_SOURCE_DIR}/src/capi/exports.map)
+function(sfumato_shared name)
+  add_library(${name} SHARED ${ARGN})
+  set_target_properties(${name} PROPERTIES OUTPUT_NAME sfumato LINKER_LANGUAGE CXX
+    VERSION ${sfumato_abi}.${PROJECT_VERSION} SOVERSION ${sfumato_abi} LINK_DEPENDS ${exports})
+  foreach(folder ${library_folders})
+    # Callers hand pixels in: the reader of photos, and its libraries, would be dead weight.
+    target_sources(${name} PRIVATE $<FILTER:$<TARGET_OBJECTS:sfumato_${folder}>,EXCLUDE,/codecs/photo[^/]*$>)
+  endforeach()
+  target_link_libraries(${name} PRIVATE TBB::tbb pugixml::pugixml PkgConfig::SPNG PkgConfig::WEBP
+    ZLIB::ZLIB JPEG::JPEG ${CMAKE_DL_LIBS})
+  target_link_options(${name} PRIVATE -Wl,--version-script=${exports} -Wl,--gc-sections
+    -Wl,--as-needed -Wl,--exclude-libs,ALL)
+  if(SFUMATO_SANITIZE)
+    target_link_options(${name} PUBLIC -fsanitize=${SFUMATO_SANITIZE})
+  else()
+    target_link_options(${name} PRIVATE -Wl,-z,defs)  # sanitizers leave some to the program
+  endif()
+endfunction()
+sfumato_shared(sfumato_c)
 add_library(sfumato::c ALIAS sfumato_c)
-set_target_properties(sfumato_c PROPERTIES OUTPUT_NAME sfumato EXPORT_NAME c LINKER_LANGUAGE CXX
-  VERSION ${sfumato_abi}.${PROJECT_VERSION} SOVERSION ${sfumato_abi})
-foreach(folder ${library_folders})
-  # Callers hand pixels in: the reader of photos, and its libraries, would be dead weight.
-  target_sources(sfumato_c PRIVATE $<FILTER:$<TARGET_OBJECTS:sfumato_${folder}>,EXCLUDE,/codecs/photo[^/]*$>)
-endforeach()
+set_target_properties(sfumato_c PROPERTIES EXPORT_NAME c)
 target_include_directories(sfumato_c INTERFACE
   $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
   $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
-target_link_libraries(sfumato_c PRIVATE TBB::tbb pugixml::pugixml PkgConfig::SPNG PkgConfig::WEBP
-  ZLIB::ZLIB JPEG::JPEG ${CMAKE_DL_LIBS})
-# Symbols of the C interface alone, under the version node of their ABI.
-set(exports ${PROJECT_SOURCE_DIR}/src/capi/exports.map)
-target_link_options(sfumato_c PRIVATE -Wl,--version-script=${exports} -Wl,--gc-sections
-  -Wl,--as-needed -Wl,--exclude-libs,ALL)
-set_target_properties(sfumato_c PROPERTIES LINK_DEPENDS ${exports})
-# Python's wheel carries it as it is built, with the libraries that it needs beside it, which find each
-# other there too. An installed one looks where the system does.
-set_target_properties(sfumato_c PROPERTIES BUILD_RPATH "$ORIGIN")
-target_link_options(sfumato_c PRIVATE -Wl,--disable-new-dtags)
-if(SFUMATO_SANITIZE)
-  target_link_options(sfumato_c PUBLIC -fsanitize=${SFUMATO_SANITIZE})
-else()
-  target_link_options(sfumato_c PRIVATE -Wl,-z,defs)  # sanitizers leave some to the program
-endif()
+# What packages of other languages carry: it, and the libraries that it needs, find these beside it and
+# nowhere else before.
+sfumato_shared(sfumato_carried EXCLUDE_FROM_ALL)
+set_target_properties(sfumato_carried PROPERTIES BUILD_WITH_INSTALL_RPATH ON INSTALL_RPATH "$ORIGIN"
+  LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/carried)
+target_link_options(sfumato_carried PRIVATE -Wl,--disable-new-dtags)
 
 if(SFUMATO_SANITIZE)
   target_link_options(sfumato_library INTERFACE -fsanitize=${SFUMATO_SANITIZE})

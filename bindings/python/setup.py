@@ -36,8 +36,8 @@ def built(folder):
             sys.exit(f"setup.py: {program} is missing; scripts/setup build installs what is needed")
     off = [f"-DSFUMATO_{name}=OFF" for name in ("TESTS", "BENCH", "EXAMPLES", "WERROR")]
     run("cmake", "-S", ROOT, "-B", folder, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", *off)
-    run("cmake", "--build", folder, "--target", "sfumato_c")
-    return folder / LIBRARY
+    run("cmake", "--build", folder, "--target", "sfumato_carried")
+    return folder / "carried" / LIBRARY
 
 
 def needed(library):
@@ -76,6 +76,8 @@ class Build(build_py):
         super().run()
         given = os.environ.get("SFUMATO_LIBRARY")
         library = Path(given) if given else built(HERE / "build" / "library")
+        if b"\0$ORIGIN\0" not in library.read_bytes():
+            sys.exit(f"setup.py: {library} is not one that the target sfumato_carried makes")
         licences = target / "licences"
         licences.mkdir()
         shutil.copy(ROOT / "LICENSE", licences / "sfumato.txt")
