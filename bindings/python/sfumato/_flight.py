@@ -39,8 +39,7 @@ class _Question:
 
     def __init__(self, answer: Callable[[], Any]) -> None:
         self.answer = answer
-        self.result: Any = None
-        self.answered = threading.Event()
+        self.reply: queue.SimpleQueue[Any] = queue.SimpleQueue()
 
 
 class Flight:
@@ -48,12 +47,13 @@ class Flight:
 
     So Ctrl+C, which Python looks at between two steps of its main thread, ends a call that takes
     long: whatever is raised here meanwhile, by an interrupt or by a callback, cancels the call and is
-    raised once that has ended.
+    raised once that has ended. An interrupt may come between any two steps, so that what the threads
+    wait for are queues, whose steps are whole, and everything is looked at again afterwards.
     """
 
     def __init__(self, cancel: Callable[[], object]) -> None:
         self._cancel = cancel
-        self._news = threading.Semaphore(0)
+        self._news: queue.SimpleQueue[None] = queue.SimpleQueue()
         self._questions: collections.deque[_Question] = collections.deque()
         self._latest: Optional[Callable[[], Any]] = None
         self._call: Optional[tuple[Callable[..., int], tuple[Any, ...]]] = None
@@ -64,15 +64,14 @@ class Flight:
     def tell(self, hear: Callable[[], Any]) -> None:
         """From any thread: hear() is called in the caller's, unless something newer comes first."""
         self._latest = hear
-        self._news.release()
+        self._news.put(None)
 
     def ask(self, answer: Callable[[], Any]) -> Any:
         """From the thread of the call: what answer() returns in the caller's; None where it raises."""
         question = _Question(answer)
         self._questions.append(question)
-        self._news.release()
-        question.answered.wait()
-        return question.result
+        self._news.put(None)
+        return question.reply.get()
 
     def run(self, function: Callable[..., int], arguments: tuple[Any, ...]) -> int:
         self._call = (function, arguments)
@@ -82,8 +81,8 @@ class Flight:
                 if not is_given:  # an interrupt may come before the note of it: given twice, run once
                     worker.flights.put(self)
                     is_given = True
-                self._news.acquire()
                 self._look()
+                self._news.get()
             except BaseException as error:
                 self._failure = self._failure or error
                 self._cancel()
@@ -103,18 +102,18 @@ class Flight:
         except BaseException as error:  # an argument that ctypes does not take
             self._failure = self._failure or error
         self._finished = True
-        self._news.release()
+        self._news.put(None)
 
     def _look(self) -> None:
-        """Everything that waits: news may have been missed where an interrupt came between."""
+        """Answers what waits; a question twice where an interrupt came between, but then by None."""
         while self._questions:
-            question = self._questions[0]
+            question, result = self._questions[0], None
             try:
                 if self._failure is None:
-                    question.result = question.answer()
+                    result = question.answer()
             finally:
-                self._questions.popleft()
-                question.answered.set()
+                question.reply.put(result)
+            self._questions.popleft()
         hear, self._latest = self._latest, None
         if hear is not None and self._failure is None:
             hear()

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import contextlib
 import ctypes
 import functools
 import os
@@ -10,7 +9,7 @@ import threading
 import time
 import warnings
 import weakref
-from typing import Any, Callable, Iterator, Mapping, Optional
+from typing import Any, Callable, Mapping, Optional
 
 from . import _library
 from ._errors import DrawingWarning, Error, error_of, text_of
@@ -103,7 +102,8 @@ class Session:
         if reads is None:
             return self._change(name, arguments, changes, slow)
         lease = Lease()
-        with self._turn():
+        with self._turn:
+            self._check_turn()
             try:
                 with reads.lock:
                     reads.leases.add(lease)
@@ -114,7 +114,8 @@ class Session:
     def _change(
         self, name: str, arguments: tuple[Any, ...], changes: Optional[Resource], slow: bool
     ) -> None:
-        with self._turn():
+        with self._turn:
+            self._check_turn()
             if changes is None:
                 return self._do(name, arguments, slow)
             while True:
@@ -136,7 +137,8 @@ class Session:
         after: Optional[Callable[[], None]] = None,
     ) -> None:
         """Changes a resource: place() is asked, and after() is called, while nobody else uses it."""
-        with self._turn():
+        with self._turn:
+            self._check_turn()
             while True:
                 with resource.lock:
                     if not resource.is_read():
@@ -144,14 +146,15 @@ class Session:
                         return None if after is None else after()
                 time.sleep(_WAIT)
 
-    @contextlib.contextmanager
-    def _turn(self) -> Iterator[None]:
+    def _check_turn(self) -> None:
+        if self._flight is not None and not self._is_lent:
+            raise RuntimeError("a progress function may call cancel(), and nothing else")
+
+    @property
+    def _turn(self) -> threading.RLock:
         if self._process != os.getpid():
             raise RuntimeError("this session belongs to the process from which this one was forked")
-        with self._one:
-            if self._flight is not None and not self._is_lent:
-                raise RuntimeError("a progress function may call cancel(), and nothing else")
-            yield
+        return self._one
 
     def _do(self, name: str, arguments: tuple[Any, ...], slow: bool) -> None:
         function = getattr(lib, "sfumato_" + name)
@@ -211,12 +214,12 @@ class Session:
     def _fly(self, function: Callable[..., int], arguments: tuple[Any, ...]) -> int:
         flight, outer = Flight(lambda: lib.sfumato_cancel(self._context)), self._flight
         lent = self._is_lent
-        self._flight, self._is_lent = flight, False
         told = None
-        if self.progress is not None and outer is None:
-            told = _library.PROGRESS(self._tell)
-            lib.sfumato_set_progress(self._context, told, None)
         try:
+            self._flight, self._is_lent = flight, False
+            if self.progress is not None and outer is None:
+                told = _library.PROGRESS(self._tell)
+                lib.sfumato_set_progress(self._context, told, None)
             return flight.run(function, arguments)
         finally:
             self._flight, self._is_lent = outer, lent
