@@ -229,9 +229,10 @@ class Picture(Handle):
     def interactive(self, height: int = 480) -> "Interactive":
         """For notebooks: the viewer in a frame, to zoom into; 150 kB and more. What a cell shows by
         itself is a PNG."""
+        # A page of a data: URL has an origin of its own: it sees nothing of the notebook.
         page = base64.b64encode(self.to_bytes("html")).decode()
         return Interactive(
-            f'<iframe src="data:text/html;base64,{page}" sandbox="allow-scripts" title="picture"'
+            f'<iframe src="data:text/html;base64,{page}" title="picture"'
             f' style="width:100%;height:{int(height)}px;border:0" allow="fullscreen"></iframe>'
         )
 
