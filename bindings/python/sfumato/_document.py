@@ -112,6 +112,12 @@ class Document(Handle):
         made = self._session.make("document_copy", free, held.address, reads=held)
         return Document(made, self._given)
 
+    def __copy__(self) -> "Document":
+        return self.copy()
+
+    def __deepcopy__(self, memo: Any) -> "Document":
+        return self.copy()
+
     def lint(self, verbose: bool = False) -> list[dict[str, Any]]:
         """Probable mistakes, as `sfumato lint --json` tells them: dicts with "kind", "message" and
         places. verbose: notes, too."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import gc
 import gzip
 import pickle
@@ -220,9 +221,9 @@ def test_weight_is_how_strongly_a_curve_counts(drawing):
 
 
 def test_a_copy_is_another_drawing(drawing):
-    other = drawing.copy()
-    other.layers[0].curves[0].remove()
-    assert len(drawing.layers[0].curves) == 3 and len(other.layers[0].curves) == 2
+    for other in (drawing.copy(), copy.copy(drawing), copy.deepcopy(drawing)):
+        other.layers[0].curves[0].remove()
+        assert len(drawing.layers[0].curves) == 3 and len(other.layers[0].curves) == 2
 
 
 def test_lint_tells_probable_mistakes(drawing):
