@@ -31,6 +31,8 @@ constexpr float kRoughlyNegligible = 1.5e-3f;
 constexpr float kNegligible = 2e-4f;
 /// Pixels, about, whose rows are there at once where all pixels are looked at.
 constexpr int kBandPixels = 16384;
+/// An error that nobody sees, in code values.
+constexpr double kUnseen = 0.5 / 255;
 /// Leaving out a share of the stops may add so many times this share to the squared error.
 constexpr double kPruneCost = 0.5;
 /// Where nothing is seen of a pixel, its colour still counts a little.
@@ -212,6 +214,10 @@ Status DrawingFit::for_each_band(std::span<const TracedCurve> curves, float negl
 Status DrawingFit::fit_to_all(std::span<TracedCurve> curves, double share, int times) {
   seen_.reset();
   matrix_.reset();
+  // Radii have changed since prepare(), and with them which curves are sharp.
+  Result<PixelMarks> marks = mark_curves(context_, picture_.width(), picture_.height(), curves);
+  if (!marks) return marks.status();
+  marks_ = std::move(*marks);
   Equations equations;
   Status status =
       for_each_band(curves, kNegligible, [&](const PixelRows& seen, const SparseMatrix& rows) {
@@ -231,12 +237,27 @@ Status DrawingFit::fit_to_all(std::span<TracedCurve> curves, double share, int t
   return ok_status();
 }
 
+Result<double> DrawingFit::squared_error(const Equations& equations,
+                                         std::span<const FourFloats> x) {
+  const auto color = squared_errors(context_, equations.color, x);
+  if (!color) return color.status();
+  double sum = (*color)[0] + (*color)[1] + (*color)[2];
+  if (!picture_.opacity) return sum;
+  const auto opacity = squared_errors(context_, equations.opacity, x);
+  if (!opacity) return opacity.status();
+  return sum + (*opacity)[3];
+}
+
 Status DrawingFit::prune(std::span<TracedCurve> curves, double share, Equations& equations) {
-  const std::vector<float> weight = diagonal_of(equations.color.normal);
-  const Result<double> error = mean_square(context_, equations.color, values_of(curves));
+  const std::vector<float> color_weight = diagonal_of(equations.color.normal);
+  const std::vector<float> opacity_weight =
+      picture_.opacity ? diagonal_of(equations.opacity.normal) : std::vector<float>{};
+  const Result<double> error = squared_error(equations, values_of(curves));
   if (!error) return error.status();
-  const double most = kPruneCost * share * *error * 3 * equations.color.weight;
-  const std::vector<std::uint8_t> goes = stops_to_prune(curves, weight, {share, most});
+  const double unseen = 3 * kUnseen * kUnseen * equations.color.weight;
+  const PruneLimits limits{share, kPruneCost * share * std::max(*error, unseen)};
+  const std::vector<std::uint8_t> goes =
+      stops_to_prune(curves, {color_weight, opacity_weight}, limits);
   const Result<SparseMatrix> values = values_without(context_, curves, goes);
   if (!values) return values.status();
   Equations left;

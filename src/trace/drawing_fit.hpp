@@ -40,7 +40,8 @@ class DrawingFit {
   Status fit_radii(std::span<TracedCurve> curves);
 
   /// fit_values() to every pixel of the picture; radii stay. `times` times stops that do little are
-  /// left out then, at most `share` of all, and the others fitted again. Errors: limit (memory),
+  /// left out then, at most `share` of all and as long as that adds less than about half this share
+  /// to the squared error, and the others fitted again. Errors: limit (memory),
   /// cancelled.
   Status fit_to_all(std::span<TracedCurve> curves, double share, int times);
 
@@ -67,6 +68,7 @@ class DrawingFit {
   Status find_residual(std::span<const FourFloats> x);
   Status for_each_band(std::span<const TracedCurve> curves, float negligible,
                        FunctionRef<Status(const PixelRows&, const SparseMatrix&)> visit);
+  Result<double> squared_error(const Equations& equations, std::span<const FourFloats> x);
   Status prune(std::span<TracedCurve> curves, double share, Equations& equations);
 
   Context& context_;

@@ -8,18 +8,25 @@
 namespace sfumato::tracing {
 
 Result<Image> drawn_image(Context& context, const Document& drawing, int width, int height,
-                          double max_error) {
+                          double max_error, ScopedCharge& charge) {
   DiffuseOptions diffuse_options;
   diffuse_options.pixels_per_unit =
       std::max(width / drawing.artboard.width(), height / drawing.artboard.height());
   diffuse_options.max_error = max_error;
   const Result<sfumato::Picture> solved = diffuse(context, drawing, diffuse_options);
   if (!solved) return solved.status();
+  ScopedCharge solved_charge;
+  Status status = solved_charge.add(context, bytes_of(*solved), "the picture");
+  if (!status) return status;
   RasterOptions options;
   options.width = width;
   options.height = height;
   options.format = PixelFormat::rgba16;
-  return rasterize(context, *solved, options);
+  Result<Image> image = rasterize(context, *solved, options);
+  charge = {};
+  if (image) status = charge.add(context, image->bytes.capacity(), "pixels");
+  if (!status) return status;
+  return image;
 }
 
 }  // namespace sfumato::tracing

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "base/charge.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/image.hpp"
 #include "sfumato/base/status.hpp"
@@ -13,10 +14,11 @@ namespace sfumato::tracing {
 
 /// A drawing as it is rendered, in rgba16, its artboard over an image of this size.
 /// max_error   as DiffuseOptions::max_error
+/// charge      for the image's bytes; what it had is released
 /// Errors      limit, cancelled
 /// Cost        diffuse() and rasterize() of the drawing
 Result<Image> drawn_image(Context& context, const Document& drawing, int width, int height,
-                          double max_error);
+                          double max_error, ScopedCharge& charge);
 
 /// Of an image in rgba16.
 inline float wide_value(const Image& image, std::size_t pixel, std::size_t channel) {

@@ -5,7 +5,6 @@
 #include <cstddef>
 
 #include "base/parallel.hpp"
-#include "curves/bezier.hpp"
 
 namespace sfumato::tracing {
 namespace {
@@ -13,16 +12,9 @@ namespace {
 /// With blur half the side of the square is at least so many radii.
 constexpr double kNearRadii = 1.0;
 
-Vec2 place_on(const TracedCurve& curve, double parameter) {
-  const std::size_t pieces = (curve.control_points.size() - 1) / 3;
-  const auto piece = std::min(static_cast<std::size_t>(parameter), pieces - 1);
-  return curves::point_at(curves::piece(curve.control_points, piece),
-                          parameter - static_cast<double>(piece));
-}
-
 void add_bounds(const Picture& picture, const TracedCurve& curve, double parameter, FourFloats& low,
                 FourFloats& high) {
-  const Vec2 p = place_on(curve, parameter);
+  const Vec2 p = point_on(curve, parameter);
   const int reach = static_cast<int>(std::max(kNearPx, kNearRadii * curve.radius));
   for (std::size_t c = 0; c < 3; ++c) {
     const Range range = range_near(picture.code[c], p, reach);

@@ -15,10 +15,10 @@ constexpr double kMaxError = 4;
 constexpr std::size_t kPixels = 4096;
 
 Result<Image> draw(Context& context, const Picture& picture, std::span<const TracedCurve> curves,
-                   bool has_opacity) {
+                   bool has_opacity, ScopedCharge& charge) {
   const Vec2 size{static_cast<double>(picture.width()), static_cast<double>(picture.height())};
   return drawn_image(context, drawing_of(curves, size, {1, 1}, has_opacity), picture.width(),
-                     picture.height(), kMaxError);
+                     picture.height(), kMaxError, charge);
 }
 
 Status subtract(Context& context, const Picture& picture, const Image& drawn, std::size_t channel,
@@ -45,13 +45,16 @@ Status find_missing(Context& context, const Picture& picture, std::span<const Tr
   }
   if (!status) return status;
   // Colours are looked at by themselves: where hardly anything is to be seen, they still lead on.
-  Result<Image> drawn = draw(context, picture, curves, false);
+  ScopedCharge charge;
+  Result<Image> drawn = draw(context, picture, curves, false, charge);
   if (!drawn) return drawn.status();
   for (std::size_t c = 0; c < 3 && status; ++c) {
     status = subtract(context, picture, *drawn, c, missing[c]);
   }
   if (!status || !picture.opacity) return status;
-  drawn = draw(context, picture, curves, true);
+  drawn = Image{};
+  charge = {};
+  drawn = draw(context, picture, curves, true, charge);
   return drawn ? subtract(context, picture, *drawn, 3, missing[3]) : drawn.status();
 }
 

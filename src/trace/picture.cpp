@@ -14,6 +14,11 @@ namespace {
 
 constexpr std::size_t kRows = 16;
 
+/// Of a drawn picture so many pixels are as even as rounding to 16 bits leaves them. A photo may be
+/// white in more than half.
+constexpr double kDrawnShare = 0.75;
+constexpr double kDrawnRoughness = 1e-4;
+
 /// Alpha below which a pixel's colour tells nothing.
 constexpr float kTransparent = 1.0f / 512;
 
@@ -189,7 +194,7 @@ Status to_oklab(Context& context, const Channels& code, TableMemory& memory, Cha
   });
 }
 
-Result<double> estimate_noise(Context& context, const Plane& channel) {
+Result<Noise> estimate_noise(Context& context, const Plane& channel) {
   TableMemory memory("the picture to trace");
   Plane rough;
   Status status = make_plane(context, channel.width, channel.height, memory, rough);
@@ -207,9 +212,13 @@ Result<double> estimate_noise(Context& context, const Plane& channel) {
     }
   });
   if (!status) return status;
-  const auto middle = rough.value.begin() + static_cast<std::ptrdiff_t>(rough.value.size() / 2);
-  std::nth_element(rough.value.begin(), middle, rough.value.end());
-  return 1.4826 * *middle;
+  const auto quantile = [&](double share) {
+    const auto at = rough.value.begin() +
+                    static_cast<std::ptrdiff_t>(share * static_cast<double>(rough.value.size()));
+    std::nth_element(rough.value.begin(), at, rough.value.end());
+    return double{*at};
+  };
+  return Noise{1.4826 * quantile(0.5), quantile(kDrawnShare) < kDrawnRoughness};
 }
 
 }  // namespace sfumato::tracing

@@ -30,8 +30,13 @@ Result<Picture> look_at(Context& context, const Image& image, int max_side, bool
 /// The coordinates of OKLab of each pixel. Errors: limit (memory), cancelled.
 Status to_oklab(Context& context, const Channels& code, TableMemory& memory, Channels& oklab);
 
-/// The standard deviation of white noise in a channel, by the median of a Laplacian of a Laplacian,
-/// which texture hardly reaches (Immerkær 1996). Errors: limit (memory), cancelled.
-Result<double> estimate_noise(Context& context, const Plane& channel);
+struct Noise {
+  double deviation = 0;   ///< standard deviation, as of white noise
+  bool is_drawn = false;  ///< three pixels of four have none: the picture was drawn, not taken
+};
+
+/// Of a channel, by the median of a Laplacian of a Laplacian, which texture hardly reaches
+/// (Immerkær 1996). Errors: limit (memory), cancelled.
+Result<Noise> estimate_noise(Context& context, const Plane& channel);
 
 }  // namespace sfumato::tracing

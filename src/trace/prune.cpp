@@ -11,16 +11,20 @@ struct Price {
   std::uint32_t stop_index;
 };
 
-/// How far a stop's value is from what its neighbours would give there, squared.
-double squared_bend(const SideStops& side, std::size_t i) {
+/// How far a stop's value is from what its neighbours would give there, squared: of its colour and
+/// of its opacity.
+struct SquaredBend {
+  double color = 0, opacity = 0;
+};
+
+SquaredBend squared_bend(const SideStops& side, std::size_t i) {
   const double way = side.place[i + 1] - side.place[i - 1];
   const double t = way > 0 ? (side.place[i] - side.place[i - 1]) / way : 0.5;
-  double sum = 0;
-  for (std::size_t c = 0; c < side.value[i].size(); ++c) {
+  const auto squared = [&](std::size_t c) {
     const double between = side.value[i - 1][c] + t * (side.value[i + 1][c] - side.value[i - 1][c]);
-    sum += (side.value[i][c] - between) * (side.value[i][c] - between);
-  }
-  return sum;
+    return (side.value[i][c] - between) * (side.value[i][c] - between);
+  };
+  return {squared(0) + squared(1) + squared(2), squared(3)};
 }
 
 template <class Item>
@@ -35,13 +39,16 @@ void keep(std::vector<Item>& items, std::span<const std::uint8_t> goes) {
 }  // namespace
 
 std::vector<std::uint8_t> stops_to_prune(std::span<const TracedCurve> curves,
-                                         std::span<const float> weight, const PruneLimits& limits) {
+                                         const PruneWeights& weight, const PruneLimits& limits) {
   std::vector<Price> prices;
   std::uint32_t first = 0;
   for (const TracedCurve& curve : curves) {
     for (const SideStops& side : curve.side) {
       for (std::uint32_t i = 1; i + 1 < side.place.size(); ++i) {
-        prices.push_back({squared_bend(side, i) * weight[first + i], first + i});
+        const SquaredBend bend = squared_bend(side, i);
+        double cost = bend.color * weight.color[first + i];
+        if (!weight.opacity.empty()) cost += bend.opacity * weight.opacity[first + i];
+        prices.push_back({cost, first + i});
       }
       first += static_cast<std::uint32_t>(side.place.size());
     }

@@ -17,12 +17,20 @@ struct PruneLimits {
   double cost = 0;   ///< what that adds to the squared error
 };
 
+/// What the squared error changes with a stop: (AᵀA)_jj, per stop in the order of curves, sides and
+/// stops.
+struct PruneWeights {
+  std::span<const float> color;
+  std::span<const float> opacity;  ///< empty: it does not count
+};
+
 /// Marks the inner stops that change least if left out, within limits, and no two neighbours.
 /// Leaving out stop j changes the squared error by about |c_j - c|² · (AᵀA)_jj, where c is what
-/// lies between its neighbours. weight    per stop, in the order of curves, sides and stops:
-/// (AᵀA)_jj Returns   per stop 1 where it is to go
+/// lies between its neighbours.
+///
+/// Returns   per stop 1 where it is to go
 std::vector<std::uint8_t> stops_to_prune(std::span<const TracedCurve> curves,
-                                         std::span<const float> weight, const PruneLimits& limits);
+                                         const PruneWeights& weight, const PruneLimits& limits);
 
 /// What every stop has when the marked ones are gone, from those that are left: a row for each of
 /// all, with one entry, or two where it lay between two. Errors: limit (memory), cancelled.

@@ -35,8 +35,8 @@ constexpr int kParts = 64;
 /// closed curve.
 constexpr double kClosePx = 4.5;
 constexpr double kCloseShare = 0.02;
-/// Steps of a side are at least so far apart, by the curve's parameter.
-constexpr double kStepApart = 0.05;
+/// Steps of a side are at least so far apart, and from its ends, pixels.
+constexpr double kStepApartPx = 1.5;
 /// On the last piece of a curve, before its end.
 constexpr double kNearEnd = 0.9;
 
@@ -126,19 +126,21 @@ Landing landing_on(const TracedCurve& curve, double parameter, Vec2 p) {
           static_cast<double>(piece) + t};
 }
 
-/// Gives a side a step of its values, unless one is near or the place is an end of it.
-void add_step(SideStops& side, double parameter) {
-  if (side.place.empty() || parameter - side.place.front() < kStepApart ||
-      side.place.back() - parameter < kStepApart) {
-    return;
-  }
-  const auto next = std::ranges::lower_bound(side.place, parameter);
+/// Gives a side of a curve a step of its values, unless one is near or the place is an end of it.
+void add_step(const TracedCurve& curve, SideStops& side, const Landing& landing) {
+  if (side.place.empty()) return;
+  const auto is_near = [&](double parameter) {
+    return length(point_on(curve, parameter) - landing.point) < kStepApartPx;
+  };
+  if (is_near(side.place.front()) || is_near(side.place.back())) return;
   for (auto i = side.place.begin() + 1; i != side.place.end(); ++i) {
-    if (*i == *(i - 1) && std::fabs(*i - parameter) < kStepApart) return;
+    if (*i == *(i - 1) && is_near(*i)) return;
   }
-  const SideValue value = value_at(side, parameter);
+  const auto next = std::ranges::lower_bound(side.place, landing.parameter);
+  if (next == side.place.begin() || next == side.place.end()) return;
+  const SideValue value = value_at(side, landing.parameter);
   const auto at = next - side.place.begin();
-  side.place.insert(next, 2, parameter);
+  side.place.insert(next, 2, landing.parameter);
   side.value.insert(side.value.begin() + at, 2, value);
 }
 
@@ -154,6 +156,7 @@ void close_if_nearly(TracedCurve& curve) {
 
 bool leaks(const TracedCurve& curve, bool is_last, float most) {
   const auto& [left, right] = curve.side;
+  if (left.value.empty() || right.value.empty()) return false;
   const SideValue& a = is_last ? left.value.back() : left.value.front();
   const SideValue& b = is_last ? right.value.back() : right.value.front();
   for (std::size_t c = 0; c < a.size(); ++c) {
@@ -288,7 +291,8 @@ class Snapper {
   void part_at(std::uint32_t host, const Landing& landing, const curves::Cubic& cubic) {
     const bool is_left =
         dot(left_of(landing.along), curves::point_at(cubic, kNearEnd) - landing.point) > 0;
-    add_step(curves_[host].side[is_left ? 0 : 1], landing.parameter);
+    TracedCurve& other = curves_[host];
+    add_step(other, other.side[is_left ? 0 : 1], landing);
   }
 
   std::optional<PlaceGrid::Place> target(std::uint32_t index, const curves::Cubic& cubic,

@@ -9,14 +9,16 @@
 #include "base/lanes.hpp"
 #include "base/limit_error.hpp"
 #include "base/parallel.hpp"
+#include "base/poll.hpp"
 
 namespace sfumato::tracing {
 namespace {
 
 /// Rows that one task computes.
 constexpr std::size_t kRows = 128;
-/// Rows that one task transposes, to which it has a number for each column.
-constexpr std::size_t kSliceRows = 8192;
+/// Rows that one task transposes at least. It has a number for each column, so that with as many
+/// rows as columns these take no more than the matrix.
+constexpr std::size_t kLeastSliceRows = 8192;
 
 /// Lists of entries of consecutive rows, each made by one task.
 struct RowBlock {
@@ -119,7 +121,8 @@ Result<SparseMatrix> transposed(Context& context, const SparseMatrix& matrix) {
   SparseMatrix out;
   out.column_count = matrix.row_count();
   const std::size_t rows = matrix.row_count(), columns = matrix.column_count;
-  const std::size_t slices = std::max<std::size_t>((rows + kSliceRows - 1) / kSliceRows, 1);
+  const std::size_t slice_rows = std::max(kLeastSliceRows, columns);
+  const std::size_t slices = std::max<std::size_t>((rows + slice_rows - 1) / slice_rows, 1);
   std::vector<std::uint32_t> next;  // per slice and column: where its next entry goes
   TableMemory memory("the equations of a fit");
   Status status = memory.resize(context, next, slices * columns);
@@ -128,19 +131,23 @@ Result<SparseMatrix> transposed(Context& context, const SparseMatrix& matrix) {
   if (status) status = out.memory.resize(context, out.value, matrix.column.size());
   if (!status) return status;
   const auto for_each_slice = [&](auto&& visit) {
-    return parallel_for(context, rows, kSliceRows, [&](std::size_t row, std::size_t end) {
-      std::uint32_t* const of_slice = next.data() + row / kSliceRows * columns;
+    return try_parallel_for(context, rows, slice_rows, [&](std::size_t row, std::size_t end) {
+      std::uint32_t* const of_slice = next.data() + row / slice_rows * columns;
       for (; row < end; ++row) {
+        if (context.cancelled()) return context.cancel_status();
         for (std::uint32_t k = matrix.begin[row]; k < matrix.begin[row + 1]; ++k) {
           visit(of_slice[matrix.column[k]], static_cast<std::uint32_t>(row), matrix.value[k]);
         }
       }
+      return ok_status();
     });
   };
   status = for_each_slice([](std::uint32_t& count, std::uint32_t, float) { ++count; });
   if (!status) return status;
   std::uint32_t sum = 0;
+  RarePoll<4096> poll(context);
   for (std::size_t column = 0; column < columns; ++column) {
+    if (poll.cancelled()) return context.cancel_status();
     for (std::size_t slice = 0; slice < slices; ++slice) {
       sum += std::exchange(next[slice * columns + column], sum);
     }

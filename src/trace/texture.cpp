@@ -195,8 +195,9 @@ Status add_texture(Context& context, const Picture& picture, Document& drawing, 
   const bool has_mask = picture.opacity.has_value();
   Status status = check_limits(context.limits, picture, has_mask ? 2 : 1);
   if (!status) return status;
-  const Result<Image> drawn =
-      drawn_image(context, drawing, picture.width(), picture.height(), DiffuseOptions{}.max_error);
+  ScopedCharge drawn_charge;
+  const Result<Image> drawn = drawn_image(context, drawing, picture.width(), picture.height(),
+                                          DiffuseOptions{}.max_error, drawn_charge);
   if (!drawn) return drawn.status();
   TableMemory memory("the texture of a trace");
   Texture color, mask;

@@ -70,6 +70,12 @@ TracedCurve frame_of(int width, int height) {
   return frame;
 }
 
+Vec2 point_on(const TracedCurve& curve, double parameter) {
+  const std::size_t at = std::min(static_cast<std::size_t>(parameter), piece_count(curve) - 1);
+  return curves::point_at(curves::piece(curve.control_points, at),
+                          parameter - static_cast<double>(at));
+}
+
 SideValue value_at(const SideStops& side, double parameter) {
   const auto next = std::ranges::upper_bound(side.place, parameter);
   const auto i = static_cast<std::size_t>(next - side.place.begin());

@@ -45,6 +45,9 @@ void for_each_sample(const TracedCurve& curve, double step,
 /// Memory of curves, with all that they have.
 std::size_t bytes_of(const std::vector<TracedCurve>& curves);
 
+/// Where on a curve a parameter, piece + t, is.
+Vec2 point_on(const TracedCurve& curve, double parameter);
+
 /// The rectangle of a picture's border as a closed curve, its inside on the right.
 TracedCurve frame_of(int width, int height);
 

@@ -32,9 +32,8 @@ constexpr double kStopTolerance = 0.02;
 /// How far curves may be from edges of usual strength, pixels times √scale.
 constexpr double kTolerance = 1.2;
 constexpr double kMissingTolerance = 2.2;
-/// With less noise a picture was drawn, not taken: finer edges are edges.
-constexpr double kDrawnNoise = 2e-4;
-/// The finest scales, pixels, of edges of the picture and of what is missing.
+/// The finest scales, pixels, of edges of the picture and of what is missing. In drawn pictures
+/// finer edges are edges.
 struct FinestScales {
   double edge, missing;
 };
@@ -88,12 +87,8 @@ bool is_elsewhere(std::span<const Vec2> before, std::span<const Vec2> after) {
   return !std::ranges::equal(before, after, [](Vec2 a, Vec2 b) { return length(a - b) < kMoved; });
 }
 
-bool is_drawn(double noise) {
-  return noise < kDrawnNoise;
-}
-
-const FinestScales& finest_scales(double noise) {
-  return is_drawn(noise) ? kDrawnScales : kTakenScales;
+const FinestScales& finest_scales(bool is_drawn) {
+  return is_drawn ? kDrawnScales : kTakenScales;
 }
 
 std::vector<double> scales_from(double finest) {
@@ -144,14 +139,15 @@ Status Tracer::add_edges_of_picture() {
   Status status = to_oklab(context_, picture_->code, memory, oklab);
   if (!status) return status;
   std::ranges::move(oklab, planes.begin());
-  const Result<double> noise = estimate_noise(context_, planes[0]);
+  const Result<Noise> noise = estimate_noise(context_, planes[0]);
   if (!noise) return noise.status();
-  stats_.noise = *noise;
+  stats_.noise = noise->deviation;
+  is_drawn_ = noise->is_drawn;
   if (picture_->opacity) planes.push_back(*picture_->opacity);
   EdgeOptions edges;
   edges.scales =
-      scales_from(std::max(finest_scales(*noise).edge, options_.smooth_px * picture_->scale));
-  edges.noise = *noise;
+      scales_from(std::max(finest_scales(is_drawn_).edge, options_.smooth_px * picture_->scale));
+  edges.noise = stats_.noise;
   return add(planes, planes, edges, kTolerance, kFirstShare * static_cast<double>(budget_));
 }
 
@@ -159,8 +155,8 @@ Status Tracer::add_edges_of_missing(int round) {
   const std::size_t left = budget_ - std::min(budget_, point_count());
   if (left < kLeastPoints) return ok_status();
   EdgeOptions edges;
-  edges.scales = scales_from(
-      std::max(finest_scales(stats_.noise).missing, options_.smooth_px * picture_->scale));
+  edges.scales =
+      scales_from(std::max(finest_scales(is_drawn_).missing, options_.smooth_px * picture_->scale));
   edges.high = 0.015;
   edges.noise = 0.5 * stats_.noise;
   const double share = round == kRounds ? 1.0 : kRoundShare;
@@ -196,7 +192,7 @@ Status Tracer::fit() {
   return status ? improve_radii() : status;
 }
 
-/// Of curves that hardly changed since their colours were fitted: radii come first.
+/// Of curves most of which have fitted colours: radii come first.
 Status Tracer::fit_again() {
   Status status = prepare_fit();
   if (!status) return status;
@@ -280,7 +276,7 @@ void Tracer::drop_excess() {
 
 void Tracer::forget_blur() {
   for (TracedCurve& curve : curves_) {
-    const bool is_seen_sharp = is_drawn(stats_.noise) && curve.seen_radius < kSharpRadius;
+    const bool is_seen_sharp = is_drawn_ && curve.seen_radius < kSharpRadius;
     if (curve.radius < (is_seen_sharp ? kDrawnSharpRadius : kSharpRadius)) curve.radius = 0;
   }
 }

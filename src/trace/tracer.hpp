@@ -61,6 +61,7 @@ class Tracer {
   const Image& image_;
   const TraceOptions& options_;
   std::optional<Picture> picture_;
+  bool is_drawn_ = false;  ///< Noise::is_drawn
   std::optional<DrawingFit> fit_;
   std::vector<TracedCurve> curves_;
   ScopedCharge curves_charge_;

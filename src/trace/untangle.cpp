@@ -36,11 +36,6 @@ std::pair<curves::Cubic, double> piece_at(const TracedCurve& curve, double param
   return {curves::piece(curve.control_points, static_cast<std::size_t>(piece)), parameter - piece};
 }
 
-Vec2 point_on(const TracedCurve& curve, double parameter) {
-  const auto [cubic, t] = piece_at(curve, parameter);
-  return curves::point_at(cubic, t);
-}
-
 /// The parameter of the place nearest to p, of those around a parameter.
 double nearest_on(const TracedCurve& curve, Vec2 p, double parameter) {
   const auto [cubic, t] = piece_at(curve, parameter);

@@ -56,19 +56,27 @@ Result<ValueEquations> reduced(Context& context, const ValueEquations& equations
   return out;
 }
 
-Result<double> mean_square(Context& context, const ValueEquations& equations,
-                           std::span<const FourFloats> x) {
+Result<std::array<double, 4>> squared_errors(Context& context, const ValueEquations& equations,
+                                             std::span<const FourFloats> x) {
   std::vector<FourFloats> image(x.size());
   Status status = multiply(context, equations.normal, x, image);
   if (!status) return status;
-  double sum = 0;
-  for (std::size_t c = 0; c < 3; ++c) {
-    sum += equations.square[c];
+  std::array<double, 4> sum = equations.square;
+  for (std::size_t c = 0; c < 4; ++c) {
     for (std::size_t i = 0; i < x.size(); ++i) {
-      sum += double{x[i][c]} * (double{image[i][c]} - 2.0 * equations.right_side[i][c]);
+      sum[c] += double{x[i][c]} * (double{image[i][c]} - 2.0 * equations.right_side[i][c]);
     }
+    sum[c] = std::max(sum[c], 0.0);
   }
-  return equations.weight > 0 ? std::max(sum / (3 * equations.weight), 0.0) : 0.0;
+  return sum;
+}
+
+Result<double> mean_square(Context& context, const ValueEquations& equations,
+                           std::span<const FourFloats> x) {
+  const Result<std::array<double, 4>> sum = squared_errors(context, equations, x);
+  if (!sum) return sum.status();
+  if (!(equations.weight > 0)) return 0.0;
+  return ((*sum)[0] + (*sum)[1] + (*sum)[2]) / (3 * equations.weight);
 }
 
 }  // namespace sfumato::tracing

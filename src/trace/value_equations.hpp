@@ -34,8 +34,11 @@ Status add_pixels(Context& context, const FittedPixels& pixels, ValueEquations& 
 Result<ValueEquations> reduced(Context& context, const ValueEquations& equations,
                                const SparseMatrix& values);
 
-/// The mean square of what the values miss in the first three channels, weighted. Errors:
-/// cancelled.
+/// The sum of squares of what the values miss, weighted, in each channel. Errors: cancelled.
+Result<std::array<double, 4>> squared_errors(Context& context, const ValueEquations& equations,
+                                             std::span<const FourFloats> x);
+
+/// Their mean in the first three channels. Errors: cancelled.
 Result<double> mean_square(Context& context, const ValueEquations& equations,
                            std::span<const FourFloats> x);
 

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "sfumato/base/native/thread_pool.hpp"
 #include "trace/bounded_solve.hpp"
 #include "trace/prune.hpp"
 #include "trace/sparse.hpp"
@@ -88,7 +89,8 @@ TEST(Sparse, transposes) {
     for (std::size_t i = 0; i < rows; ++i) {
       for (std::size_t j = 0; j < columns; ++j) expected.at(j, i) = dense.at(i, j);
     }
-    Context context;
+    ThreadPool pool(2);
+    Context context{.executor = &pool};
     expect_equal(take(transposed(context, sparse_of(context, dense))), expected);
   }
 }
@@ -247,7 +249,7 @@ constexpr double kAnyCost = std::numeric_limits<double>::infinity();
 TEST(PruneStops, gives_what_lies_between_those_that_are_left) {
   std::vector<TracedCurve> curves{with_stops(9, 1, 1), with_stops(0, 12, 2), with_stops(2, 7, 3)};
   const std::vector<float> weight(9 + 1 + 12 + 2 + 7, 1.0f);
-  const std::vector<std::uint8_t> goes = stops_to_prune(curves, weight, {0.3, kAnyCost});
+  const std::vector<std::uint8_t> goes = stops_to_prune(curves, {weight, {}}, {0.3, kAnyCost});
   ASSERT_EQ(goes.size(), weight.size());
   EXPECT_GT(std::ranges::count(goes, 1), 3);
   EXPECT_LE(std::ranges::count(goes, 1), static_cast<std::ptrdiff_t>(0.3 * 31));
@@ -285,9 +287,10 @@ TEST(PruneStops, leaves_out_what_changes_least_but_no_neighbours_and_no_ends) {
   }
   const std::vector<float> weight(7, 1.0f);
   const std::vector<std::uint8_t> goes =
-      stops_to_prune(std::span(&curve, 1), weight, {1, kAnyCost});
+      stops_to_prune(std::span(&curve, 1), {weight, {}}, {1, kAnyCost});
   EXPECT_EQ(goes, (std::vector<std::uint8_t>{0, 1, 0, 1, 0, 0, 0}));
-  EXPECT_EQ(std::ranges::count(stops_to_prune(std::span(&curve, 1), weight, {0, kAnyCost}), 1), 0);
+  EXPECT_EQ(
+      std::ranges::count(stops_to_prune(std::span(&curve, 1), {weight, {}}, {0, kAnyCost}), 1), 0);
 }
 
 TEST(PruneStops, leaves_out_what_together_costs_no_more_than_it_may) {
@@ -300,12 +303,29 @@ TEST(PruneStops, leaves_out_what_together_costs_no_more_than_it_may) {
   }
   const std::vector<float> weight(7, 10.0f);
   const auto goes_for = [&](double cost) {
-    return stops_to_prune(std::span(&curve, 1), weight, {1, cost});
+    return stops_to_prune(std::span(&curve, 1), {weight, {}}, {1, cost});
   };
   const double first = 3 * 0.01 * 10, both = first + 3 * 0.25 * 10;
   EXPECT_EQ(goes_for(0.9 * first), (std::vector<std::uint8_t>{0, 0, 0, 0, 0, 0, 0}));
   EXPECT_EQ(goes_for(0.9 * both), (std::vector<std::uint8_t>{0, 1, 0, 0, 0, 0, 0}));
   EXPECT_EQ(goes_for(1.1 * both), (std::vector<std::uint8_t>{0, 1, 0, 1, 0, 0, 0}));
+}
+
+TEST(PruneStops, counts_what_opacity_changes_where_it_counts) {
+  TracedCurve curve = test::traced(test::straight_curve({0, 0}, {50, 0}));
+  SideStops& side = curve.side[0];
+  side = {};
+  for (const float alpha : {0.0f, 0.5f, 0.0f}) {
+    side.place.push_back(0.5 * static_cast<double>(side.place.size()));
+    side.value.push_back({0, 0, 0, alpha});
+  }
+  const std::vector<float> weight(5, 1.0f);
+  const auto count = [&](const PruneWeights& weights, double cost) {
+    return std::ranges::count(stops_to_prune(std::span(&curve, 1), weights, {1, cost}), 1);
+  };
+  EXPECT_EQ(count({weight, {}}, 0), 1);
+  EXPECT_EQ(count({weight, weight}, 0.2), 0);
+  EXPECT_EQ(count({weight, weight}, 0.3), 1);
 }
 
 }  // namespace

@@ -107,6 +107,29 @@ TEST(SnapToCurves, gives_the_side_on_which_an_end_lands_a_step) {
   }
 }
 
+/// Its parameter counts sides of the picture, which are long.
+TEST(SnapToCurves, gives_the_frame_steps_for_ends_that_are_near_each_other) {
+  std::vector<TracedCurve> curves{frame_of(1000, 1000)};
+  for (const double x : {9.0, 500.6, 510.3}) {
+    curves.push_back(test::traced(test::straight_curve({x, 300}, {x, 1})));
+  }
+  for (SideStops& side : curves[0].side) {
+    side = {{0, 1, 2, 3, 4}, std::vector<SideValue>(5, {0, 0, 0, 1})};
+  }
+  curves[0].side[0] = {};
+  Context context;
+  ASSERT_TRUE(snap_to_curves(context, 1000, 1000, 0.08f, curves).ok());
+  std::vector<double> at;
+  const std::vector<double>& places = curves[0].side[1].place;
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    if (places[i] == places[i - 1]) at.push_back(point_on(curves[0], places[i]).x);
+  }
+  ASSERT_EQ(at.size(), 3u);
+  EXPECT_NEAR(at[0], 9, 0.1);
+  EXPECT_NEAR(at[1], 500.6, 0.1);
+  EXPECT_NEAR(at[2], 510.3, 0.1);
+}
+
 TEST(SnapToCurves, gives_one_step_to_a_place_however_often_it_is_called) {
   const std::vector<TracedCurve> once = snapped(line_and_end(49));
   EXPECT_EQ(snapped(once)[0].side[1].place.size(), 4u);
