@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/table_memory.hpp"
 #include "sfumato/raster/rasterize.hpp"
 #include "sfumato/solve/diffuse.hpp"
 
@@ -24,7 +25,7 @@ Result<Image> drawn_image(Context& context, const Document& drawing, int width, 
   options.format = PixelFormat::rgba16;
   Result<Image> image = rasterize(context, *solved, options);
   charge = {};
-  if (image) status = charge.add(context, image->bytes.capacity(), "pixels");
+  if (image) status = charge.add(context, capacity_bytes(image->bytes), "pixels");
   if (!status) return status;
   return image;
 }
