@@ -1,15 +1,34 @@
 #include "trace/drawn_image.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/table_memory.hpp"
 #include "sfumato/raster/rasterize.hpp"
 #include "sfumato/solve/diffuse.hpp"
 
 namespace sfumato::tracing {
+namespace {
+
+/// What is drawn on the way is no stage of its own.
+class Silence {
+ public:
+  explicit Silence(Context& context)
+      : context_(context), progress_(std::exchange(context.progress, nullptr)) {}
+  Silence(const Silence&) = delete;
+  Silence& operator=(const Silence&) = delete;
+  ~Silence() { context_.progress = progress_; }
+
+ private:
+  Context& context_;
+  Progress* progress_;
+};
+
+}  // namespace
 
 Result<Image> drawn_image(Context& context, const Document& drawing, int width, int height,
                           double max_error, ScopedCharge& charge) {
+  const Silence silence(context);
   DiffuseOptions diffuse_options;
   diffuse_options.pixels_per_unit =
       std::max(width / drawing.artboard.width(), height / drawing.artboard.height());

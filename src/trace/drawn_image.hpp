@@ -16,6 +16,7 @@ namespace sfumato::tracing {
 /// max_error   as DiffuseOptions::max_error
 /// charge      for the image's bytes; what it had is released
 /// Errors      limit, cancelled
+/// Progress    not told
 /// Cost        diffuse() and rasterize() of the drawing
 Result<Image> drawn_image(Context& context, const Document& drawing, int width, int height,
                           double max_error, ScopedCharge& charge);

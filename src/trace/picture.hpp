@@ -23,8 +23,10 @@ struct Picture {
 };
 
 /// A valid image, scaled down so that its longer side has at most `max_side` pixels, by the means
-/// of what each pixel covers. keeps_opacity   false: an image with alpha is shown on white Errors
-/// limit (memory), cancelled
+/// of what each pixel covers.
+///
+/// keeps_opacity   false: an image with alpha is shown on white
+/// Errors          limit (memory), cancelled
 Result<Picture> look_at(Context& context, const Image& image, int max_side, bool keeps_opacity);
 
 /// The coordinates of OKLab of each pixel. Errors: limit (memory), cancelled.

@@ -54,6 +54,9 @@ constexpr float kShowingLeak = 0.15f;
 constexpr double kMoved = 0.05;
 /// How often ends are snapped and curves untangled again: fitted colours tell what leaks.
 constexpr int kTidyings = 5;
+/// What is told of as progress: the picture's edges, each round, and of the end the first fit, each
+/// tidying and the last fit.
+constexpr int kSteps = 1 + (kRounds + 1) + 1 + kTidyings + 1;
 /// Stops pruned at a time, and how often.
 constexpr double kPruneShare = 0.18;
 constexpr int kPruneNormal = 2;
@@ -101,6 +104,7 @@ Result<Document> Tracer::run() {
   Status status = begin();
   if (status) status = add_edges_of_picture();
   if (status && options_.watch) options_.watch->reached(state(0), drawing());
+  tell_progress(1);
   if (status) status = fit();
   if (status) note(0);
   for (int round = 1; round <= kRounds && status && goes_on(); ++round) {
@@ -109,10 +113,12 @@ Result<Document> Tracer::run() {
     if (status) status = add_edges_of_missing(round);
     if (status) status = fit();
     if (status) note(round);
+    tell_progress(2 + round);
   }
   if (status) status = finish();
   if (!status) return status;
   note(stats_.rounds.back().round);
+  tell_progress(kSteps);
   measure_curves();
   return finished_drawing();
 }
@@ -230,11 +236,13 @@ Status Tracer::finish() {
   }
   if (status) status = snap(kLeak);
   if (status) status = fit();
+  tell_progress(1 + (kRounds + 1) + 1);
   for (int pass = 0; pass < kTidyings && status; ++pass) {
     const Result<bool> is_changed = tidy();
     if (!is_changed) return is_changed.status();
     if (!*is_changed) break;
     status = fit_again();
+    tell_progress(1 + (kRounds + 1) + 2 + pass);
   }
   forget_blur();
   return status ? fit_->fit_to_all(curves_, kPruneShare, prune_count(options_.stops)) : status;
@@ -355,6 +363,12 @@ TraceState Tracer::state(int round) const {
   state.psnr_db = fit_->psnr_db();
   state.seconds = watch_.seconds();
   return state;
+}
+
+void Tracer::tell_progress(int steps) const {
+  if (context_.progress) {
+    context_.progress->report("trace", static_cast<double>(steps) / kSteps);
+  }
 }
 
 void Tracer::note(int round) {

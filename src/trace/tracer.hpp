@@ -50,6 +50,7 @@ class Tracer {
   bool goes_on() const;
   TraceState state(int round) const;
   void note(int round);
+  void tell_progress(int steps) const;
   void measure_curves();
   Result<Document> finished_drawing();
   std::size_t point_count() const;

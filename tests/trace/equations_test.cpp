@@ -244,6 +244,22 @@ TracedCurve with_stops(std::size_t left, std::size_t right, std::uint32_t seed) 
   return curve;
 }
 
+/// A curve whose left side has these values, evenly spaced, and its right side two stops.
+TracedCurve with_left(const std::vector<SideValue>& values) {
+  TracedCurve curve = test::traced(test::straight_curve({0, 0}, {50, 0}));
+  SideStops& side = curve.side[0];
+  side = {};
+  for (const SideValue& value : values) {
+    side.place.push_back(static_cast<double>(side.place.size()) / (values.size() - 1.0));
+    side.value.push_back(value);
+  }
+  return curve;
+}
+
+SideValue grey(float v) {
+  return {v, v, v, 1};
+}
+
 constexpr double kAnyCost = std::numeric_limits<double>::infinity();
 
 TEST(PruneStops, gives_what_lies_between_those_that_are_left) {
@@ -278,13 +294,7 @@ TEST(PruneStops, gives_what_lies_between_those_that_are_left) {
 }
 
 TEST(PruneStops, leaves_out_what_changes_least_but_no_neighbours_and_no_ends) {
-  TracedCurve curve = test::traced(test::straight_curve({0, 0}, {50, 0}));
-  SideStops& side = curve.side[0];
-  side = {};
-  for (const float v : {0.0f, 0.1f, 0.2f, 0.9f, 0.0f}) {
-    side.place.push_back(0.25 * static_cast<double>(side.place.size()));
-    side.value.push_back({v, v, v, 1});
-  }
+  const TracedCurve curve = with_left({grey(0.0f), grey(0.1f), grey(0.2f), grey(0.9f), grey(0.0f)});
   const std::vector<float> weight(7, 1.0f);
   const std::vector<std::uint8_t> goes =
       stops_to_prune(std::span(&curve, 1), {weight, {}}, {1, kAnyCost});
@@ -294,13 +304,7 @@ TEST(PruneStops, leaves_out_what_changes_least_but_no_neighbours_and_no_ends) {
 }
 
 TEST(PruneStops, leaves_out_what_together_costs_no_more_than_it_may) {
-  TracedCurve curve = test::traced(test::straight_curve({0, 0}, {50, 0}));
-  SideStops& side = curve.side[0];
-  side = {};
-  for (const float v : {0.0f, 0.1f, 0.0f, 0.5f, 0.0f}) {
-    side.place.push_back(0.25 * static_cast<double>(side.place.size()));
-    side.value.push_back({v, v, v, 1});
-  }
+  const TracedCurve curve = with_left({grey(0.0f), grey(0.1f), grey(0.0f), grey(0.5f), grey(0.0f)});
   const std::vector<float> weight(7, 10.0f);
   const auto goes_for = [&](double cost) {
     return stops_to_prune(std::span(&curve, 1), {weight, {}}, {1, cost});
@@ -312,13 +316,7 @@ TEST(PruneStops, leaves_out_what_together_costs_no_more_than_it_may) {
 }
 
 TEST(PruneStops, counts_what_opacity_changes_where_it_counts) {
-  TracedCurve curve = test::traced(test::straight_curve({0, 0}, {50, 0}));
-  SideStops& side = curve.side[0];
-  side = {};
-  for (const float alpha : {0.0f, 0.5f, 0.0f}) {
-    side.place.push_back(0.5 * static_cast<double>(side.place.size()));
-    side.value.push_back({0, 0, 0, alpha});
-  }
+  const TracedCurve curve = with_left({{0, 0, 0, 0}, {0, 0, 0, 0.5f}, {0, 0, 0, 0}});
   const std::vector<float> weight(5, 1.0f);
   const auto count = [&](const PruneWeights& weights, double cost) {
     return std::ranges::count(stops_to_prune(std::span(&curve, 1), weights, {1, cost}), 1);

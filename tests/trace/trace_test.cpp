@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sfumato/lint/lint.hpp"
@@ -35,6 +36,25 @@ TEST(Trace, draws_a_photo_and_predicts_how_well) {
   EXPECT_NEAR(stats.rounds.back().psnr_db, rendered, 0.3);
   EXPECT_NEAR(stats.noise, 2 / 255.0, 1 / 255.0);
   EXPECT_EQ(stats.scale, 1);
+}
+
+class ProgressLog : public Progress {
+ public:
+  void report(std::string_view stage, double fraction) override {
+    EXPECT_EQ(stage, "trace");
+    fractions.push_back(fraction);
+  }
+  std::vector<double> fractions;
+};
+
+TEST(Trace, tells_one_progress_from_its_beginning_to_its_end) {
+  ProgressLog log;
+  Context context{.progress = &log};
+  ASSERT_TRUE(trace(context, test::synthetic_photo(120), {}).ok());
+  EXPECT_GT(log.fractions.size(), 5u);
+  EXPECT_TRUE(std::ranges::is_sorted(log.fractions));
+  EXPECT_EQ(log.fractions.back(), 1);
+  EXPECT_EQ(context.progress, &log);
 }
 
 TEST(Trace, says_what_the_drawing_has) {
@@ -192,7 +212,8 @@ TEST(Trace, has_blur_but_where_it_is_to_be_sharp) {
   EXPECT_GT(largest_radius(test::trace_of(photo, {.blur = TraceBlur::fitted})), 2);
 }
 
-/// Of one picture a curve more or less decides: several are compared.
+/// Of one picture a curve more or less decides: several are compared, with a tenth of a decibel
+/// each to spare.
 TEST(Trace, does_not_lose_by_fitted_blur) {
   double gain = 0;
   for (const int side : {120, 160, 200, 240}) {
