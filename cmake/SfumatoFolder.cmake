@@ -68,8 +68,8 @@ function(sfumato_folder name)
     # No operating system and no other instruction set there; pictures and gzip are the browser's
     # own affair, and so are files: of what makes them the viewer's payload alone is there.
     list(FILTER sources EXCLUDE REGEX "/native/(atomic_file|file|posix)|_avx(2|512)\\.cpp$")
-    list(FILTER sources EXCLUDE REGEX "/codecs/(png|jpeg|webp|photo|image_file|gunzip|deflate)")
-    list(FILTER sources EXCLUDE REGEX "/export/([^/]*|(eps|facets|glb|pdf|svg)/.*|html/html.*)\\.cpp$")
+    list(FILTER sources EXCLUDE REGEX "/codecs/(png|jpeg|webp|photo|image_file|gunzip|deflate|zip)")
+    list(FILTER sources EXCLUDE REGEX "/export/([^/]*|(eps|facets|glb|pdf|svg|tables)/.*|html/html.*)\\.cpp$")
     list(FILTER sources EXCLUDE REGEX "/output/(export_picture|image_output)\\.cpp$")
     # NAME_wasm.cpp stands in the place of NAME.cpp.
     foreach(source ${sources})

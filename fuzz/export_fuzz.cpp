@@ -11,6 +11,7 @@
 #include "sfumato/export/html/html.hpp"
 #include "sfumato/export/pdf/pdf.hpp"
 #include "sfumato/export/svg/svg.hpp"
+#include "sfumato/export/tables/tables.hpp"
 #include "sfumato/solve/diffuse.hpp"
 
 using namespace sfumato;
@@ -57,6 +58,12 @@ File exported(Context& context, const Picture& picture, unsigned kind, const std
       return export_svg(
           context, picture,
           {.mode = SvgMode::vector, .scale = kPixels / side, .dpi = 96, .max_error = kMaxError});
+    case 5:
+      return export_npz(context, picture);
+    case 6:
+      return export_json(context, picture);
+    case 7:
+      return export_ply(context, picture);
     default:
       return export_glb(context, picture, {.max_error = kMaxError, .dpi = 96 * kPixels / side});
   }
@@ -67,7 +74,7 @@ File exported(Context& context, const Picture& picture, unsigned kind, const std
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   fuzz::ByteReader reader({data, size});
   const std::string title(fuzz::as_text({data, std::min(size, kTitleBytes)}));
-  const unsigned kind = reader.below(6);
+  const unsigned kind = reader.below(9);
   Context context{.budget = Budget(fuzz::kBudgetBytes)};
   const std::optional<Document> document = fuzz::drawn_document(context, reader.rest());
   if (!document || !is_small(*document)) return 0;

@@ -437,9 +437,9 @@ typedef struct sfumato_image {
  * transparent, or white where there is no alpha], dither [not], no-antialias, mesh-overlay. */
 SFUMATO_API int32_t sfumato_raster(sfumato_context* context, const sfumato_picture* picture,
                                    const sfumato_image* image, const char* options);
-/** Makes a file of a picture: png, jpg, webp, html, pdf, eps, svg or glb, with the bytes that the
- * command writes. What the format cannot show is a warning (sfumato_warning()). SFUMATO_UNAVAILABLE
- * in WebAssembly.
+/** Makes a file of a picture: png, jpg, webp, html, pdf, eps, svg, glb, npz, ply or json, with the
+ * bytes that the command writes. What the format cannot show is a warning (sfumato_warning()).
+ * SFUMATO_UNAVAILABLE in WebAssembly.
  *
  * options: width, height, scale, background; of pixels also viewport, depth, dither, no-dither,
  * no-antialias, mesh-overlay, quality, lossless; of others dpi, svg, force, pdf-flatten,

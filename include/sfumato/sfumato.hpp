@@ -5,9 +5,10 @@
 ///
 /// Three verbs make a picture: read_document() (bytes → Document), diffuse() (Document → Picture)
 /// and rasterize() (Picture → Image), or render_on_gpu() in its place. encode_png(), encode_jpeg()
-/// and encode_webp() encode images; export_html(), export_pdf(), export_eps(), export_svg() and
-/// export_glb() encode pictures; write_file() writes the bytes to disk. These functions take a
-/// Context, and none throws, prints or exits: errors are returned as values.
+/// and encode_webp() encode images; export_html(), export_pdf(), export_eps(), export_svg(),
+/// export_glb(), export_npz(), export_json() and export_ply() encode pictures; write_file() writes
+/// the bytes to disk. These functions take a Context, and none throws, prints or exits: errors are
+/// returned as values.
 
 /// @namespace sfumato
 /// The library: everything public is declared here, in limits and in gather.
@@ -30,6 +31,7 @@
 #include "sfumato/export/html/html.hpp"
 #include "sfumato/export/pdf/pdf.hpp"
 #include "sfumato/export/svg/svg.hpp"
+#include "sfumato/export/tables/tables.hpp"
 #include "sfumato/formats/orzan/orzan.hpp"
 #include "sfumato/formats/read_document.hpp"
 #include "sfumato/formats/svg/svg.hpp"

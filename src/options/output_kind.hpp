@@ -8,11 +8,16 @@
 namespace sfumato::options {
 
 /// The kinds of output files.
-enum class OutputKind : std::uint8_t { png, jpeg, webp, html, pdf, eps, svg, glb };
+enum class OutputKind : std::uint8_t { png, jpeg, webp, html, pdf, eps, svg, glb, npz, ply, json };
 
 /// Whether the kind consists of pixels alone.
 constexpr bool is_image(OutputKind kind) {
   return kind <= OutputKind::webp;
+}
+
+/// Whether the kind is the solution itself, as tables of numbers.
+constexpr bool is_table(OutputKind kind) {
+  return kind >= OutputKind::npz;
 }
 
 /// An extension, in lower case and without its dot, and what it stands for.

@@ -22,8 +22,8 @@ Conflict first_broken(std::span<const Rule> rules) {
   return {};
 }
 
-/// What only outputs have that can be enlarged.
-Conflict conflict_with_image(const Settings& given) {
+/// What only pages and meshes have.
+Conflict conflict_without_page(const Settings& given) {
   constexpr std::string_view kComplaint = "expected with HTML, PDF, EPS, SVG and GLB only";
   return first_broken(std::array<Rule, 3>{{{!given.output.detail, {"@detail", kComplaint}},
                                            {!given.output.dpi, {"@dpi", kComplaint}},
@@ -79,7 +79,9 @@ Conflict conflict_among(const Settings& given) {
 }  // namespace
 
 Conflict find_conflict(const Settings& given, OutputKind kind) {
-  Conflict found = is_image(kind) ? conflict_with_image(given) : conflict_with_drawing(given);
+  Conflict found;
+  if (!is_image(kind)) found = conflict_with_drawing(given);
+  if (found.key.empty() && (is_image(kind) || is_table(kind))) found = conflict_without_page(given);
   if (found.key.empty()) found = conflict_with_format(given, kind);
   return found.key.empty() ? conflict_among(given) : found;
 }
@@ -89,7 +91,7 @@ void settle(Settings& settings, OutputKind kind) {
   output.quality = output.quality.value_or(kDefaultQuality);
   output.svg = output.svg.value_or(SvgMode::image);
   // Triangles of a vector SVG are dear.
-  output.detail = output.detail.value_or(*output.svg == SvgMode::vector ? 1 : 2);
+  output.detail = output.detail.value_or(*output.svg == SvgMode::vector || is_table(kind) ? 1 : 2);
   // A JPEG keeps too little of the noise to be worth its bytes.
   const bool is_jpeg = kind == OutputKind::jpeg;
   settings.raster.dither = settings.depth == 8 && settings.dither.value_or(!is_jpeg);

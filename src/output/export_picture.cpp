@@ -10,6 +10,7 @@
 #include "sfumato/export/html/html.hpp"
 #include "sfumato/export/pdf/pdf.hpp"
 #include "sfumato/export/svg/svg.hpp"
+#include "sfumato/export/tables/tables.hpp"
 #include "sfumato/raster/rasterize.hpp"
 
 namespace sfumato::output {
@@ -75,6 +76,12 @@ Result<Bytes> export_picture(Context& context, const Picture& picture,
       options.dpi = output.dpi.value_or(options.dpi);
       return export_glb(context, picture, options, notes);
     }
+    case OutputKind::npz:
+      return export_npz(context, picture, notes);
+    case OutputKind::ply:
+      return export_ply(context, picture, notes);
+    case OutputKind::json:
+      return export_json(context, picture, notes);
     default:
       return make_svg(context, picture, drawing, notes);
   }

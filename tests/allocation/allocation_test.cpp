@@ -24,6 +24,7 @@
 #include "sfumato/export/html/html.hpp"
 #include "sfumato/export/pdf/pdf.hpp"
 #include "sfumato/export/svg/svg.hpp"
+#include "sfumato/export/tables/tables.hpp"
 #include "sfumato/formats/read_document.hpp"
 #include "sfumato/formats/svg/svg_write.hpp"
 #include "sfumato/lint/lint.hpp"
@@ -317,6 +318,15 @@ TEST(AllocationOfOutput, svg_of_triangles) {
 TEST(AllocationOfOutput, glb) {
   check_output(
       [](Context& context, const Picture& picture) { return export_glb(context, picture, {}); }, 7);
+}
+
+TEST(AllocationOfOutput, tables) {
+  check_output(
+      [](Context& context, const Picture& picture) { return export_npz(context, picture); });
+  check_output(
+      [](Context& context, const Picture& picture) { return export_json(context, picture); }, 101);
+  check_output(
+      [](Context& context, const Picture& picture) { return export_ply(context, picture); });
 }
 
 TEST(AllocationOf, files) {

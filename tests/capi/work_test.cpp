@@ -151,7 +151,10 @@ TEST(CFiles, are_those_of_the_command) {
       {"svg", "detail=2", "", {}},
       {"svg", "", "svg=vector force", {"--svg", "vector", "--force"}},
       {"html", "detail=2", "", {}},
-      {"glb", "detail=2", "dpi=100", {"--dpi", "100"}}};
+      {"glb", "detail=2", "dpi=100", {"--dpi", "100"}},
+      {"npz", "", "", {}},
+      {"ply", "scale=0.5", "", {"--scale", "0.5"}},
+      {"json", "", "", {}}};
   for (const Case& one : cases) {
     const PictureHandle picture = solve(c, document.get(), one.solving);
     sfumato_bytes* bytes = nullptr;

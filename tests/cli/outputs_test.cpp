@@ -25,7 +25,10 @@ const Output kOutputs[] = {{"html", "<!DOCTYPE html>", "</html>\n"},
                            {"pdf", "%PDF-1.", "%%EOF\n"},
                            {"eps", "%!PS-Adobe-3.0 EPSF-3.0", "%%EOF\n"},
                            {"svg", "<", "</svg>\n"},
-                           {"glb", "glTF", ""}};
+                           {"glb", "glTF", ""},
+                           {"npz", "PK\x03\x04", ""},
+                           {"ply", "ply\n", ""},
+                           {"json", "{\"format\":\"sfumato tables\"", "}\n"}};
 
 constexpr const char* kEmptyDrawing =
     R"(<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1" )"
@@ -146,6 +149,10 @@ TEST(Outputs, options_that_an_output_has_no_place_for_are_named) {
       {"png", {"--detail", "4"}, "HTML, PDF, EPS, SVG and GLB only"},
       {"webp", {"--dpi", "4"}, "HTML, PDF, EPS, SVG and GLB only"},
       {"png", {"--title", "x"}, "HTML, PDF, EPS, SVG and GLB only"},
+      {"npz", {"--detail", "4"}, "HTML, PDF, EPS, SVG and GLB only"},
+      {"json", {"--title", "x"}, "HTML, PDF, EPS, SVG and GLB only"},
+      {"ply", {"--dpi", "90"}, "HTML, PDF, EPS, SVG and GLB only"},
+      {"ply", {"--mesh-overlay"}, "images only"},
       {"pdf", {"--svg", "vector"}, "SVG only"},
       {"svg", {"--force"}, "--svg vector only"},
       {"svg", {"--svg", "flat"}, "one of image|vector"},

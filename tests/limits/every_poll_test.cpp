@@ -22,6 +22,7 @@
 #include "sfumato/export/html/html.hpp"
 #include "sfumato/export/pdf/pdf.hpp"
 #include "sfumato/export/svg/svg.hpp"
+#include "sfumato/export/tables/tables.hpp"
 #include "sfumato/formats/read_document.hpp"
 #include "sfumato/formats/svg/svg_write.hpp"
 #include "sfumato/lint/lint.hpp"
@@ -164,6 +165,9 @@ TEST(EveryPollOf, exporters) {
   expect_cancelled_at_every_poll("PDF", [&](Context& c) { return export_pdf(c, picture, {}); });
   expect_cancelled_at_every_poll("EPS", [&](Context& c) { return export_eps(c, picture, {}); });
   expect_cancelled_at_every_poll("GLB", [&](Context& c) { return export_glb(c, picture, {}); });
+  expect_cancelled_at_every_poll("NPZ", [&](Context& c) { return export_npz(c, picture); });
+  expect_cancelled_at_every_poll("JSON", [&](Context& c) { return export_json(c, picture); });
+  expect_cancelled_at_every_poll("PLY", [&](Context& c) { return export_ply(c, picture); });
   for (const SvgMode mode : {SvgMode::image, SvgMode::vector}) {
     expect_cancelled_at_every_poll(
         "SVG", [&](Context& c) { return export_svg(c, picture, {.mode = mode, .force = true}); });

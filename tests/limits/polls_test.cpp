@@ -18,6 +18,7 @@
 #include "sfumato/export/html/html.hpp"
 #include "sfumato/export/pdf/pdf.hpp"
 #include "sfumato/export/svg/svg.hpp"
+#include "sfumato/export/tables/tables.hpp"
 #include "sfumato/formats/read_document.hpp"
 #include "sfumato/formats/svg/svg_write.hpp"
 #include "sfumato/lint/lint.hpp"
@@ -177,6 +178,9 @@ TEST(Polls, exporters_look_often) {
   const Result<Picture> picture = diffuse(context, document, {.max_error = 0});
   ASSERT_TRUE(picture.ok());
   expect_polls("GLB", [&](Context& c) { return export_glb(c, *picture, {}); });
+  expect_polls("NPZ", [&](Context& c) { return export_npz(c, *picture); });
+  expect_polls("JSON", [&](Context& c) { return export_json(c, *picture); });
+  expect_polls("PLY", [&](Context& c) { return export_ply(c, *picture); });
   expect_polls("HTML", [&](Context& c) { return export_html(c, *picture, {}); });
   expect_polls("PDF", [&](Context& c) { return export_pdf(c, *picture, {}); });
   expect_polls("SVG", [&](Context& c) {

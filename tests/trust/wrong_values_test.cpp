@@ -25,6 +25,7 @@
 #include "sfumato/export/html/html.hpp"
 #include "sfumato/export/pdf/pdf.hpp"
 #include "sfumato/export/svg/svg.hpp"
+#include "sfumato/export/tables/tables.hpp"
 #include "sfumato/formats/orzan/orzan.hpp"
 #include "sfumato/formats/read_document.hpp"
 #include "sfumato/formats/svg/svg.hpp"
@@ -149,7 +150,10 @@ void show(const Picture& picture, const std::string& place) {
        answer_of(place + ", pdf", [&](Context& c) { return export_pdf(c, picture, kCoarsePdf); }),
        answer_of(place + ", eps", [&](Context& c) { return export_eps(c, picture, {.dpi = 24}); }),
        answer_of(place + ", svg", [&](Context& c) { return export_svg(c, picture, kCoarseSvg); }),
-       answer_of(place + ", glb", [&](Context& c) { return export_glb(c, picture, kCoarseGlb); })},
+       answer_of(place + ", glb", [&](Context& c) { return export_glb(c, picture, kCoarseGlb); }),
+       answer_of(place + ", npz", [&](Context& c) { return export_npz(c, picture); }),
+       answer_of(place + ", json", [&](Context& c) { return export_json(c, picture); }),
+       answer_of(place + ", ply", [&](Context& c) { return export_ply(c, picture); })},
       place);
 }
 
@@ -377,6 +381,9 @@ class Verbs {
     ask([&](Context& c) { return export_eps(c, picture_, {}); });
     ask([&](Context& c) { return export_svg(c, picture_, {.mode = SvgMode::vector}); });
     ask([&](Context& c) { return export_glb(c, picture_, {}); });
+    ask([&](Context& c) { return export_npz(c, picture_); });
+    ask([&](Context& c) { return export_json(c, picture_); });
+    ask([&](Context& c) { return export_ply(c, picture_); });
     ask([&](Context& c) { return encode_png(c, image_); });
     ask([&](Context& c) { return encode_jpeg(c, image_, 80); });
     ask([&](Context& c) { return encode_webp(c, image_, {}); });

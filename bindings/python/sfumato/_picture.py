@@ -134,7 +134,7 @@ class Picture(Handle):
         return np.empty((down, across, channels), kind)
 
     def to_bytes(self, format: str, **options: Option) -> bytes:
-        """A file: png, jpg, webp, html, pdf, eps, svg or glb. options: width, height, scale,
+        """A file: png, jpg, webp, html, pdf, eps, svg, glb, npz, ply or json. options: width, height, scale,
         background; of pixels also viewport, depth, dither, quality, lossless, no_antialias,
         mesh_overlay; of others dpi, svg, force, pdf_flatten, title. What the format cannot show is a
         DrawingWarning."""

@@ -122,6 +122,7 @@ def test_a_picture_that_arrays_look_at_is_not_solved_again(drawing):
 @pytest.mark.parametrize("format, begin", [
     ("png", b"\x89PNG"), ("jpg", b"\xff\xd8"), ("webp", b"RIFF"), ("html", b"<!"), ("pdf", b"%PDF"),
     ("eps", b"%!PS"), ("svg", b"<"), ("glb", b"glTF"),
+    ("npz", b"PK"), ("ply", b"ply\n"), ("json", b"{"),
 ])
 def test_files_are_of_their_kind(drawing, tmp_path, format, begin):
     picture = drawing.solve(detail=2)
