@@ -63,8 +63,8 @@ void paint_scribble(benchmark::State& state) {
       state.SkipWithError("the stroke was refused");
       return;
     }
-    const Status status = painter->paint(0, 0, kSide, kSide, plane[0].data(), plane[1].data(),
-                                         plane[2].data(), plane[3].data(), kSide);
+    const Status status = painter->paint(context, 0, 0, kSide, kSide, plane[0].data(),
+                                         plane[1].data(), plane[2].data(), plane[3].data(), kSide);
     if (!status) return state.SkipWithError("cancelled");
     benchmark::DoNotOptimize(plane[3].data());
   }

@@ -24,8 +24,8 @@ Outcome draw(Workshop& workshop, const sfumato_picture* handle, const sfumato_im
   options.dither = settings.dither.value_or(false);
   const Picture& picture = handle->solution.picture();
   const std::optional<Rgb> own = settings.no_background ? std::nullopt : picture.background;
-  return raster::rasterize_into(workshop.context, picture, options, own,
-                                static_cast<std::uint8_t*>(image->pixels), image->row_bytes);
+  return raster::rasterize_into_on(workshop.context, picture, options, own,
+                                   static_cast<std::uint8_t*>(image->pixels), image->row_bytes);
 }
 
 }  // namespace

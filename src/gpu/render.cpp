@@ -105,6 +105,9 @@ Status paint_tiles(Context& context, gpu::Painter& painter, const RasterOptions&
 
 Result<Image> render(Context& context, const Picture& picture, const RasterOptions& options) {
   Status status = raster::check_options(context.limits, options);
+  if (status && options.window) {
+    status = make_error(StatusCode::bad_input, "a window given, which the GPU does not draw");
+  }
   if (status) status = picture::check_picture(context, picture);
   if (!status) return status;
   const Result<Affine> image_from_artboard = raster::image_from_artboard(picture, options);

@@ -38,10 +38,17 @@ Tile Compositor::target(const PixelRect& rect) {
   return level.tile.part(rect);
 }
 
-void Compositor::paint_straight(const PaintItem& item, const TriangleList& triangles) {
+/// The pixels of the tile that an instance may paint.
+PixelRect Compositor::pixels_of(const PaintItem& item, const TriangleList& triangles) const {
   const PixelRect whole = levels_.back().tile.rect();
-  const PixelRect rect =
-      item.bins ? whole : pixels_in(kernels_.box_of_triangles(item.layer, triangles), whole);
+  const PixelRect rect = pixels_in(kernels_.box_of_triangles(item.layer, triangles), whole);
+  if (rect.empty() || item.layer.soft_edge_count == 0) return rect;
+  // Blurs fall on what is transparent, where a layer has no triangles.
+  return intersection(grown(rect, list_.margin_px()), whole);
+}
+
+void Compositor::paint_straight(const PaintItem& item, const TriangleList& triangles) {
+  const PixelRect rect = pixels_of(item, triangles);
   if (rect.empty()) return;
   const Tile tile = target(rect);
   if (antialias_) {
@@ -53,11 +60,8 @@ void Compositor::paint_straight(const PaintItem& item, const TriangleList& trian
 }
 
 Status Compositor::paint_shaded(const PaintItem& item, const TriangleList& triangles) {
-  const PixelRect whole = levels_.back().tile.rect();
-  PixelRect rect = pixels_in(kernels_.box_of_triangles(item.layer, triangles), whole);
+  const PixelRect rect = pixels_of(item, triangles);
   if (rect.empty()) return ok_status();
-  // Blurs fall on what is transparent, where a layer has no triangles.
-  if (item.layer.soft_edge_count > 0) rect = intersection(grown(rect, list_.margin_px()), whole);
   const ShadingInput input{list_.space(), &list_.shaders(), item.layer_from_image};
   const Result<Tile> source = layer_painter_->paint(item.layer, input, triangles, rect);
   if (!source) return source.status();
@@ -72,8 +76,9 @@ Status Compositor::paint_stroke(const StrokePainter& stroke) {
   const Tile tile = target(rect);
   // Painting over what is opaque leaves the ones of this plane as they are.
   if (!tile.alpha) opaque_.resize(kTileFloats, 1);
-  return stroke.paint(tile.x0, tile.y0, tile.width, tile.height, tile.color[0], tile.color[1],
-                      tile.color[2], tile.alpha ? tile.alpha : opaque_.data(), kTileStride);
+  return stroke.paint(context_, tile.x0, tile.y0, tile.width, tile.height, tile.color[0],
+                      tile.color[1], tile.color[2], tile.alpha ? tile.alpha : opaque_.data(),
+                      kTileStride);
 }
 
 void Compositor::close_group(const PaintItem& item) {
@@ -83,13 +88,14 @@ void Compositor::close_group(const PaintItem& item) {
   kernels_.blend(group.tile.part(group.painted), item.opacity, item.blend, target(group.painted));
 }
 
-Status Compositor::paint_item(const PaintItem& item, std::size_t tile_index) {
+Status Compositor::paint_item(const ListedItem& listed, std::size_t tile_index) {
+  const PaintItem& item = *listed.item;
   switch (item.kind) {
     case PaintItem::Kind::straight:
-      paint_straight(item, list_.triangles(item, tile_index, &listed_));
+      paint_straight(item, list_.triangles(listed, tile_index, &triangles_));
       break;
     case PaintItem::Kind::shaded:
-      return paint_shaded(item, list_.triangles(item, tile_index, &listed_));
+      return paint_shaded(item, list_.triangles(listed, tile_index, &triangles_));
     case PaintItem::Kind::stroke:
       return paint_stroke(*item.stroke);
     case PaintItem::Kind::group_begin:
@@ -110,9 +116,9 @@ Status Compositor::paint(std::size_t tile_index, const Tile& root) {
   const int row = static_cast<int>(tile_index / static_cast<std::size_t>(columns));
   for (std::uint32_t index : list_.row(row)) {
     if (context_.cancelled()) return context_.cancel_status();
-    const PaintItem& item = list_.item(index);
-    if (column < item.tiles.x0 || column >= item.tiles.x1) continue;
-    Status status = paint_item(item, tile_index);
+    const ListedItem& listed = list_.item(index);
+    if (column < listed.tiles.x0 || column >= listed.tiles.x1) continue;
+    Status status = paint_item(listed, tile_index);
     if (!status) return status;
   }
   return ok_status();

@@ -33,7 +33,8 @@ class Compositor {
     PixelRect painted;  ///< a group's pixels outside are undefined
   };
 
-  Status paint_item(const PaintItem& item, std::size_t tile_index);
+  Status paint_item(const ListedItem& listed, std::size_t tile_index);
+  PixelRect pixels_of(const PaintItem& item, const TriangleList& triangles) const;
   void paint_straight(const PaintItem& item, const TriangleList& triangles);
   Status paint_shaded(const PaintItem& item, const TriangleList& triangles);
   Status paint_stroke(const StrokePainter& stroke);
@@ -51,7 +52,7 @@ class Compositor {
   std::vector<TilePlanes> groups_;
   std::vector<Level> levels_;
   std::vector<float> opaque_;  ///< the alpha of a tile without alpha
-  std::vector<std::uint32_t> listed_;
+  std::vector<std::uint32_t> triangles_;
 };
 
 }  // namespace sfumato::raster

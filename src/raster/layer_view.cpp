@@ -1,6 +1,7 @@
 #include "raster/layer_view.hpp"
 
 #include "picture/check_picture.hpp"
+#include "raster/options.hpp"
 
 namespace sfumato::raster {
 namespace {
@@ -17,11 +18,12 @@ FieldView view_field(const PatchField& field) {
 }  // namespace
 
 Result<Affine> image_from_artboard(const Picture& picture, const RasterOptions& options) {
+  const TileGrid grid = grid_of(options);
   const Box viewport = options.viewport.value_or(picture.viewport);
   if (!drawable(viewport))
     return make_error(StatusCode::bad_input, "an empty viewport; expected a positive size");
-  const double x_scale = options.width / viewport.width();
-  const double y_scale = options.height / viewport.height();
+  const double x_scale = grid.width / viewport.width();
+  const double y_scale = grid.height / viewport.height();
   const Affine map{x_scale, 0, 0, y_scale, -viewport.min.x * x_scale, -viewport.min.y * y_scale};
   if (!picture::is_moderate(map))
     return make_error(StatusCode::bad_input, "a viewport too small or too far away to be drawn");

@@ -7,8 +7,8 @@
 
 namespace sfumato::raster {
 
-/// The map that makes the viewport fill the image. Error: bad_input (an empty viewport, or one so
-/// small that pixel coordinates would overflow).
+/// The map that makes the viewport fill the image, or the larger one of a window. Error: bad_input
+/// (an empty viewport, or one so small that pixel coordinates would overflow).
 Result<Affine> image_from_artboard(const Picture& picture, const RasterOptions& options);
 
 /// A view of the instance's layer, which must outlive the view.

@@ -55,7 +55,8 @@ int round_down(int value, int step) {
 }  // namespace
 
 Result<PreparedStroke> prepare_stroke(Context& context, const LocalStroke& stroke,
-                                      const Affine& image_from_artboard, InterpolationSpace space) {
+                                      const Affine& image_from_artboard, InterpolationSpace space,
+                                      const Box& image) {
   PreparedStroke prepared;
   const LocalCurve& curve = stroke.curve;
   const Affine image_from_stroke = image_from_artboard * stroke.artboard_from_stroke;
@@ -66,7 +67,7 @@ Result<PreparedStroke> prepare_stroke(Context& context, const LocalStroke& strok
   curves::StrokeOptions options;
   options.scale = scale;
   options.image_from_stroke = image_from_stroke;
-  options.image = {{0, 0}, {limits::kImageSide, limits::kImageSide}};
+  options.image = image;
   options.interpolation = space;
   options.smallest_radius = kSmallestRadius;
   options.nodes_per_radius = nodes_per_radius(curve, scale);
@@ -82,9 +83,10 @@ Result<PreparedStroke> prepare_stroke(Context& context, const LocalStroke& strok
 
 Result<StrokePainter> StrokePainter::create(Context& context, const LocalStroke& stroke,
                                             const Affine& image_from_artboard,
-                                            InterpolationSpace space) {
+                                            InterpolationSpace space, const Box& image) {
   StrokePainter painter;
-  Result<PreparedStroke> prepared = prepare_stroke(context, stroke, image_from_artboard, space);
+  Result<PreparedStroke> prepared =
+      prepare_stroke(context, stroke, image_from_artboard, space, image);
   if (!prepared) return prepared.status();
   if (prepared->segments.segment.empty()) return painter;
   Result<StrokeTree> tree = StrokeTree::create(context, prepared->segments.reach);
@@ -95,22 +97,22 @@ Result<StrokePainter> StrokePainter::create(Context& context, const LocalStroke&
   painter.frame_from_image_ = inverse(prepared->image_from_frame);
   painter.frame_ = prepared->frame;
   painter.kernels_ = &stroke_kernels(context.simd);
-  painter.context_ = &context;
   return painter;
 }
 
 /// The sums of a block, finished; false where nothing reaches it.
-Result<bool> StrokePainter::add_block(int block_x, int block_y, StrokeSums& sums) const {
+Result<bool> StrokePainter::add_block(const Context& context, int block_x, int block_y,
+                                      StrokeSums& sums) const {
   const Box block{{static_cast<double>(block_x), static_cast<double>(block_y)},
                   {static_cast<double>(block_x + kStrokeBlockWidth),
                    static_cast<double>(block_y + kStrokeBlockHeight)}};
   const Vec2 center = frame_from_image_(block.center());
   bool touched = false;
-  RarePoll<64> poll(*context_);
-  Status status = context_->check();
+  RarePoll<64> poll(context);
+  Status status = context.check();
   if (!status) return status;
   tree_.find(block, [&](std::span<const std::uint32_t> indices) {
-    if (status && poll.cancelled()) status = context_->cancel_status();
+    if (status && poll.cancelled()) status = context.cancel_status();
     if (!status) return;
     if (!touched) sums = {};
     touched = true;
@@ -121,15 +123,15 @@ Result<bool> StrokePainter::add_block(int block_x, int block_y, StrokeSums& sums
   return touched;
 }
 
-Status StrokePainter::paint(int x0, int y0, int width, int height, float* r, float* g, float* b,
-                            float* alpha, std::size_t stride) const {
+Status StrokePainter::paint(const Context& context, int x0, int y0, int width, int height, float* r,
+                            float* g, float* b, float* alpha, std::size_t stride) const {
   const Box rectangle{{static_cast<double>(x0), static_cast<double>(y0)},
                       {static_cast<double>(x0) + width, static_cast<double>(y0) + height}};
   if (bounds_.empty() || !overlap(bounds_, rectangle)) return ok_status();
   StrokeSums sums;
   for (int by = round_down(y0, kStrokeBlockHeight); by < y0 + height; by += kStrokeBlockHeight) {
     for (int bx = round_down(x0, kStrokeBlockWidth); bx < x0 + width; bx += kStrokeBlockWidth) {
-      const Result<bool> is_touched = add_block(bx, by, sums);
+      const Result<bool> is_touched = add_block(context, bx, by, sums);
       if (!is_touched) return is_touched.status();
       if (!*is_touched) continue;
       const int left = std::max(x0, bx), right = std::min(x0 + width, bx + kStrokeBlockWidth);

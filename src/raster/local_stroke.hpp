@@ -9,6 +9,7 @@
 #include "sfumato/base/box.hpp"
 #include "sfumato/base/color_space.hpp"
 #include "sfumato/base/context.hpp"
+#include "sfumato/base/limits.hpp"
 #include "sfumato/base/status.hpp"
 #include "sfumato/document/document.hpp"
 
@@ -22,37 +23,44 @@ struct PreparedStroke {
   Box bounds_px;            ///< every pixel that the stroke can touch lies inside
 };
 
+/// Holds every image that is painted as a whole.
+inline constexpr Box kLargestImage{{0, 0}, {limits::kImageSide, limits::kImageSide}};
+
 /// The first step of StrokePainter::create; the same parameters, errors and cost.
 Result<PreparedStroke> prepare_stroke(Context& context, const LocalStroke& stroke,
-                                      const Affine& image_from_artboard, InterpolationSpace space);
+                                      const Affine& image_from_artboard, InterpolationSpace space,
+                                      const Box& image = kLargestImage);
 
 /// A local curve prepared for one image (paper eq. 12–16; docs/mathematics.md, "Local curves").
 class StrokePainter {
  public:
-  /// image_from_artboard  image coordinates are pixels; the image lies within
-  ///                      [0, limits::kImageSide]², the rest is not painted.
+  /// image_from_artboard  image coordinates are pixels.
+  /// image                what may be painted of the stroke. A pixel's value may depend on it in
+  /// the
+  ///                      last bit.
   /// Precondition: the document of `stroke` was validated. Nothing of `stroke` is kept; the
   /// context must outlive the painter.
   /// Errors: limit (segments, memory), cancelled.
   /// Cost: O(length within reach of the image / influence radius).
   static Result<StrokePainter> create(Context& context, const LocalStroke& stroke,
-                                      const Affine& image_from_artboard, InterpolationSpace space);
+                                      const Affine& image_from_artboard, InterpolationSpace space,
+                                      const Box& image = kLargestImage);
 
   /// Contains every pixel that the stroke can touch; empty if there is none.
   Box bounds_px() const { return bounds_; }
 
   /// Composites the stroke onto the pixels [x0, x0 + width) × [y0, y0 + height), source over.
   /// r, g, b, alpha  premultiplied sRGB code values; pixel (x0 + i, y0 + j) at i + j * stride.
-  /// Errors: cancelled; the stroke is then partly painted. Thread-safe; a pixel's value does not
-  /// depend on the rectangle it is painted in. Cost: O(pixels touched · nodes in reach of each) +
-  /// O(log segments) per 128 pixels.
-  Status paint(int x0, int y0, int width, int height, float* r, float* g, float* b, float* alpha,
-               std::size_t stride) const;
+  /// Errors: cancelled, by this context; the stroke is then partly painted. Thread-safe; a pixel's
+  /// value does not depend on the rectangle it is painted in. Cost: O(pixels touched · nodes in
+  /// reach of each) + O(log segments) per 128 pixels.
+  Status paint(const Context& context, int x0, int y0, int width, int height, float* r, float* g,
+               float* b, float* alpha, std::size_t stride) const;
 
  private:
   StrokePainter() = default;
 
-  Result<bool> add_block(int block_x, int block_y, StrokeSums& sums) const;
+  Result<bool> add_block(const Context& context, int block_x, int block_y, StrokeSums& sums) const;
 
   curves::StrokeSegments segments_;
   StrokeTree tree_;
@@ -60,7 +68,6 @@ class StrokePainter {
   StrokeFrame frame_;
   Affine frame_from_image_;
   const StrokeKernels* kernels_ = nullptr;
-  const Context* context_ = nullptr;
 };
 
 }  // namespace sfumato::raster

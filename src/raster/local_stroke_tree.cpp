@@ -1,12 +1,20 @@
 #include "raster/local_stroke_tree.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace sfumato::raster {
 namespace {
 
 constexpr std::size_t kFan = 8;
+
+/// In single precision, moved up (sign 1) or down (-1) by more than the rounding of pixels of any
+/// image.
+float rounded(double x, double sign) {
+  constexpr double kMargin = 0.01, kShare = 0x1p-23;
+  return static_cast<float>(x + sign * std::max(kMargin, kShare * std::fabs(x)));
+}
 
 }  // namespace
 
@@ -37,13 +45,10 @@ Result<StrokeTree> StrokeTree::create(Context& context, std::span<const Box> box
   }
   Status status = tree.memory_.reserve(context, tree.bounds_, total);
   if (!status) return status;
-  // Coordinates are pixels of an image: this is more than their rounding.
-  constexpr double kMargin = 0.01;
   tree.level_begin_.push_back(0);
   for (const Box& box : boxes) {
-    tree.bounds_.push_back(
-        {{static_cast<float>(box.min.x - kMargin), static_cast<float>(box.min.y - kMargin)},
-         {static_cast<float>(box.max.x + kMargin), static_cast<float>(box.max.y + kMargin)}});
+    tree.bounds_.push_back({{rounded(box.min.x, -1), rounded(box.min.y, -1)},
+                            {rounded(box.max.x, 1), rounded(box.max.y, 1)}});
   }
   for (std::size_t begin = 0, end = boxes.size(); end - begin > 1;) {
     tree.level_begin_.push_back(end);

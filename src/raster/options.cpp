@@ -8,9 +8,51 @@
 
 namespace sfumato::raster {
 
+namespace {
+
+std::string size_text(int width, int height) {
+  return std::to_string(width) + " x " + std::to_string(height) + " pixels";
+}
+
+Status check_whole_size(int width, int height) {
+  if (width < 1 || height < 1) {
+    return make_error(StatusCode::bad_input, "a window of an image of " + size_text(width, height) +
+                                                 "; expected at least 1 x 1");
+  }
+  if (std::max(width, height) > RasterWindow::kLargestSide) {
+    return make_error(StatusCode::limit,
+                      "a window of an image of " + size_text(width, height) + "; the limit is " +
+                          std::to_string(RasterWindow::kLargestSide) + " pixels on a side");
+  }
+  return ok_status();
+}
+
+Status check_window(const RasterOptions& options) {
+  const RasterWindow& window = *options.window;
+  Status status = check_whole_size(window.of_width, window.of_height);
+  if (!status) return status;
+  const bool is_inside = window.x >= 0 && window.y >= 0 &&
+                         options.width <= window.of_width - window.x &&
+                         options.height <= window.of_height - window.y;
+  if (is_inside) return status;
+  return make_error(StatusCode::bad_input,
+                    "a window of " + size_text(options.width, options.height) + " at (" +
+                        std::to_string(window.x) + ", " + std::to_string(window.y) +
+                        ") that is not inside its image of " +
+                        size_text(window.of_width, window.of_height));
+}
+
+Status check_colors(const RasterOptions& options) {
+  if (options.format > PixelFormat::rgba16) {
+    return make_error(StatusCode::bad_input, "an unknown format of pixels");
+  }
+  return rules::check_background(options.background);
+}
+
+}  // namespace
+
 Status check_options(const Limits& limits, const RasterOptions& options) {
-  const std::string size =
-      std::to_string(options.width) + " x " + std::to_string(options.height) + " pixels";
+  const std::string size = size_text(options.width, options.height);
   if (options.width < 1 || options.height < 1) {
     return make_error(StatusCode::bad_input, "an image of " + size + "; expected at least 1 x 1");
   }
@@ -19,10 +61,26 @@ Status check_options(const Limits& limits, const RasterOptions& options) {
                             "an image of " + size + "; the limit is " +
                                 limit_text(limits, &Limits::image_side, "pixels on a side"));
   }
-  if (options.format > PixelFormat::rgba16) {
-    return make_error(StatusCode::bad_input, "an unknown format of pixels");
+  if (options.window) {
+    if (Status status = check_window(options); !status) return status;
   }
-  return rules::check_background(options.background);
+  return check_colors(options);
+}
+
+Status check_whole(const RasterOptions& options) {
+  if (options.window) {
+    return make_error(StatusCode::bad_input, "a window given where windows are yet to be chosen");
+  }
+  Status status = check_whole_size(options.width, options.height);
+  return status ? check_colors(options) : status;
+}
+
+TileGrid grid_of(const RasterOptions& options) {
+  if (!options.window) return {options.width, options.height};
+  const RasterWindow& window = *options.window;
+  return {window.of_width,
+          window.of_height,
+          {window.x, window.y, window.x + options.width, window.y + options.height}};
 }
 
 Backdrop choose_backdrop(const RasterOptions& options, const std::optional<Rgb>& document) {

@@ -2,15 +2,22 @@
 
 #include <optional>
 
+#include "raster/tile_bins.hpp"
 #include "sfumato/base/color.hpp"
 #include "sfumato/base/status.hpp"
 #include "sfumato/raster/rasterize.hpp"
 
 namespace sfumato::raster {
 
-/// Checks the size of the image against limits.hpp, its format and its background. Errors:
-/// bad_input, limit.
+/// Checks the size of the image against limits.hpp, its window, its format and its background.
+/// Errors: bad_input, limit.
 Status check_options(const Limits& limits, const RasterOptions& options);
+
+/// The same of options whose size is that of an image that is painted in windows.
+Status check_whole(const RasterOptions& options);
+
+/// The size of the larger image, and the pixels of it that are painted. The options were checked.
+TileGrid grid_of(const RasterOptions& options);
 
 /// The value of a pixel where nothing is painted.
 struct Backdrop {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <atomic>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -23,6 +24,7 @@ namespace sfumato {
 namespace {
 
 using raster::PaintList;
+using raster::PaintPlan;
 using raster::Tile;
 using raster::TileGrid;
 
@@ -72,7 +74,7 @@ class TilePainter {
   std::unique_ptr<float[]> planes_;
   raster::Compositor compositor_;
   raster::Overlay overlay_;
-  std::vector<std::uint32_t> listed_;
+  std::vector<std::uint32_t> triangles_;
 };
 
 /// The tile with nothing but the backdrop in it.
@@ -98,9 +100,9 @@ void TilePainter::paint_overlay(std::size_t tile_index, const Tile& tile) {
   const int row = static_cast<int>(tile_index / static_cast<std::size_t>(list.grid().columns()));
   overlay_.clear();
   for (std::uint32_t index : list.row(row)) {
-    const raster::PaintItem& item = list.item(index);
-    if (item.is_instance())
-      overlay_.add(item.layer, list.triangles(item, tile_index, &listed_), tile);
+    const raster::ListedItem& listed = list.item(index);
+    if (listed.item->is_instance())
+      overlay_.add(listed.item->layer, list.triangles(listed, tile_index, &triangles_), tile);
   }
   overlay_.paint(tile);
 }
@@ -172,8 +174,11 @@ class ImagePainting {
 Status ImagePainting::make_bytes(std::size_t end_row) {
   if (!to_make_) return ok_status();
   Image& image = to_make_->image;
-  const std::size_t rows =
-      std::min(end_row * raster::kTileHeight, static_cast<std::size_t>(image.height));
+  const TileGrid& grid = job_.list.grid();
+  const std::size_t bottom =
+      (static_cast<std::size_t>(grid.first_row()) + end_row) * raster::kTileHeight;
+  const std::size_t rows = std::min(bottom - static_cast<std::size_t>(grid.window.y0),
+                                    static_cast<std::size_t>(image.height));
   return to_make_->memory.resize(context_, image.bytes, rows * image.row_bytes());
 }
 
@@ -204,19 +209,6 @@ Status ImagePainting::paint() {
   return status;
 }
 
-Result<PaintList> make_list(Context& context, const Picture& picture,
-                            const RasterOptions& options) {
-  if (Status status = picture::check_picture(context, picture); !status) return status;
-  const Result<Affine> image_from_artboard = raster::image_from_artboard(picture, options);
-  if (!image_from_artboard) return image_from_artboard.status();
-  double margin_px = options.mesh_overlay ? raster::kOverlayReachPx + 1 : 0;
-  if (options.antialias) {
-    margin_px = std::max(margin_px, raster::strip_margin_px(picture, *image_from_artboard));
-  }
-  return PaintList::create(context, picture, *image_from_artboard,
-                           TileGrid{options.width, options.height}, margin_px);
-}
-
 /// What is drawn besides the options.
 struct Drawing {
   const Picture& picture;
@@ -224,9 +216,26 @@ struct Drawing {
   const picture::FieldSource* source = nullptr;  ///< null: the picture's patches
 };
 
-/// Draws into the target, whose bytes stand there or are `to_make`. The options are checked.
-Status draw_into(Context& context, const Drawing& drawing, const RasterOptions& options,
-                 const raster::ImageTarget& target, const ImageBytes* to_make) {
+/// The picture and the options were not checked against each other yet.
+Result<PaintPlan> make_plan(Context& context, const Picture& picture, const RasterOptions& options,
+                            bool has_blocks) {
+  if (Status status = picture::check_picture(context, picture); !status) return status;
+  const Result<Affine> image_from_artboard = raster::image_from_artboard(picture, options);
+  if (!image_from_artboard) return image_from_artboard.status();
+  double margin_px = options.mesh_overlay ? raster::kOverlayReachPx + 1 : 0;
+  if (options.antialias) {
+    margin_px = std::max(margin_px, raster::strip_margin_px(picture, *image_from_artboard));
+  }
+  const TileGrid grid = raster::grid_of(options);
+  return PaintPlan::create(context, picture,
+                           {*image_from_artboard, grid.width, grid.height, margin_px, has_blocks});
+}
+
+/// Draws a window into the target, whose bytes stand there or are `to_make`. The options are those
+/// that the plan was made for, and checked.
+Status draw_window(Context& context, const PaintPlan& plan, const Drawing& drawing,
+                   const RasterOptions& options, const TileGrid& grid,
+                   const raster::ImageTarget& target, const ImageBytes* to_make) {
   TileJob job;
   job.options = &options;
   job.context = &context;
@@ -234,7 +243,8 @@ Status draw_into(Context& context, const Drawing& drawing, const RasterOptions& 
   job.kernels = &raster::span_kernels(context.simd);
   job.backdrop = raster::choose_backdrop(options, drawing.own_background);
   job.target = target;
-  Result<PaintList> list = make_list(context, drawing.picture, options);
+  job.target.window = grid.window;
+  Result<PaintList> list = PaintList::create(context, plan, grid);
   if (!list) return list.status();
   job.list = std::move(*list);
   ScopedCharge tile_charge;
@@ -243,6 +253,14 @@ Status draw_into(Context& context, const Drawing& drawing, const RasterOptions& 
       "tiles of the image");
   if (!status) return status;
   return ImagePainting(context, job, to_make).paint();
+}
+
+/// The options are checked.
+Status draw_into(Context& context, const Drawing& drawing, const RasterOptions& options,
+                 const raster::ImageTarget& target, const ImageBytes* to_make) {
+  const Result<PaintPlan> plan = make_plan(context, drawing.picture, options, false);
+  if (!plan) return plan.status();
+  return draw_window(context, *plan, drawing, options, raster::grid_of(options), target, to_make);
 }
 
 Result<Image> draw(Context& context, const Drawing& drawing, const RasterOptions& options) {
@@ -261,6 +279,29 @@ Result<Image> draw(Context& context, const Drawing& drawing, const RasterOptions
   return image;
 }
 
+/// Of an image of the caller's.
+Status check_target(const RasterOptions& options, const std::uint8_t* pixels,
+                    std::size_t row_bytes) {
+  if (!pixels) return make_error(StatusCode::bad_input, "no memory for the pixels given");
+  const std::size_t least = Image{options.width, options.height, options.format, {}}.row_bytes();
+  if (row_bytes >= least) return ok_status();
+  return make_error(StatusCode::bad_input, std::to_string(row_bytes) +
+                                               " bytes given for a row of pixels; expected " +
+                                               std::to_string(least) + " at least");
+}
+
+/// Checks, and draws where the pixels of the caller's are.
+template <class Draw>
+Status draw_to_caller(Context& context, const RasterOptions& options, std::uint8_t* pixels,
+                      std::size_t row_bytes, const Draw& draw) {
+  return public_verb(context, [&] {
+    Status status = raster::check_options(context.limits, options);
+    if (status) status = check_target(options, pixels, row_bytes);
+    if (!status) return status;
+    return draw(raster::ImageTarget{pixels, row_bytes, options.format, options.dither});
+  });
+}
+
 }  // namespace
 
 Result<Image> rasterize(Context& context, const Picture& picture, const RasterOptions& options) {
@@ -273,16 +314,19 @@ Result<Image> raster::rasterize_on(Context& context, const Picture& picture,
   return public_verb(context, [&] { return draw(context, {picture, own_background}, options); });
 }
 
-Status raster::rasterize_into(Context& context, const Picture& picture,
-                              const RasterOptions& options,
-                              const std::optional<Rgb>& own_background, std::uint8_t* bytes,
-                              std::size_t row_bytes) {
-  return public_verb(context, [&] {
-    Status status = raster::check_options(context.limits, options);
-    if (!status) return status;
-    const raster::ImageTarget target{bytes, row_bytes, options.format, options.dither};
+Status raster::rasterize_into_on(Context& context, const Picture& picture,
+                                 const RasterOptions& options,
+                                 const std::optional<Rgb>& own_background, std::uint8_t* pixels,
+                                 std::size_t row_bytes) {
+  return draw_to_caller(context, options, pixels, row_bytes, [&](const ImageTarget& target) {
     return draw_into(context, {picture, own_background}, options, target, nullptr);
   });
+}
+
+Status rasterize_into(Context& context, const Picture& picture, const RasterOptions& options,
+                      std::uint8_t* pixels, std::size_t row_bytes) {
+  return raster::rasterize_into_on(context, picture, options, picture.background, pixels,
+                                   row_bytes);
 }
 
 Result<Image> rasterize(Context& context, const Picture& picture, const RasterOptions& options,
@@ -298,6 +342,45 @@ Result<Image> rasterize(Context& context, const Picture& picture, const RasterOp
     }
     return draw(context, {picture, picture.background, &source}, plain);
   });
+}
+
+struct PreparedRaster::Parts {
+  RasterOptions options;
+  PaintPlan plan;
+};
+
+PreparedRaster& PreparedRaster::operator=(PreparedRaster&& other) noexcept {
+  std::swap(parts_, other.parts_);
+  return *this;
+}
+
+PreparedRaster::~PreparedRaster() {
+  const std::unique_ptr<Parts> parts(parts_);
+}
+
+Result<PreparedRaster> PreparedRaster::create(Context& context, const Picture& picture,
+                                              const RasterOptions& options) {
+  return public_verb(context, [&]() -> Result<PreparedRaster> {
+    if (Status status = raster::check_whole(options); !status) return status;
+    Result<PaintPlan> plan = make_plan(context, picture, options, true);
+    if (!plan) return plan.status();
+    return PreparedRaster(std::make_unique<Parts>(Parts{options, std::move(*plan)}).release());
+  });
+}
+
+Status PreparedRaster::paint(Context& context, int x, int y, int width, int height,
+                             std::uint8_t* pixels, std::size_t row_bytes) const {
+  if (!parts_) return make_error(StatusCode::bad_input, "a prepared picture that was moved away");
+  RasterOptions options = parts_->options;
+  options.window = RasterWindow{x, y, options.width, options.height};
+  options.width = width;
+  options.height = height;
+  const Picture& picture = parts_->plan.picture();
+  return draw_to_caller(context, options, pixels, row_bytes,
+                        [&](const raster::ImageTarget& target) {
+                          return draw_window(context, parts_->plan, {picture, picture.background},
+                                             options, raster::grid_of(options), target, nullptr);
+                        });
 }
 
 }  // namespace sfumato

@@ -7,6 +7,7 @@
 #include "base/parallel.hpp"
 #include "base/poll.hpp"
 #include "raster/kernels/span_kernels.hpp"
+#include "raster/triangle_blocks.hpp"
 
 namespace sfumato::raster {
 namespace {
@@ -16,6 +17,14 @@ std::uint16_t tile_index(double pixel, int tile_side, int count) {
   const double tile = pixel / tile_side, last = count - 1;
   const double lifted = tile > 0 ? tile : 0;
   return static_cast<std::uint16_t>(lifted < last ? lifted : last);
+}
+
+std::uint16_t column_index(double x, const TileGrid& grid) {
+  return tile_index(x - 1.0 * grid.first_column() * kTileWidth, kTileWidth, grid.columns());
+}
+
+std::uint16_t row_index(double y, const TileGrid& grid) {
+  return tile_index(y - 1.0 * grid.first_row() * kTileHeight, kTileHeight, grid.rows());
 }
 
 /// Lists triangles of one layer by tile.
@@ -64,11 +73,11 @@ void Binner::find_ranges(const SpanKernels& kernels, std::size_t begin, std::siz
 /// The columns of tiles that a long triangle may touch in one row of tiles: a needle across the
 /// image is listed along its length, not all over its bounding box.
 TileRange Binner::range_in_row(std::uint32_t triangle, const TileRange& whole, int tile_row) const {
-  constexpr double kSlackPx = 1;         // for rounding
-  constexpr double kExactBelowPx = 1e9;  // farther away a slack of one pixel might not do
+  constexpr double kSlackPx = 1;  // for rounding
   const double margin_px = margin_px_ + kSlackPx;
-  const double top = 1.0 * tile_row * kTileHeight - margin_px;
-  const double bottom = (tile_row + 1.0) * kTileHeight + margin_px;
+  const int image_row = grid_.first_row() + tile_row;
+  const double top = 1.0 * image_row * kTileHeight - margin_px;
+  const double bottom = (image_row + 1.0) * kTileHeight + margin_px;
   Box box;
   for (int k = 0; k < 3; ++k) {
     Vec2 a = corner(triangle, k);
@@ -81,10 +90,9 @@ TileRange Binner::range_in_row(std::uint32_t triangle, const TileRange& whole, i
   }
   if (box.empty()) return {};
   TileRange range = whole;
-  range.x0 = std::max(whole.x0, tile_index(box.min.x - margin_px, kTileWidth, grid_.columns()));
+  range.x0 = std::max(whole.x0, column_index(box.min.x - margin_px, grid_));
   range.x1 = std::min<std::uint16_t>(
-      whole.x1, static_cast<std::uint16_t>(
-                    tile_index(box.max.x + margin_px, kTileWidth, grid_.columns()) + 1));
+      whole.x1, static_cast<std::uint16_t>(column_index(box.max.x + margin_px, grid_) + 1));
   return range;
 }
 
@@ -128,21 +136,21 @@ Status Binner::sort(Context& context, const std::vector<TileRange>& ranges, Tile
 
 PixelRect tile_rect(const TileGrid& grid, std::size_t tile) {
   const std::size_t columns = static_cast<std::size_t>(grid.columns());
-  const int x0 = static_cast<int>(tile % columns) * kTileWidth;
-  const int y0 = static_cast<int>(tile / columns) * kTileHeight;
+  const int x0 = (grid.first_column() + static_cast<int>(tile % columns)) * kTileWidth;
+  const int y0 = (grid.first_row() + static_cast<int>(tile / columns)) * kTileHeight;
   return {x0, y0, std::min(x0 + kTileWidth, grid.width), std::min(y0 + kTileHeight, grid.height)};
 }
 
 TileRange tiles_of(const Box& box_px, const TileGrid& grid) {
-  const Box image{{0, 0}, {static_cast<double>(grid.width), static_cast<double>(grid.height)}};
-  if (!overlap(box_px, image)) return {};
-  const auto column = [&](double x) { return tile_index(x, kTileWidth, grid.columns()); };
-  const auto row = [&](double y) { return tile_index(y, kTileHeight, grid.rows()); };
+  if (grid.tile_count() == 0) return {};
+  const PixelRect first = tile_rect(grid, 0), last = tile_rect(grid, grid.tile_count() - 1);
+  const Box tiles{{1.0 * first.x0, 1.0 * first.y0}, {1.0 * last.x1, 1.0 * last.y1}};
+  if (!overlap(box_px, tiles)) return {};
   TileRange range;
-  range.x0 = column(box_px.min.x);
-  range.y0 = row(box_px.min.y);
-  range.x1 = static_cast<std::uint16_t>(column(box_px.max.x) + 1);
-  range.y1 = static_cast<std::uint16_t>(row(box_px.max.y) + 1);
+  range.x0 = column_index(box_px.min.x, grid);
+  range.y0 = row_index(box_px.min.y, grid);
+  range.x1 = static_cast<std::uint16_t>(column_index(box_px.max.x, grid) + 1);
+  range.y1 = static_cast<std::uint16_t>(row_index(box_px.max.y, grid) + 1);
   return range;
 }
 

@@ -11,17 +11,20 @@
 
 namespace sfumato::raster {
 
-/// The image cut into tiles, row by row.
+/// The tiles of an image that a window meets, row by row. Tiles are cut from the image's corner.
 struct TileGrid {
-  int width = 0;  ///< pixels
+  int width = 0;  ///< of the image, pixels
   int height = 0;
+  PixelRect window{0, 0, width, height};
 
-  int columns() const { return (width + kTileWidth - 1) / kTileWidth; }
-  int rows() const { return (height + kTileHeight - 1) / kTileHeight; }
+  int first_column() const { return window.x0 / kTileWidth; }  ///< of those of the image
+  int first_row() const { return window.y0 / kTileHeight; }
+  int columns() const { return (window.x1 + kTileWidth - 1) / kTileWidth - first_column(); }
+  int rows() const { return (window.y1 + kTileHeight - 1) / kTileHeight - first_row(); }
   std::size_t tile_count() const { return static_cast<std::size_t>(columns()) * rows(); }
 };
 
-/// The pixels of a tile.
+/// The pixels of a tile, also those that a window leaves out.
 PixelRect tile_rect(const TileGrid& grid, std::size_t tile);
 
 /// The tiles from (x0, y0) up to but not (x1, y1); empty where x0 == x1.

@@ -8,12 +8,22 @@
 namespace sfumato::raster {
 namespace {
 
-Box triangle_box(const LayerView& layer, std::uint32_t triangle) {
-  Box box;
+struct Corners {
+  Vec2 at[3];
+};
+
+Corners corners_of(const LayerView& layer, std::uint32_t triangle) {
+  Corners corners;
   for (int k = 0; k < 3; ++k) {
     const std::uint32_t vertex = layer.triangle_vertex[std::size_t{3} * triangle + k];
-    box.extend(layer.image_from_layer(layer.vertex_position[vertex]));
+    corners.at[k] = layer.image_from_layer(layer.vertex_position[vertex]);
   }
+  return corners;
+}
+
+Box box_of(const Corners& corners) {
+  Box box;
+  for (Vec2 p : corners.at) box.extend(p);
   return box;
 }
 
@@ -24,6 +34,34 @@ Box box_of(const PixelRect& rect) {
 /// True also where a number is none.
 bool may_overlap(const Box& a, const Box& b) {
   return !(a.min.x > b.max.x || b.min.x > a.max.x || a.min.y > b.max.y || b.min.y > a.max.y);
+}
+
+bool is_within(const Box& inner, const Box& outer) {
+  return inner.min.x > outer.min.x && inner.max.x < outer.max.x && inner.min.y > outer.min.y &&
+         inner.max.y < outer.max.y;
+}
+
+/// More than to touch.
+bool meet(const Box& a, const Box& b) {
+  return a.min.x < b.max.x && b.min.x < a.max.x && a.min.y < b.max.y && b.min.y < a.max.y;
+}
+
+bool is_far(const Corners& corners) {
+  return std::ranges::any_of(
+      corners.at, [](Vec2 p) { return std::max(std::fabs(p.x), std::fabs(p.y)) > kExactBelowPx; });
+}
+
+/// Whether one of a triangle's edges has all of a box on its other side. `turn` is 1, or -1 if the
+/// layer is mirrored.
+bool is_parted(const Corners& corners, double turn, const Box& box) {
+  if (is_far(corners)) return false;
+  for (int k = 0; k < 3; ++k) {
+    const Vec2 a = corners.at[k], along = (corners.at[(k + 1) % 3] - a) * turn;
+    // The corner of the box that lies farthest inside.
+    const Vec2 inmost{along.y > 0 ? box.min.x : box.max.x, along.x > 0 ? box.max.y : box.min.y};
+    if (cross(along, inmost - a) <= 0) return true;
+  }
+  return false;
 }
 
 int clamped_floor(double x, int low, int high) {
@@ -66,15 +104,29 @@ Box mapped_bounds(const Affine& map, const Box& box) {
 void list_triangles(const LayerView& layer, const TriangleBlocks& blocks, const PixelRect& rect,
                     double margin_px, std::vector<std::uint32_t>* triangles) {
   triangles->clear();
-  const Box seen = box_of(rect).grown_by(margin_px);
+  constexpr double kRoundingPx = 1;
+  const Box seen = box_of(rect), near = seen.grown_by(margin_px + kRoundingPx);
   for (std::uint32_t i = 0; i < blocks.box.size(); ++i) {
     const Box block = mapped_bounds(layer.image_from_layer, blocks.box[i]);
-    if (!may_overlap(block, seen)) continue;
+    if (!may_overlap(block, near)) continue;
     const std::uint32_t first = i * kTrianglesPerBlock;
     const std::uint32_t last = std::min(first + kTrianglesPerBlock, blocks.triangle_count);
     for (std::uint32_t t = first; t < last; ++t)
-      if (overlap(triangle_box(layer, t), seen)) triangles->push_back(t);
+      if (overlap(box_of(corners_of(layer, t)).grown_by(margin_px), seen)) triangles->push_back(t);
   }
+}
+
+void keep_meeting(const LayerView& layer, const PixelRect& rect, double margin_px,
+                  std::vector<std::uint32_t>* triangles) {
+  const Box seen = box_of(rect), near = seen.grown_by(margin_px);
+  const double turn = layer.mirrored ? -1 : 1;
+  std::erase_if(*triangles, [&](std::uint32_t t) {
+    const Corners corners = corners_of(layer, t);
+    const Box box = box_of(corners);
+    // The box is grown, as where the lists are made, since rounding is then the same.
+    return !meet(box.grown_by(margin_px), seen) ||
+           !(is_within(box, near) || !is_parted(corners, turn, near));
+  });
 }
 
 PixelRect pixels_in(const Box& box, const PixelRect& rect) {

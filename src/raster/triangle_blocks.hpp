@@ -21,6 +21,9 @@ struct TriangleBlocks {
 
 inline constexpr std::uint32_t kTrianglesPerBlock = 32;
 
+/// Farther from the image's corner, whether an edge passes beside a tile is lost in rounding.
+inline constexpr double kExactBelowPx = 1e9;
+
 /// Errors: limit, cancelled.
 Result<TriangleBlocks> make_triangle_blocks(Context& context, const PatchLayer& layer);
 
@@ -30,6 +33,11 @@ Box mapped_bounds(const Affine& map, const Box& box);
 /// Lists, in increasing order, the triangles whose bounding box, grown by margin_px, meets `rect`.
 void list_triangles(const LayerView& layer, const TriangleBlocks& blocks, const PixelRect& rect,
                     double margin_px, std::vector<std::uint32_t>* triangles);
+
+/// Leaves those of a list that come closer to `rect` than margin_px (to touch is not enough where
+/// that is 0): a tile's triangles are the same however they were found.
+void keep_meeting(const LayerView& layer, const PixelRect& rect, double margin_px,
+                  std::vector<std::uint32_t>* triangles);
 
 /// The pixels of `rect` that a box meets.
 PixelRect pixels_in(const Box& box, const PixelRect& rect);

@@ -285,8 +285,8 @@ Result<PixelRect> StackWalk::paint(const LocalStroke& stroke) {
       }
     }
     const auto at = [&](std::size_t i) { return stroke_[i].row(top) + rect.x0; };
-    return painter->paint(rect.x0, top, rect.x1 - rect.x0, height, at(0), at(1), at(2), at(3),
-                          static_cast<std::size_t>(picture_.width));
+    return painter->paint(context_, rect.x0, top, rect.x1 - rect.x0, height, at(0), at(1), at(2),
+                          at(3), static_cast<std::size_t>(picture_.width));
   });
   if (!status) return status;
   return rect;

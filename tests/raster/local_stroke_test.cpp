@@ -39,9 +39,10 @@ StrokePainter painter_of(const LocalCurve& curve, const Affine& image_from_artbo
 
 void paint_part(const StrokePainter& painter, int x, int y, int width, int height, Planes& planes) {
   const std::size_t offset = static_cast<std::size_t>(y) * kSide + static_cast<std::size_t>(x);
-  const Status status =
-      painter.paint(x, y, width, height, planes[0].data() + offset, planes[1].data() + offset,
-                    planes[2].data() + offset, planes[3].data() + offset, kSide);
+  const Context context;
+  const Status status = painter.paint(context, x, y, width, height, planes[0].data() + offset,
+                                      planes[1].data() + offset, planes[2].data() + offset,
+                                      planes[3].data() + offset, kSide);
   EXPECT_TRUE(status.ok()) << to_string(status);
 }
 
@@ -216,7 +217,7 @@ TEST(LocalStroke, a_cancelled_stroke_says_so_and_one_beside_it_does_not) {
   Planes planes = transparent();
   const auto code = [&](int y, int height) {
     return painter
-        ->paint(0, y, kSide, height, planes[0].data(), planes[1].data(), planes[2].data(),
+        ->paint(context, 0, y, kSide, height, planes[0].data(), planes[1].data(), planes[2].data(),
                 planes[3].data(), kSide)
         .code;
   };

@@ -143,9 +143,14 @@ inline auto fields(DiffuseOptions& v) {
   return std::tie(viewport, pixels_per_unit, tolerance, min_angle_deg, max_area_fraction, max_error,
                   order, gather, ends, ignore_blur);
 }
+inline auto fields(RasterWindow& v) {
+  auto& [x, y, of_width, of_height] = v;
+  return std::tie(x, y, of_width, of_height);
+}
 inline auto fields(RasterOptions& v) {
-  auto& [width, height, viewport, format, background, dither, antialias, mesh_overlay] = v;
-  return std::tie(width, height, viewport, format, background, dither, antialias, mesh_overlay);
+  auto& [width, height, viewport, format, background, dither, antialias, mesh_overlay, window] = v;
+  return std::tie(width, height, viewport, format, background, dither, antialias, mesh_overlay,
+                  window);
 }
 inline auto fields(PdfOptions& v) {
   auto& [page_width_pt, dpi, max_error, title, flatten] = v;

@@ -130,28 +130,37 @@ SFUMATO_INLINE void write_rgba8(const std::int32_t* word, const float* alpha, in
   }
 }
 
+/// Columns of a tile from its left, at least one.
+struct WrittenColumns {
+  int begin, count;
+};
+
+/// The whole row is rounded, as noise depends on pixels beside.
 template <int W>
-SFUMATO_INLINE void write_row8(const Tile& tile, int row, bool dither, std::uint8_t* out) {
+SFUMATO_INLINE void write_row8(const Tile& tile, int row, const WrittenColumns& columns,
+                               bool dither, std::uint8_t* out) {
   CodeRow codes;
   codes.fill<W>(tile, row, dither);
   std::int32_t word[kTileStride];
   pack_words<W>(codes, tile.width, word);
   if (tile.alpha)
-    write_rgba8(word, codes.channel[3], tile.width, out);
+    write_rgba8(word + columns.begin, codes.channel[3] + columns.begin, columns.count, out);
   else
-    write_rgb8(word, tile.width, out);
+    write_rgb8(word + columns.begin, columns.count, out);
 }
 
 template <int W>
-SFUMATO_INLINE void write_row16(const Tile& tile, int row, std::uint8_t* out) {
-  const std::size_t offset = static_cast<std::size_t>(row) * kTileStride;
+SFUMATO_INLINE void write_row16(const Tile& tile, int row, const WrittenColumns& columns,
+                                std::uint8_t* out) {
+  const std::size_t offset =
+      static_cast<std::size_t>(row) * kTileStride + static_cast<std::size_t>(columns.begin);
   const int channels = tile.alpha ? 4 : 3;
   float value[W];
   for (int c = 0; c < channels; ++c) {
     const float* plane = (c < 3 ? tile.color[c] : tile.alpha) + offset;
-    for (int x = 0; x < tile.width; x += W) {
+    for (int x = 0; x < columns.count; x += W) {
       quantized<W>(plane + x, 65535, Lanes<W>(0.5f)).store(value);
-      for (int i = 0; i < W && x + i < tile.width; ++i) {
+      for (int i = 0; i < W && x + i < columns.count; ++i) {
         const std::uint16_t sample = static_cast<std::uint16_t>(value[i]);
         __builtin_memcpy(out + 2 * (static_cast<std::size_t>(x + i) * channels + c), &sample, 2);
       }
@@ -163,13 +172,22 @@ template <int W>
 void write_pixels(const Tile& tile, const ImageTarget& target) {
   const bool wide = target.format == PixelFormat::rgb16 || target.format == PixelFormat::rgba16;
   const std::size_t pixel_bytes = static_cast<std::size_t>((tile.alpha ? 4 : 3) * (wide ? 2 : 1));
-  for (int y = 0; y < tile.height; ++y) {
-    std::uint8_t* out = target.bytes + static_cast<std::size_t>(tile.y0 + y) * target.row_bytes +
-                        static_cast<std::size_t>(tile.x0) * pixel_bytes;
+  // No function of another header: the linker would merge its copies for each instruction set.
+  const PixelRect& window = target.window;
+  const int x0 = tile.x0 > window.x0 ? tile.x0 : window.x0;
+  const int y0 = tile.y0 > window.y0 ? tile.y0 : window.y0;
+  const int tile_x1 = tile.x0 + tile.width, tile_y1 = tile.y0 + tile.height;
+  const int x1 = tile_x1 < window.x1 ? tile_x1 : window.x1;
+  const int y1 = tile_y1 < window.y1 ? tile_y1 : window.y1;
+  if (x0 >= x1) return;
+  const WrittenColumns columns{x0 - tile.x0, x1 - x0};
+  for (int y = y0; y < y1; ++y) {
+    std::uint8_t* out = target.bytes + static_cast<std::size_t>(y - window.y0) * target.row_bytes +
+                        static_cast<std::size_t>(x0 - window.x0) * pixel_bytes;
     if (wide)
-      write_row16<W>(tile, y, out);
+      write_row16<W>(tile, y - tile.y0, columns, out);
     else
-      write_row8<W>(tile, y, target.dither, out);
+      write_row8<W>(tile, y - tile.y0, columns, target.dither, out);
   }
 }
 

@@ -14,6 +14,8 @@ struct ImageTarget {
   std::size_t row_bytes = 0;
   PixelFormat format = PixelFormat::rgb8;
   bool dither = false;  ///< 8-bit formats only; even areas are not dithered
+  /// Pixels of the image that are written, the first of them to `bytes`.
+  PixelRect window{0, 0, 1 << 30, 1 << 30};
 };
 
 /// The inner loops, compiled for one instruction set. All sets give the same bits.
@@ -50,7 +52,8 @@ struct SpanKernels {
   /// Divides the colours of a tile with alpha by it; 0 where it is 0.
   void (*unpremultiply)(const Tile& tile);
 
-  /// Clamps to [0, 1], dithers or rounds to nearest, and writes the tile's pixels to the image.
+  /// Clamps to [0, 1], dithers or rounds to nearest, and writes the tile's pixels to the image:
+  /// those in its window.
   void (*write_pixels)(const Tile& tile, const ImageTarget& target);
 };
 
