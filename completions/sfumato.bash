@@ -46,7 +46,7 @@ _sfumato() {
       _sfumato_files "$1" "$current"
       return
       ;;
-    --viewport | --width | --height | --scale | --rays | --seed | --tolerance | --max-area | \
+    --viewport | --window | --width | --height | --scale | --rays | --seed | --tolerance | --max-area | \
       --min-angle | --quality | --port | --detail | --dpi | --title | --threads | --max-memory | \
       --points | --max-curves | --psnr | --smooth | --max-side | --only)
       return
@@ -63,7 +63,7 @@ _sfumato() {
   case $command in
     render)
       options='--output --out-dir --format --allow-files --viewport --width --height --scale
-        --detail --method --rays --seed --tolerance --ends --no-blur --max-error --max-area
+        --window --detail --method --rays --seed --tolerance --ends --no-blur --max-error --max-area
         --min-angle --order --mesh-overlay --background --depth --dither --no-dither --quality
         --lossless --dpi --svg --force --pdf-flatten --title --device --no-antialias --threads
         --stats --quiet

@@ -23,6 +23,7 @@ complete -c sfumato -n '__fish_seen_subcommand_from render' -l viewport -x -d 'T
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l width -x -d 'Width in pixels'
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l height -x -d 'Height in pixels'
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l scale -x -d 'Pixels per user unit'
+complete -c sfumato -n '__fish_seen_subcommand_from render' -l window -x -d 'Only these pixels of the image'
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l detail -x -d 'Make the mesh for a larger picture'
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l method -x -a 'exact rays pixels' -d 'How colours are found'
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l rays -x -d 'Rays per node'

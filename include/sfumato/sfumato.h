@@ -434,15 +434,17 @@ typedef struct sfumato_image {
  * rows are left alone.
  *
  * options: viewport [the picture's], background=COLOR|none [the document's; without one
- * transparent, or white where there is no alpha], dither [not], no-antialias, mesh-overlay. */
+ * transparent, or white where there is no alpha], dither [not], no-antialias, mesh-overlay;
+ * window=X,Y,W,H: the image, which is W x H, is this part of one that width, height and scale say
+ * as in sfumato_export(), up to 2^24 pixels on a side, and has the bytes that stand there. */
 SFUMATO_API int32_t sfumato_raster(sfumato_context* context, const sfumato_picture* picture,
                                    const sfumato_image* image, const char* options);
 /** Makes a file of a picture: png, jpg, webp, html, pdf, eps, svg, glb, npz, ply or json, with the
  * bytes that the command writes. What the format cannot show is a warning (sfumato_warning()).
  * SFUMATO_UNAVAILABLE in WebAssembly.
  *
- * options: width, height, scale, background; of pixels also viewport, depth, dither, no-dither,
- * no-antialias, mesh-overlay, quality, lossless; of others dpi, svg, force, pdf-flatten,
+ * options: width, height, scale, background; of pixels also viewport, window, depth, dither,
+ * no-dither, no-antialias, mesh-overlay, quality, lossless; of others dpi, svg, force, pdf-flatten,
  * title [Sfumato]. */
 SFUMATO_API int32_t sfumato_export(sfumato_context* context, const sfumato_picture* picture,
                                    const char* format, const char* options, sfumato_bytes** bytes);

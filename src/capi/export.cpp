@@ -65,14 +65,13 @@ Result<Bytes> make_image(Context& context, const sfumato_picture& handle, Output
   const Picture& picture = handle.solution.picture();
   const std::optional<Rgb> background = background_of(settings, kind, picture);
   const Box viewport = settings.diffuse.viewport.value_or(picture.viewport);
-  const Result<output::OutputSize> size =
-      output::output_size(context.limits, settings.size, viewport, handle.own_scale);
+  const Result<output::OutputSize> size = output::output_size(
+      context.limits, settings.size, viewport, handle.own_scale, settings.window.has_value());
   if (!size) return size.status();
   RasterOptions options = settings.raster;
   if (!background) options.format = output::with_alpha(options.format);
   options.viewport = viewport;
-  options.width = size->width;
-  options.height = size->height;
+  output::set_size(*size, settings.window, options);
   Result<Image> image = raster::rasterize_on(context, picture, options, background);
   if (!image) return image.status();
   ScopedCharge charge;

@@ -1,11 +1,41 @@
 #include "capi/picture.hpp"
 #include "capi/pixels.hpp"
 #include "capi/read_options.hpp"
+#include "options/settle.hpp"
 #include "options/tables.hpp"
+#include "output/output_size.hpp"
 #include "raster/rasterize_into.hpp"
 
 namespace sfumato::capi {
 namespace {
+
+/// Gives the drawing the image's size, and the window's place in the picture.
+Outcome set_size(const Limits& limits, const sfumato_picture& handle, const sfumato_image& image,
+                 options::Settings& settings) {
+  const options::SizeRequest& asked = settings.size;
+  const options::Conflict conflict = options::find_conflict(settings, options::OutputKind::png);
+  if (!conflict.key.empty()) {
+    return bad_usage(options::spelled(conflict.key, false) + ": " +
+                     options::spelled(conflict.complaint, false));
+  }
+  const output::OutputSize own_size{image.width, image.height};
+  if (!settings.window) {
+    if (asked.width || asked.height || asked.scale)
+      return bad_usage(
+          "width, height and scale: expected with window only, as the image has a size");
+    output::set_size(own_size, settings.window, settings.raster);
+    return {};
+  }
+  const PixelRect& window = *settings.window;
+  if (window.x1 - window.x0 != image.width || window.y1 - window.y0 != image.height)
+    return bad_usage("window: of another size than the image");
+  const Box viewport = settings.diffuse.viewport.value_or(handle.solution.picture().viewport);
+  const Result<output::OutputSize> size =
+      output::output_size(limits, asked, viewport, handle.own_scale, true);
+  if (!size) return size.status();
+  output::set_size(*size, settings.window, settings.raster);
+  return {};
+}
 
 Outcome draw(Workshop& workshop, const sfumato_picture* handle, const sfumato_image* image,
              const char* text) {
@@ -17,8 +47,9 @@ Outcome draw(Workshop& workshop, const sfumato_picture* handle, const sfumato_im
       read.code != SFUMATO_OK)
     return read;
   RasterOptions& options = settings.raster;
-  options.width = image->width;
-  options.height = image->height;
+  if (Outcome sized = set_size(workshop.context.limits, *handle, *image, settings);
+      sized.code != SFUMATO_OK)
+    return sized;
   options.format = *format;
   options.viewport = settings.diffuse.viewport;
   options.dither = settings.dither.value_or(false);

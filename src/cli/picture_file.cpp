@@ -78,15 +78,14 @@ Status PictureMaker::choose_options(const Document& document) {
     diffuse_.pixels_per_unit = scale_ * *settings_.output.detail;
     return ok_status();
   }
-  const Result<output::OutputSize> size =
-      output::output_size(context_.limits, settings_.size, viewport, own);
+  const Result<output::OutputSize> size = output::output_size(
+      context_.limits, settings_.size, viewport, own, settings_.window.has_value());
   if (!size) return size.status();
   diffuse_.pixels_per_unit = size->pixels_per_unit;
   raster_ = settings_.raster;
   if (!document.background) raster_.format = output::with_alpha(raster_.format);
   raster_.viewport = viewport;
-  raster_.width = size->width;
-  raster_.height = size->height;
+  output::set_size(*size, settings_.window, raster_);
   return ok_status();
 }
 

@@ -62,6 +62,12 @@ bool read_box(std::string_view text, Value& value) {
   return box.has_value();
 }
 
+bool read_pixels(std::string_view text, Value& value) {
+  const std::optional<PixelRect> pixels = parse_window(text);
+  value.pixels = pixels.value_or(PixelRect{});
+  return pixels.has_value();
+}
+
 bool read_value(const OptionInfo& option, std::string_view text, Value& value) {
   switch (option.kind) {
     case ValueKind::flag:
@@ -75,6 +81,8 @@ bool read_value(const OptionInfo& option, std::string_view text, Value& value) {
       return read_word(option, text, value);
     case ValueKind::box:
       return read_box(text, value);
+    case ValueKind::pixels:
+      return read_pixels(text, value);
     case ValueKind::color:
       return read_color(text, value);
     case ValueKind::text:

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/pixel_rect.hpp"
 #include "sfumato/base/box.hpp"
 #include "sfumato/base/color.hpp"
 
@@ -21,6 +22,7 @@ enum class ValueKind : std::uint8_t {
   fraction,  ///< above 0 and at most 1, also as a percentage
   word,      ///< one of Option::words
   box,       ///< "x,y,width,height" in user units
+  pixels,    ///< "x,y,width,height" in whole pixels
   color,     ///< an opaque colour of CSS, or none
   text       ///< any
 };
@@ -44,6 +46,7 @@ struct Value {
   std::uint64_t whole = 0;
   std::size_t word = 0;  ///< index into Option::words
   Box box;
+  PixelRect pixels;
   std::optional<Rgb> color;  ///< none: no colour
 };
 

@@ -11,6 +11,7 @@ namespace {
 constexpr std::uint64_t kLargestCount = 1'000'000'000;
 constexpr double kLargestMinAngleDeg = 33;
 constexpr double kLargestMaxError = 255;
+static_assert(RasterWindow::kLargestSide == 16'777'216, "window says so");
 
 constexpr std::string_view kMethods[] = {"exact", "rays", "pixels"};
 constexpr std::string_view kEnds[] = {"soft", "paper"};
@@ -42,7 +43,7 @@ constexpr Option<Settings> kRenderOptions[] = {
       .value_name = "PIXELS",
       .help = "Width; the height follows unless given [the drawing's]",
       .group = Group::place,
-      .calls = kSolve | kExport | kField | kWeights},
+      .calls = kSolve | kRaster | kExport | kField | kWeights},
      [](Settings& s, const Value& v) { s.size.width = static_cast<int>(v.whole); }},
     {{.key = "height",
       .kind = ValueKind::whole,
@@ -51,7 +52,7 @@ constexpr Option<Settings> kRenderOptions[] = {
       .value_name = "PIXELS",
       .help = "Height; the width follows unless given [the drawing's]",
       .group = Group::place,
-      .calls = kSolve | kExport | kField | kWeights},
+      .calls = kSolve | kRaster | kExport | kField | kWeights},
      [](Settings& s, const Value& v) { s.size.height = static_cast<int>(v.whole); }},
     {{.key = "scale",
       .kind = ValueKind::number,
@@ -60,7 +61,7 @@ constexpr Option<Settings> kRenderOptions[] = {
       .help =
           "Instead: pixels per user unit [1, or what the drawing's\nown width and height make it]",
       .group = Group::place,
-      .calls = kSolve | kExport | kField | kWeights},
+      .calls = kSolve | kRaster | kExport | kField | kWeights},
      [](Settings& s, const Value& v) { s.size.scale = v.number; }},
     {{.key = "method",
       .kind = ValueKind::word,
@@ -163,6 +164,17 @@ constexpr Option<Settings> kRenderOptions[] = {
       .group = Group::mesh,
       .calls = kRaster | kExport},
      [](Settings& s, const Value&) { s.raster.mesh_overlay = true; }},
+    {{.key = "window",
+      .kind = ValueKind::pixels,
+      .expected = "x,y,width,height in whole pixels, x and y at least 0, width and height at least "
+                  "1, no edge beyond 16777216",
+      .value_name = "X,Y,W,H",
+      .help = "Of the image that @width, @height and @scale say: W x H\npixels from (X, Y) on, "
+              "with the "
+              "bytes that it has there [all]",
+      .group = Group::image,
+      .calls = kRaster | kExport},
+     [](Settings& s, const Value& v) { s.window = v.pixels; }},
     {{.key = "background",
       .kind = ValueKind::color,
       .expected = "an opaque colour of CSS, as gold, #rrggbb or rgb(255 165 0), or none",

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "base/pixel_rect.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/export/pdf/pdf.hpp"
 #include "sfumato/export/svg/svg.hpp"
@@ -56,6 +57,7 @@ struct OutputOptions {
 /// Everything that says how a drawing is solved, drawn and written.
 struct Settings {
   SizeRequest size;
+  std::optional<PixelRect> window{};  ///< of the image that this size would be; none: all of it
   /// As requested, except pixels_per_unit, which follows from the size.
   DiffuseOptions diffuse;
   bool sets_max_error = false;  ///< max-error was given

@@ -38,7 +38,8 @@ std::string_view dither_key(const Settings& given) {
 Conflict conflict_with_drawing(const Settings& given) {
   constexpr std::string_view kComplaint = "expected with images only";
   return first_broken(
-      std::array<Rule, 6>{{{given.method != Method::pixels, {"@method=pixels", kComplaint}},
+      std::array<Rule, 7>{{{given.method != Method::pixels, {"@method=pixels", kComplaint}},
+                           {!given.window, {"@window", kComplaint}},
                            {given.device == Device::cpu, {"@device=gpu", kComplaint}},
                            {!given.raster.mesh_overlay, {"@mesh-overlay", kComplaint}},
                            {!given.dither, {dither_key(given), kComplaint}},
@@ -68,12 +69,14 @@ Conflict conflict_with_format(const Settings& given, OutputKind kind) {
 Conflict conflict_among(const Settings& given) {
   const bool has_mesh = given.method != Method::pixels;
   return first_broken(
-      std::array<Rule, 3>{{{!given.size.scale || !(given.size.width || given.size.height),
+      std::array<Rule, 4>{{{!given.size.scale || !(given.size.width || given.size.height),
                             {"@scale", "expected without @width and @height"}},
                            {!given.raster.mesh_overlay || has_mesh,
                             {"@mesh-overlay", "@method=pixels has no mesh to draw"}},
                            {given.device == Device::cpu || has_mesh,
-                            {"@device", "@method=pixels runs on the CPU only"}}}});
+                            {"@device", "@method=pixels runs on the CPU only"}},
+                           {given.device == Device::cpu || !given.window,
+                            {"@device", "@window is drawn on the CPU only"}}}});
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "base/ascii.hpp"
 #include "base/number.hpp"
 #include "sfumato/base/limits.hpp"
+#include "sfumato/raster/rasterize.hpp"
 
 namespace sfumato::options {
 namespace {
@@ -21,6 +22,18 @@ std::optional<std::uint64_t> parse_all(std::string_view text) {
   const auto [end, error] = std::from_chars(text.data(), text_end, value);
   if (error != std::errc{} || end != text_end) return std::nullopt;
   return value;
+}
+
+/// Four values with commas between them: read(part, index, value) says whether it is one.
+template <class Value, class Read>
+bool read_list(std::string_view text, std::array<Value, 4>& values, const Read& read) {
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::size_t comma = text.find(',');
+    if ((comma == std::string_view::npos) != (i == 3)) return false;
+    if (!read(text.substr(0, comma), i, values[i])) return false;
+    text.remove_prefix(i == 3 ? text.size() : comma + 1);
+  }
+  return true;
 }
 
 }  // namespace
@@ -71,20 +84,31 @@ std::optional<double> parse_fraction(std::string_view text) {
 
 std::optional<Box> parse_viewport(std::string_view text) {
   std::array<double, 4> number{};
-  for (std::size_t i = 0; i < 4; ++i) {
-    const std::size_t comma = text.find(',');
-    if ((comma == std::string_view::npos) != (i == 3)) return std::nullopt;
-    const std::optional<double> value = parse_number(text.substr(0, comma));
-    // A size may reach from one end to the other.
-    const double most = (i < 2 ? 1 : 2) * limits::kCoordinate;
-    if (!value || std::abs(*value) > most) return std::nullopt;
-    number[i] = *value;
-    text.remove_prefix(i == 3 ? text.size() : comma + 1);
-  }
+  const bool is_read =
+      read_list(text, number, [](std::string_view part, std::size_t i, double& out) {
+        const std::optional<double> value = parse_number(part);
+        // A size may reach from one end to the other.
+        const double most = (i < 2 ? 1 : 2) * limits::kCoordinate;
+        out = value.value_or(0);
+        return value && std::abs(*value) <= most;
+      });
+  if (!is_read) return std::nullopt;
   const Box box{{number[0], number[1]}, {number[0] + number[2], number[1] + number[3]}};
   if (!(box.width() > 0 && box.height() > 0)) return std::nullopt;
   if (box.max.x > limits::kCoordinate || box.max.y > limits::kCoordinate) return std::nullopt;
   return box;
+}
+
+std::optional<PixelRect> parse_window(std::string_view text) {
+  std::array<int, 4> number{};
+  const bool is_read = read_list(text, number, [](std::string_view part, std::size_t i, int& out) {
+    const auto value = parse_whole(part, i < 2 ? 0 : 1, RasterWindow::kLargestSide);
+    out = static_cast<int>(value.value_or(0));
+    return value.has_value();
+  });
+  const PixelRect rect{number[0], number[1], number[0] + number[2], number[1] + number[3]};
+  if (!is_read || std::max(rect.x1, rect.y1) > RasterWindow::kLargestSide) return std::nullopt;
+  return rect;
 }
 
 }  // namespace sfumato::options

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string_view>
 
+#include "base/pixel_rect.hpp"
 #include "sfumato/base/box.hpp"
 
 /// Values of options from text. The whole text must be the value, without white space, infinity or
@@ -29,5 +30,9 @@ std::optional<double> parse_fraction(std::string_view text);
 
 /// "x,y,width,height" in user units: within limits::kCoordinate, width and height above 0.
 std::optional<Box> parse_viewport(std::string_view text);
+
+/// "x,y,width,height" in whole pixels: x and y from 0, width and height from 1, within
+/// RasterWindow::kLargestSide.
+std::optional<PixelRect> parse_window(std::string_view text);
 
 }  // namespace sfumato::options

@@ -43,17 +43,30 @@ double output_scale(const SizeRequest& request, const Box& viewport, Vec2 own_sc
 }
 
 Result<OutputSize> output_size(const Limits& limits, const SizeRequest& request,
-                               const Box& viewport, Vec2 own_scale) {
+                               const Box& viewport, Vec2 own_scale, bool has_window) {
   const Vec2 scale = scales(request, viewport, own_scale);
   const double width = std::max(1.0, std::round(viewport.width() * scale.x));
   const double height = std::max(1.0, std::round(viewport.height() * scale.y));
-  if (std::max(width, height) > static_cast<double>(limits.image_side)) {
-    return make_limit_error(&Limits::image_side,
-                            "the picture would be " + in_pixels(width) + " x " + in_pixels(height) +
-                                " pixels, the limit is " +
-                                limit_text(limits, &Limits::image_side, "pixels on a side"));
+  const double longer = std::max(width, height);
+  const std::string complaint = "the picture would be " + in_pixels(width) + " x " +
+                                in_pixels(height) + " pixels, the limit is ";
+  if (has_window && longer > RasterWindow::kLargestSide) {
+    return make_error(StatusCode::limit,
+                      complaint + std::to_string(RasterWindow::kLargestSide) + " pixels on a side");
+  }
+  if (!has_window && longer > static_cast<double>(limits.image_side)) {
+    return make_limit_error(&Limits::image_side, complaint + limit_text(limits, &Limits::image_side,
+                                                                        "pixels on a side"));
   }
   return OutputSize{static_cast<int>(width), static_cast<int>(height), std::max(scale.x, scale.y)};
+}
+
+void set_size(const OutputSize& size, const std::optional<PixelRect>& window,
+              RasterOptions& options) {
+  options.width = window ? window->x1 - window->x0 : size.width;
+  options.height = window ? window->y1 - window->y0 : size.height;
+  options.window.reset();
+  if (window) options.window = RasterWindow{window->x0, window->y0, size.width, size.height};
 }
 
 }  // namespace sfumato::output

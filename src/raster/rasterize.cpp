@@ -198,7 +198,7 @@ Status ImagePainting::paint() {
   const auto rows = static_cast<std::size_t>(job_.list.grid().rows());
   const auto columns = static_cast<std::size_t>(job_.list.grid().columns());
   const std::size_t band =
-      std::max(kBandBytes / (raster::kTileHeight * job_.target.row_bytes), std::size_t{1});
+      std::max(kBandBytes / raster::kTileHeight / job_.target.row_bytes, std::size_t{1});
   Status status = make_bytes(band);
   for (std::size_t row = 0; status && row < rows; row += band) {
     const std::size_t first = row * columns, count = std::min(band, rows - row) * columns;

@@ -255,6 +255,60 @@ TEST(CPixels, encoded_are_the_file_that_is_exported) {
   EXPECT_TRUE(text_of(a.get()) == text_of(b.get()));
 }
 
+TEST(CPixels, of_a_window_are_those_of_the_whole_image) {
+  const ContextHandle context = context_of();
+  sfumato_context* c = context.get();
+  const DocumentHandle document = read_text(c, example("evening.xml"));
+  const PictureHandle picture = solve(c, document.get());
+  double box[4];
+  ASSERT_EQ(sfumato_picture_viewport(picture.get(), box), SFUMATO_OK);
+  const auto width = static_cast<std::int32_t>(box[2]), height = static_cast<std::int32_t>(box[3]);
+  const std::size_t row_bytes = 3 * static_cast<std::size_t>(width);
+  std::vector<std::uint8_t> whole(row_bytes * static_cast<std::size_t>(height));
+  std::vector<std::uint8_t> part(std::size_t{3} * 50 * 40);
+  const sfumato_image image{whole.data(), row_bytes, width, height, SFUMATO_RGB8};
+  const sfumato_image window{part.data(), 150, 50, 40, SFUMATO_RGB8};
+  ASSERT_EQ(sfumato_raster(c, picture.get(), &image, "background=white dither"), SFUMATO_OK);
+  ASSERT_EQ(sfumato_raster(c, picture.get(), &window, "background=white dither window=33,21,50,40"),
+            SFUMATO_OK)
+      << sfumato_error_text(c);
+  for (std::size_t y = 0; y < 40; ++y) {
+    const std::uint8_t* expected = whole.data() + row_bytes * (y + 21) + std::size_t{3} * 33;
+    EXPECT_TRUE(std::equal(expected, expected + 150, part.data() + 150 * y)) << y;
+  }
+  sfumato_bytes *encoded = nullptr, *exported = nullptr;
+  ASSERT_EQ(sfumato_encode(c, &window, "png", nullptr, &encoded), SFUMATO_OK);
+  const BytesHandle a(encoded);
+  ASSERT_EQ(
+      sfumato_export(c, picture.get(), "png", "background=white window=33,21,50,40", &exported),
+      SFUMATO_OK);
+  const BytesHandle b(exported);
+  EXPECT_TRUE(text_of(a.get()) == text_of(b.get()));
+}
+
+TEST(CPixels, of_windows_that_do_not_fit_are_refused) {
+  const ContextHandle context = context_of();
+  sfumato_context* c = context.get();
+  const DocumentHandle document = read_text(c, example("evening.xml"));
+  const PictureHandle picture = solve(c, document.get());
+  std::vector<std::uint8_t> pixels(std::size_t{3} * 50 * 40);
+  const sfumato_image image{pixels.data(), 150, 50, 40, SFUMATO_RGB8};
+  const auto code = [&](const char* options) {
+    return sfumato_raster(c, picture.get(), &image, options);
+  };
+  EXPECT_EQ(code("window=0,0,50,41"), SFUMATO_BAD_USAGE) << "the image is of another size";
+  EXPECT_EQ(code("window=0,0,50"), SFUMATO_BAD_USAGE);
+  EXPECT_EQ(code("width=500"), SFUMATO_BAD_USAGE) << "without a window the image has the size";
+  EXPECT_EQ(code("window=0,0,50,40 scale=2 width=500"), SFUMATO_BAD_USAGE);
+  EXPECT_EQ(code("window=60,0,50,40 width=100"), SFUMATO_BAD_INPUT) << "beside the image";
+  EXPECT_EQ(code("window=0,0,50,40 width=20000000"), SFUMATO_LIMIT);
+  EXPECT_EQ(code("window=9000000,5000000,50,40 width=16000000"), SFUMATO_OK)
+      << sfumato_error_text(c);
+  sfumato_bytes* file = nullptr;
+  EXPECT_EQ(sfumato_export(c, picture.get(), "pdf", "window=0,0,5,4", &file), SFUMATO_BAD_USAGE);
+  EXPECT_EQ(file, nullptr);
+}
+
 TEST(CRead, gives_the_place_of_an_error) {
   const ContextHandle context = context_of();
   sfumato_document* document = nullptr;

@@ -46,6 +46,53 @@ TEST(Render, every_method_agrees_inside_of_a_closed_curve) {
   }
 }
 
+/// The pixels of a part of an image.
+std::vector<std::uint8_t> part_of(const Image& image, int x, int y, int width, int height) {
+  const std::size_t pixel = image.row_bytes() / static_cast<std::size_t>(image.width);
+  std::vector<std::uint8_t> part;
+  for (int row = y; row < y + height; ++row) {
+    const auto from = image.bytes.begin() + static_cast<std::ptrdiff_t>(
+                                                image.row_bytes() * static_cast<std::size_t>(row) +
+                                                pixel * static_cast<std::size_t>(x));
+    part.insert(part.end(), from,
+                from + static_cast<std::ptrdiff_t>(pixel * static_cast<std::size_t>(width)));
+  }
+  return part;
+}
+
+TEST(Render, a_window_has_the_pixels_of_the_whole_image) {
+  const std::vector<std::vector<std::string>> ways = {{"--width", "700"},
+                                                      {"--scale", "9", "--no-antialias"},
+                                                      {"--width", "300", "--method", "pixels"}};
+  for (std::vector<std::string> options : ways) {
+    const Image whole = rendered(two_curve_scene(), options);
+    options.insert(options.end(), {"--window", "101,77,150,90"});
+    const Image window = rendered(two_curve_scene(), options);
+    ASSERT_EQ(window.width, 150);
+    ASSERT_EQ(window.height, 90);
+    ASSERT_EQ(window.format, whole.format);
+    EXPECT_EQ(window.bytes, part_of(whole, 101, 77, 150, 90)) << options[0];
+  }
+}
+
+TEST(Render, a_window_may_be_one_of_an_image_that_is_too_large_to_be_drawn) {
+  const Image window = rendered(two_curve_scene(), {"--width", "1000000", "--max-error", "off",
+                                                    "--window", "312500,375000,40,30"});
+  ASSERT_EQ(window.width, 40);
+  EXPECT_EQ(pixel(window, 0, 0), (std::vector<int>{255, 128, 0}));
+}
+
+TEST(Render, a_window_outside_the_image_is_an_error) {
+  const CommandResult result =
+      run_sfumato({"render", "-", "-o", "-", "--window", "60,0,5,5"}, two_curve_scene());
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_NE(
+      result.err.find("a window of 5 x 5 pixels at (60, 0) that is not inside its image of 64 "
+                      "x 48 pixels"),
+      std::string::npos)
+      << result.err;
+}
+
 TEST(Render, viewport_and_size_say_what_the_image_shows) {
   const Image zoomed = rendered(two_curve_scene(), {"--viewport", "18,20,4,3", "--scale", "8"});
   ASSERT_EQ(zoomed.width, 32);

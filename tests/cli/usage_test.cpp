@@ -65,6 +65,9 @@ TEST(Usage, bad_values_say_what_was_expected) {
       {"--viewport", "0,0,0,10", "x,y,width,height"},
       {"--viewport", "0,0,10", "x,y,width,height"},
       {"--viewport", "0,0,nan,10", "x,y,width,height"},
+      {"--window", "0,0,0,10", "x,y,width,height in whole pixels"},
+      {"--window", "0,0,1.5,10", "x,y,width,height in whole pixels"},
+      {"--window", "-1,0,4,10", "x,y,width,height in whole pixels"},
       {"--method", "magic", "exact|rays|pixels"},
       {"--rays", "0", "from 1 to 4096"},
       {"--rays", "4097", "from 1 to 4096"},
@@ -110,10 +113,15 @@ TEST(Usage, bad_values_say_what_was_expected) {
 TEST(Usage, options_that_do_not_go_together_are_refused) {
   const TemporaryFolder folder;
   const std::vector<std::vector<std::string>> cases = {
-      {"--scale", "2", "--width", "10"},   {"--scale", "2", "--height", "10"},
-      {"--dither", "--depth", "16"},       {"--no-dither", "--depth", "16"},
-      {"--dither", "--no-dither"},         {"--mesh-overlay", "--method", "pixels"},
-      {"--stats", folder.path("out.png")}, {"--width", "10", "--width", "20"},
+      {"--scale", "2", "--width", "10"},
+      {"--scale", "2", "--height", "10"},
+      {"--dither", "--depth", "16"},
+      {"--no-dither", "--depth", "16"},
+      {"--dither", "--no-dither"},
+      {"--mesh-overlay", "--method", "pixels"},
+      {"--stats", folder.path("out.png")},
+      {"--width", "10", "--width", "20"},
+      {"--device", "gpu", "--window", "0,0,9,9"},
   };
   for (const std::vector<std::string>& options : cases) {
     const CommandResult result = render_with(folder, options);

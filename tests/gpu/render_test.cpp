@@ -130,6 +130,13 @@ TEST(GpuRender, the_overlay_agrees) {
   expect_near(veiled(1, BlendMode::normal), options);
 }
 
+TEST(GpuRender, windows_are_refused) {
+  RasterOptions options = image_size(10, 10);
+  options.window = RasterWindow{0, 0, 100, 100};
+  Context context;
+  EXPECT_EQ(render_on_gpu(context, Picture{}, options).status().code, StatusCode::bad_input);
+}
+
 TEST(GpuRender, images_of_several_tiles_agree) {
   SFUMATO_NEEDS_GPU();
   expect_near(veiled(0.8f, BlendMode::overlay), image_size(1300, 1040, PixelFormat::rgb8));

@@ -57,5 +57,20 @@ TEST(ParseViewport, refuses_what_has_no_area_or_not_four_numbers) {
   }
 }
 
+TEST(ParseWindow, takes_a_corner_and_a_size_in_whole_pixels) {
+  EXPECT_EQ(parse_window("0,7,20,1"), (PixelRect{0, 7, 20, 8}));
+  EXPECT_TRUE(parse_window("0,0,16777216,16777216")) << "all that there is";
+  EXPECT_TRUE(parse_window("16777215,16777215,1,1"));
+}
+
+TEST(ParseWindow, refuses_what_no_image_holds) {
+  for (const char* text :
+       {"0,0,0,10", "0,0,10,0", "-1,0,10,10", "0,-1,10,10", "0,0,10", "0,0,10,10,10", "0,0,,10", "",
+        ",,,", "0.5,0,1,1", "1e3,0,1,1", "0,0,16777217,1", "16777216,0,1,1", "0,16777216,1,1",
+        "99999999999999999999,0,1,1", " 0,0,1,1", "0, 0,1,1"}) {
+    EXPECT_FALSE(parse_window(text)) << text;
+  }
+}
+
 }  // namespace
 }  // namespace sfumato::options

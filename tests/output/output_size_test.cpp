@@ -72,6 +72,14 @@ TEST(OutputSize, is_never_below_one_pixel) {
   EXPECT_EQ(size->height, 1);
 }
 
+TEST(OutputSize, of_an_image_that_is_drawn_in_windows_has_a_limit_of_its_own) {
+  const auto code = [](int width) {
+    return output_size(Limits{}, {.width = width}, kWide, {1, 1}, true).status().code;
+  };
+  EXPECT_EQ(code(RasterWindow::kLargestSide), StatusCode::ok);
+  EXPECT_EQ(code(RasterWindow::kLargestSide + 1), StatusCode::limit);
+}
+
 TEST(OutputSize, stops_at_the_limit_of_a_side) {
   EXPECT_TRUE(output_size(Limits{}, {.width = limits::kImageSide}, kWide));
   EXPECT_EQ(output_size(Limits{}, {.width = limits::kImageSide + 1}, kWide).status().code,

@@ -87,6 +87,9 @@ TEST(RasterWindows, want_memory_for_their_pixels) {
   EXPECT_EQ(rasterize_into(context, picture, options, pixels.data(), 255).code,
             StatusCode::bad_input);
   EXPECT_TRUE(rasterize_into(context, picture, options, pixels.data(), 256).ok());
+  // A single row has no next one.
+  const RasterOptions row = image_size(32, 1, PixelFormat::rgba16);
+  EXPECT_TRUE(rasterize_into(context, picture, row, pixels.data(), std::size_t{1} << 58).ok());
 }
 
 /// Curves that touch the borders of tiles, from either side.

@@ -9,7 +9,7 @@ import os
 import sys
 import weakref
 from numbers import Integral
-from typing import TYPE_CHECKING, Any, Optional
+from typing import TYPE_CHECKING, Any, Optional, Tuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,6 +33,27 @@ _tables = (
     "vertices", "triangles", "curve_edges",
     "color_nodes", "color_values", "opacity_nodes", "opacity_values",
 )
+
+
+def _window_size(window: Any) -> Tuple[int, int]:
+    numbers = tuple(window)
+    if len(numbers) != 4:
+        raise UsageError("a window is x, y, width and height")
+    for number in numbers:
+        if not isinstance(number, Integral):
+            raise TypeError(f"a window has whole numbers, not {type(number).__name__}")
+    return int(numbers[2]), int(numbers[3])
+
+
+def _room(across: int, down: int, depth: int, alpha: bool) -> NDArray[Any]:
+    if depth not in (8, 16):
+        raise UsageError(f"depth is 8 or 16 bits, not {depth}")
+    if not (0 < across < 2**31 and 0 < down < 2**31):
+        raise UsageError(f"there are no pictures of {across} x {down} pixels")
+    channels, kind = 4 if alpha else 3, np.dtype(np.uint8 if depth == 8 else np.uint16)
+    if down * across * channels * kind.itemsize > sys.maxsize:
+        raise MemoryError(f"no memory holds {across} x {down} pixels")
+    return np.empty((down, across, channels), kind)
 
 
 class Picture(Handle):
@@ -89,11 +110,19 @@ class Picture(Handle):
 
         width, height: in pixels; one of them follows from the other. scale: pixels to a user unit [1].
         out: such an array, which is drawn into and returned; its rows may be apart, so that it may be
-        a part of a larger one. options: viewport=(x, y, width, height), background (a colour, "none"),
-        dither, no_antialias, mesh_overlay. A picture is as fine as solve() was told.
+        a part of a larger one. window=(x, y, width, height): only these pixels of the image that
+        width, height and scale say, the same as there. options: viewport=(x, y, width, height),
+        background (a colour, "none"), dither, no_antialias, mesh_overlay. A picture is as fine as
+        solve() was told.
         """
-        if out is None:
-            out = self._room(width, height, scale, depth, alpha, options.get("viewport"))
+        window, viewport = options.get("window"), options.get("viewport")
+        if window is not None:
+            across, down = self._size(width, height, scale, viewport)
+            options.update(width=across, height=down)
+            if out is None:
+                out = _room(*_window_size(window), depth, alpha)
+        elif out is None:
+            out = _room(*self._size(width, height, scale, viewport), depth, alpha)
         elif width is not None or height is not None or scale is not None:
             raise TypeError("out has a size of its own")
         pixels = pixels_of(out, "out")
@@ -107,12 +136,9 @@ class Picture(Handle):
         )
         return out
 
-    def _room(
-        self, width: Optional[int], height: Optional[int], scale: Optional[float], depth: int,
-        alpha: bool, viewport: Any,
-    ) -> NDArray[Any]:
-        if depth not in (8, 16):
-            raise UsageError(f"depth is 8 or 16 bits, not {depth}")
+    def _size(
+        self, width: Optional[int], height: Optional[int], scale: Optional[float], viewport: Any
+    ) -> Tuple[int, int]:
         _, _, w, h = self.viewport if viewport is None else viewport
         if not (w > 0 and h > 0):
             raise UsageError("a viewport has a width and a height above 0")
@@ -126,16 +152,11 @@ class Picture(Handle):
             by = width / w if width is not None else height / h
         across = width if width is not None else max(round(w * by), 1)
         down = height if height is not None else max(round(h * by), 1)
-        if not (0 < across < 2**31 and 0 < down < 2**31):
-            raise UsageError(f"there are no pictures of {across} x {down} pixels")
-        channels, kind = 4 if alpha else 3, np.dtype(np.uint8 if depth == 8 else np.uint16)
-        if down * across * channels * kind.itemsize > sys.maxsize:
-            raise MemoryError(f"no memory holds {across} x {down} pixels")
-        return np.empty((down, across, channels), kind)
+        return across, down
 
     def to_bytes(self, format: str, **options: Option) -> bytes:
         """A file: png, jpg, webp, html, pdf, eps, svg, glb, npz, ply or json. options: width, height, scale,
-        background; of pixels also viewport, depth, dither, quality, lossless, no_antialias,
+        background; of pixels also viewport, window, depth, dither, quality, lossless, no_antialias,
         mesh_overlay; of others dpi, svg, force, pdf_flatten, title. What the format cannot show is a
         DrawingWarning."""
         if not isinstance(format, str):

@@ -149,10 +149,11 @@ def test_arrays_that_cannot_be_drawn_into_are_refused(drawing, out, error):
 def test_sizes_that_no_picture_has_are_errors(drawing):
     picture = drawing.solve()
     for bad in ({"width": 0}, {"height": -1}, {"width": 2**31}, {"depth": 12},
-                {"viewport": (0, 0, 0, 1)}, {"background": "no colour"}):
+                {"viewport": (0, 0, 0, 1)}, {"background": "no colour"}, {"window": (0, 0, 1)},
+                {"window": (0, 0, 0, 4)}, {"window": (-1, 0, 4, 4)}):
         with pytest.raises(sfumato.UsageError):
             picture.render(**bad)
-    for bad in ({"width": 2.5}, {"width": "wide"}, {"width": 3, "scale": 2},
+    for bad in ({"width": 2.5}, {"width": "wide"}, {"width": 3, "scale": 2}, {"window": (0, 0, 1.5, 4)},
                 {"width": 3, "out": np.zeros((3, 3, 3), np.uint8)}):
         with pytest.raises(TypeError):
             picture.render(**bad)

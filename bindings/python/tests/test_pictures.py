@@ -36,6 +36,21 @@ def test_a_part_of_an_array_is_drawn_in_place(drawing):
     assert (sheet[:50] == 7).all() and (sheet[:, 228:] == 7).all()
 
 
+def test_a_window_has_the_pixels_of_the_whole_image(drawing):
+    picture = drawing.solve(width=640)
+    whole = picture.render(640, dither=True)
+    x, y, width, height = window = (101, 77, 300, 123)
+    expected = whole[y:y + height, x:x + width]
+    np.testing.assert_array_equal(picture.render(640, dither=True, window=window), expected)
+    sheet = np.zeros((200, 400, 3), np.uint8)
+    part = sheet[20:143, 30:330]
+    assert picture.render(scale=10, out=part, dither=True, window=window) is part
+    np.testing.assert_array_equal(part, expected)
+    assert (sheet[:20] == 0).all() and (sheet[143:] == 0).all()
+    far = picture.render(16_000_000, window=(5_000_000, 4_000_000, 30, 20))
+    assert far.shape == (20, 30, 3)
+
+
 def test_png_files_have_the_pixels_that_are_drawn(drawing):
     image = pytest.importorskip("PIL.Image")
     picture = drawing.solve(width=128)
