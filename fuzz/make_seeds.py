@@ -278,6 +278,106 @@ def traces():
         yield bytes(head) + levels
 
 
+class PictureFile:
+    """As docs/picture-file.md lays it out, but for the checksum, which the target mends."""
+
+    def __init__(self):
+        self.bytes = b'SFPICT\x1a\x01' + struct.pack('<IQQ', 0x01020304, 0, 0)
+
+    def put(self, kinds, *numbers):
+        self.bytes += struct.pack('<' + kinds, *numbers)
+
+    def table(self, kind, numbers, columns=1):
+        self.put('Q', len(numbers) // columns)
+        self.bytes += bytes(-len(self.bytes) % 16) + struct.pack(f'<{len(numbers)}{kind}', *numbers)
+
+    def text(self, text):
+        self.put('Q', len(text))
+        self.bytes += text
+
+    def field(self, channels, triangles, paints):
+        self.put('i', channels)
+        nodes = 10 if channels > 0 else 0
+        self.table('I', [i % nodes for i in range(10 * triangles)] if nodes else [])
+        self.table('f', [i / (nodes * channels) for i in range(nodes * channels)])
+        self.table('I', paints)
+
+    def layer(self, order, triangles, soft_edges, paints, opacity):
+        self.put('4dB', 0, 0, 8, 6, order)
+        self.table('d', [0, 0, 8, 0, 8, 6, 0, 6], 2)
+        corners = [0, 1, 2, 0, 2, 3][:3 * triangles]
+        self.table('I', corners)
+        self.table('B', [i % 2 for i in range(len(corners))])
+        self.put('Q', soft_edges)
+        for _ in range(soft_edges):
+            self.put('II4df', 0, 5 if triangles > 1 else 0xffffffff, 0, 0.3, 0.2, 0, 1)
+        self.field(3 + len(paints), triangles, paints)
+        self.field(opacity, triangles, [])
+
+    def stops(self, kinds, rows):
+        self.put('BQ', 1, len(rows))
+        for row in rows:
+            self.put('d' + kinds, *row)
+
+    def instance(self, layer, blend):
+        self.put('BI6dfB', 0, layer, 1, 0, 0, 1, 0.5, 0.25, 0.75, blend)
+
+    def stroke(self):
+        self.put('B', 1)
+        self.text(b'stroke')
+        self.table('d', [1, 1, 3, 0, 5, 6, 7, 4], 2)
+        self.stops('fff', [(0, 1, 0, 0), (1, 0, 0, 1)])
+        self.stops('fff', [(0, 0, 1, 0)])
+        self.stops('f', [(0, 0.5)])
+        self.stops('f', [(0, 1), (1, 2)])
+        self.put('d6d', 1, 1, 0, 0, 1, 0, 0)
+
+    def gradient(self, radial):
+        self.text(b'g')
+        self.put('BB', 0, radial)
+        self.put('5d' if radial else '4d', *([4, 3, 4, 3, 5] if radial else [0, 0, 8, 0]))
+        self.put('B6dQ', radial, 1, 0, 0, 1, 0, 0, 2)
+        self.put('d4fd4f', 0, 1, 0, 0, 1, 1, 0, 1, 0, 0.5)
+
+    def texture(self):
+        self.text(b't')
+        self.put('Bii', 1, 2, 2)
+        self.table('B', [255, 0, 0, 255, 0, 255, 0, 128] * 2)
+        self.put('6dB2d', 1, 0, 0, 1, 0, 0, 1, 0, 0)
+        self.table('B', [])
+
+
+def pictures():
+    """Picture files of few triangles: layers with paints and opacity, groups, strokes."""
+    for kind in range(24):
+        file = PictureFile()
+        file.put('4d', 1, 1, 1, 1)  # origin: own scale, pixels per unit, max-error
+        file.put('4d4dB', 0, 0, 8, 6, 0, 0, 8, 6, kind % 3)
+        file.put('B', kind % 2)
+        if kind % 2:
+            file.put('3f', 1, 0.5, 0)
+        paints = kind % 4
+        file.put('Q', paints)
+        for paint in range(paints):
+            file.texture() if paint == 2 else file.gradient(paint)
+        layers = kind % 3
+        file.put('Q', layers)
+        for layer in range(layers):
+            file.layer((kind + layer) % 3, 1 + layer, kind // 2 % 3, list(range(paints)), layer)
+        grouped = kind % 5 == 0
+        strokes = kind // 4 % 2
+        file.put('Q', layers + strokes + 2 * grouped)
+        if grouped:
+            file.put('BfB', 2, 0.5, kind % 16)
+        for layer in range(layers):
+            file.instance(layer, kind * 5 % 16)
+        if strokes:
+            file.stroke()
+        if grouped:
+            file.put('B', 3)
+        yield file.bytes
+
+
 def examples():
     """Those of our drawings that are small."""
     for file in [*ROOT.glob('examples/*.svg'), *ROOT.glob('tests/*/*.svg')]:
@@ -302,6 +402,7 @@ def seeds():
     yield 'photo', list(photos())
     yield 'mesher', list(noise(1, 40, 200))
     yield 'gather', list(noise(2, 40, 400))
+    yield 'picture_file', list(pictures())
     yield 'pixels', documents + orzan + list(noise(3, 40, 300))
     yield 'round_trip', documents + orzan + list(noise(4, 40, 300))
     yield 'export', [bytes([kind]) + text for kind in range(6)

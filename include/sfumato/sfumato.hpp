@@ -40,6 +40,7 @@
 #include "sfumato/import/import_svg.hpp"
 #include "sfumato/lint/lint.hpp"
 #include "sfumato/picture/picture.hpp"
+#include "sfumato/picture/picture_file.hpp"
 #include "sfumato/raster/rasterize.hpp"
 #include "sfumato/solve/diffuse.hpp"
 #include "sfumato/solve/point_evaluator.hpp"

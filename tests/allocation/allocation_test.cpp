@@ -28,6 +28,7 @@
 #include "sfumato/formats/read_document.hpp"
 #include "sfumato/formats/svg/svg_write.hpp"
 #include "sfumato/lint/lint.hpp"
+#include "sfumato/picture/picture_file.hpp"
 #include "sfumato/raster/rasterize.hpp"
 #include "sfumato/solve/diffuse.hpp"
 #include "sfumato/solve/solution.hpp"
@@ -157,6 +158,13 @@ TEST_P(Allocation, rasterize) {
   const Picture picture = picture_of(document_of(GetParam().text));
   const RasterOptions options{.width = 32, .height = 24, .format = PixelFormat::rgba8};
   check("rasterize", [&](Context& context) { return rasterize(context, picture, options); });
+}
+
+TEST_P(Allocation, picture_file) {
+  const Picture picture = picture_of(document_of(GetParam().text), {.max_error = 0});
+  const auto file = made([&](Context& context) { return write_picture(context, picture); });
+  check("write_picture", [&](Context& context) { return write_picture(context, picture); });
+  check("read_picture", [&](Context& context) { return read_picture(context, file); });
 }
 
 TEST_P(Allocation, render_pixels) {

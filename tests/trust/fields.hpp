@@ -13,6 +13,7 @@
 #include "sfumato/export/svg/svg.hpp"
 #include "sfumato/lint/hint.hpp"
 #include "sfumato/picture/picture.hpp"
+#include "sfumato/picture/picture_file.hpp"
 #include "sfumato/raster/rasterize.hpp"
 #include "sfumato/solve/diffuse.hpp"
 
@@ -132,6 +133,10 @@ inline auto fields(PatchInstance& v) {
 inline auto fields(Picture& v) {
   auto& [artboard, viewport, interpolation, background, shaders, layers, stack] = v;
   return std::tie(artboard, viewport, interpolation, background, shaders, layers, stack);
+}
+inline auto fields(PictureOrigin& v) {
+  auto& [own_scale, pixels_per_unit, max_error] = v;
+  return std::tie(own_scale, pixels_per_unit, max_error);
 }
 inline auto fields(gather::GatherOptions& v) {
   auto& [method, rays_per_node, seed] = v;

@@ -131,11 +131,25 @@ void draw(const Document& document, const std::string& place) {
       place);
 }
 
+/// What is written can be read, and is the same then.
+Result<std::vector<std::uint8_t>> kept(Context& context, const Picture& picture,
+                                       const PictureOrigin& origin = {}) {
+  auto bytes = write_picture(context, picture, origin);
+  if (!bytes) return bytes;
+  PictureOrigin found;
+  const Result<Picture> read = read_picture(context, *bytes, &found);
+  if (!read) return read.status();
+  EXPECT_EQ(*write_picture(context, *read, found), *bytes);
+  return bytes;
+}
+
 /// Every output of a picture.
 void show(const Picture& picture, const std::string& place) {
   const Answer valid =
       answer_of(place + ", check", [&](Context& c) { return picture::check_picture(c, picture); });
   static_cast<void>(bytes_of(picture));
+  const Answer written = answer_of(place + ", file", [&](Context& c) { return kept(c, picture); });
+  EXPECT_TRUE(valid == StatusCode::ok || written != StatusCode::ok) << place;
   const Answer shown =
       answer_of(place + ", rasterize", [&](Context& c) { return rasterize(c, picture, kSmall); });
   if (shown == StatusCode::bad_input) {  // before a device is asked for
@@ -263,6 +277,8 @@ TEST(WrongValues, of_options_are_answered) {
   try_options("svg of pixels", SvgOptions{}, [&](Context& c, const SvgOptions& options) {
     return export_svg(c, picture, options);
   });
+  try_options("origin", PictureOrigin{},
+              [&](Context& c, const PictureOrigin& origin) { return kept(c, picture, origin); });
   try_options("glb", GlbOptions{}, [&](Context& c, const GlbOptions& options) {
     return export_glb(c, picture, options);
   });

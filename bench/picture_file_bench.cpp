@@ -1,0 +1,63 @@
+#include <benchmark/benchmark.h>
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "scenes.hpp"
+#include "sfumato/picture/picture_file.hpp"
+#include "sfumato/solve/diffuse.hpp"
+
+// Pictures to bytes and back, checked, one thread; `bytes` is the size of the file.
+namespace sfumato {
+namespace {
+
+constexpr std::array<const char*, 3> kScenes{"lady_bug.xml", "dolphin.xml", "roses.xml"};
+
+/// The picture of a scene, solved once; null where the scene is not at hand.
+const Picture* picture_of(benchmark::State& state) {
+  static std::map<std::string, Picture> solved;
+  const std::string name = kScenes[static_cast<std::size_t>(state.range(0))];
+  state.SetLabel(name);
+  if (const auto known = solved.find(name); known != solved.end()) return &known->second;
+  const auto document = bench::scene(state, name);
+  if (!document) return nullptr;
+  Context context;
+  Result<Picture> picture = diffuse(context, *document, {});
+  if (!picture) {
+    state.SkipWithError("the scene was refused");
+    return nullptr;
+  }
+  return &solved.emplace(name, std::move(*picture)).first->second;
+}
+
+void write(benchmark::State& state) {
+  const Picture* const picture = picture_of(state);
+  if (!picture) return;
+  const Context context;
+  for (auto _ : state) {
+    auto bytes = write_picture(context, *picture);
+    benchmark::DoNotOptimize(bytes);
+    state.counters["bytes"] = static_cast<double>(bytes->size());
+  }
+}
+BENCHMARK(write)->ArgName("scene")->DenseRange(0, 2)->Unit(benchmark::kMillisecond);
+
+void read(benchmark::State& state) {
+  const Picture* const picture = picture_of(state);
+  if (!picture) return;
+  const Context context;
+  const auto bytes = write_picture(context, *picture);
+  for (auto _ : state) {
+    auto again = read_picture(context, *bytes);
+    benchmark::DoNotOptimize(again);
+  }
+  state.counters["bytes"] = static_cast<double>(bytes->size());
+}
+BENCHMARK(read)->ArgName("scene")->DenseRange(0, 2)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace sfumato
+
+BENCHMARK_MAIN();

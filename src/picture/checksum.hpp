@@ -1,0 +1,17 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "sfumato/base/context.hpp"
+
+namespace sfumato::picture {
+
+/// XXH64 (Yann Collet), the checksum of picture files, with seed 0. It keeps up with reading, as
+/// zlib's CRC-32 would not, and compiles to WebAssembly as it is, where no library is. Nothing:
+/// cancelled.
+std::optional<std::uint64_t> checksum(const Context& context, std::span<const std::uint8_t> bytes);
+
+}  // namespace sfumato::picture

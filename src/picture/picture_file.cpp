@@ -1,0 +1,208 @@
+#include "sfumato/picture/picture_file.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "base/limit_error.hpp"
+#include "base/output_buffer.hpp"
+#include "base/public_verb.hpp"
+#include "base/table_memory.hpp"
+#include "document/rules.hpp"
+#include "picture/check_picture.hpp"
+#include "picture/checksum.hpp"
+#include "picture/picture_reader.hpp"
+#include "picture/picture_writer.hpp"
+
+namespace sfumato {
+namespace {
+
+using Bytes = std::span<const std::uint8_t>;
+
+constexpr std::string_view kMagic = "SFPICT\x1a";
+constexpr std::uint32_t kByteOrder = 0x01020304;
+constexpr std::uint32_t kOtherOrder = 0x04030201;
+constexpr double kMostError = 255;
+
+// Where the parts of the header lie. The checksum is that of all bytes behind it.
+constexpr std::size_t kVersionAt = 7;
+constexpr std::size_t kOrderAt = 8;
+constexpr std::size_t kSizeAt = 12;
+constexpr std::size_t kChecksumAt = 20;
+constexpr std::size_t kHeaderBytes = 28;
+
+Status bad(std::string message) {
+  return make_error(StatusCode::bad_input, std::move(message));
+}
+
+Status damaged(const char* what) {
+  return bad(std::string("damaged: ") + what);
+}
+
+template <class Number>
+Number number_at(Bytes file, std::size_t at) {
+  Number number;
+  std::memcpy(&number, file.data() + at, sizeof number);
+  return number;
+}
+
+bool are_finite(const std::vector<float>& values) {
+  constexpr std::uint32_t kExponent = 0x7f800000;
+  std::uint32_t others = 0;  // without a way out, so that many are looked at together
+  for (const float value : values) {
+    others |= (std::bit_cast<std::uint32_t>(value) & kExponent) == kExponent ? 1 : 0;
+  }
+  return others == 0;
+}
+
+bool are_flags(const std::vector<std::uint8_t>& values) {
+  std::uint8_t bits = 0;
+  for (const std::uint8_t value : values) bits |= value;
+  return bits <= 1;
+}
+
+/// A layer that nothing shows has the frame that is empty.
+bool is_frame(const Box& box) {
+  const double sides[] = {box.min.x, box.min.y, box.max.x, box.max.y};
+  return box == Box{} || std::ranges::all_of(sides, [](double s) { return std::isfinite(s); });
+}
+
+bool is_scale(double scale) {
+  return scale > 0 && std::isfinite(scale);
+}
+
+Status check_origin(const PictureOrigin& origin) {
+  const bool is_good = is_scale(origin.own_scale.x) && is_scale(origin.own_scale.y) &&
+                       is_scale(origin.pixels_per_unit) && origin.max_error >= 0 &&
+                       origin.max_error <= kMostError;
+  return is_good ? ok_status() : bad("a scale or an error that no picture is made with");
+}
+
+Status check_layer(const Context& context, const PatchLayer& layer) {
+  const Limits& limits = context.limits;
+  if (layer.triangle_count() > limits.triangles) {
+    return limit_error(limits, &Limits::triangles, "triangles in a layer");
+  }
+  for (const PatchField* field : {&layer.color, &layer.opacity}) {
+    const auto channels = static_cast<std::size_t>(std::max(field->channel_count, 1));
+    if (field->node_value.size() / channels > limits.nodes) {
+      return limit_error(limits, &Limits::nodes, "nodes in a layer");
+    }
+    if (context.cancelled()) return context.cancel_status();
+    if (!are_finite(field->node_value)) return bad("a layer of the picture with no finite values");
+  }
+  if (!is_frame(layer.frame) || !are_flags(layer.edge_is_curve)) {
+    return bad("a layer of the picture with a wrong frame or edges");
+  }
+  return ok_status();
+}
+
+/// What holds of a picture in a file, whoever wrote it.
+Status check_content(const Context& context, const Picture& picture, const PictureOrigin& origin) {
+  if (Status status = check_origin(origin); !status) return status;
+  if (!rules::has_area(picture.artboard) || !rules::has_area(picture.viewport)) {
+    return bad("a picture without an area");
+  }
+  if (picture.layers.size() > context.limits.layers) {
+    return limit_error(context.limits, &Limits::layers, "layers");
+  }
+  for (const PatchLayer& layer : picture.layers) {
+    if (Status status = check_layer(context, layer); !status) return status;
+  }
+  return picture::check_picture(context, picture);
+}
+
+template <class Sink>
+void write_parts(const Picture& picture, const PictureOrigin& origin, Sink& sink) {
+  picture::PartWriter<Sink> writer(sink);
+  pass(writer, origin);
+  pass(writer, picture);
+}
+
+Result<std::vector<std::uint8_t>> write(const Context& context, const Picture& picture,
+                                        const PictureOrigin& origin) {
+  if (Status status = check_content(context, picture, origin); !status) return status;
+  picture::ByteCount count(kHeaderBytes);
+  write_parts(picture, origin, count);
+  OutputBuffer file(context, "the picture file");
+  file.reserve(count.position());
+  picture::BufferSink sink(file);
+  const std::uint64_t size = count.position(), no_checksum = 0;
+  file += kMagic;
+  file.push_back(kPictureFileVersion);
+  sink.append(&kByteOrder, sizeof kByteOrder);
+  sink.append(&size, sizeof size);
+  sink.append(&no_checksum, sizeof no_checksum);
+  write_parts(picture, origin, sink);
+  Result<std::vector<std::uint8_t>> bytes = file.finish();
+  if (!bytes) return bytes;
+  const auto sum = picture::checksum(context, Bytes(*bytes).subspan(kHeaderBytes));
+  if (!sum) return context.cancel_status();
+  std::memcpy(bytes->data() + kChecksumAt, &*sum, sizeof *sum);
+  return bytes;
+}
+
+Status check_header(const Context& context, Bytes file) {
+  if (file.size() > context.limits.input_bytes) {
+    return limit_error(context.limits, &Limits::input_bytes, "bytes of input");
+  }
+  if (!is_picture_file(file)) return bad("not a solved picture");
+  if (file.size() < kHeaderBytes) return bad("a solved picture that is cut off");
+  if (file[kVersionAt] != kPictureFileVersion) {
+    return bad("a solved picture of version " + std::to_string(file[kVersionAt]) +
+               "; only version " + std::to_string(kPictureFileVersion) + " can be read");
+  }
+  const auto order = number_at<std::uint32_t>(file, kOrderAt);
+  if (order == kOtherOrder) return bad("a solved picture of a machine with the other byte order");
+  if (order != kByteOrder) return damaged("the mark of its byte order is none");
+  const auto size = number_at<std::uint64_t>(file, kSizeAt);
+  if (size != file.size()) {
+    return bad("a solved picture of " + std::to_string(size) + " bytes, " +
+               std::to_string(file.size()) + " are here");
+  }
+  const auto sum = picture::checksum(context, file.subspan(kHeaderBytes));
+  if (!sum) return context.cancel_status();
+  if (*sum != number_at<std::uint64_t>(file, kChecksumAt)) {
+    return damaged("the checksum of its bytes is another");
+  }
+  return ok_status();
+}
+
+Result<Picture> read(const Context& context, Bytes file, PictureOrigin* origin) {
+  if (Status status = check_header(context, file); !status) return status;
+  TableMemory memory("the picture");
+  picture::PartReader reader(context, file, kHeaderBytes, memory);
+  PictureOrigin found;
+  Picture picture;
+  pass(reader, found);
+  pass(reader, picture);
+  if (!reader.ok()) return reader.status();
+  if (!reader.at_end()) return damaged("there is something behind its end");
+  if (Status status = check_content(context, picture, found); !status) return status;
+  if (origin) *origin = found;
+  return picture;
+}
+
+}  // namespace
+
+bool is_picture_file(std::span<const std::uint8_t> bytes) {
+  return bytes.size() >= kMagic.size() &&
+         std::memcmp(bytes.data(), kMagic.data(), kMagic.size()) == 0;
+}
+
+Result<std::vector<std::uint8_t>> write_picture(const Context& context, const Picture& picture,
+                                                const PictureOrigin& origin) {
+  return public_verb(context, [&] { return write(context, picture, origin); });
+}
+
+Result<Picture> read_picture(const Context& context, std::span<const std::uint8_t> bytes,
+                             PictureOrigin* origin) {
+  return public_verb(context, [&] { return read(context, bytes, origin); });
+}
+
+}  // namespace sfumato

@@ -1,0 +1,241 @@
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+#include "sfumato/picture/picture.hpp"
+#include "sfumato/picture/picture_file.hpp"
+
+/// The parts of a picture file in the order in which they stand there (docs/picture-file.md), once
+/// for all that goes through them: an Archive writes, counts or reads.
+///
+///   archive.number(x)       a number or an enum
+///   archive.flag(x)         a bool
+///   archive.table(v)        a vector of numbers
+///   archive.text(s)         a string
+///   archive.resize(v)       the length of a vector whose items follow one by one
+///   archive.alternative(v)  which alternative a variant holds
+///   archive.ok()            whether to go on
+///
+/// The parts are const for an archive that writes.
+namespace sfumato::picture {
+
+template <class T, class Part>
+concept Is = std::same_as<std::remove_const_t<T>, Part>;
+
+/// What the archive passes as its bytes stand in memory.
+template <class T>
+concept Number = std::is_arithmetic_v<T> || std::is_enum_v<T>;
+
+template <class Archive>
+void pass(Archive& archive, Number auto& number) {
+  archive.number(number);
+}
+
+template <class Archive>
+void pass(Archive& archive, Is<Vec2> auto& v) {
+  pass(archive, v.x);
+  pass(archive, v.y);
+}
+
+template <class Archive>
+void pass(Archive& archive, Is<Box> auto& box) {
+  pass(archive, box.min);
+  pass(archive, box.max);
+}
+
+template <class Archive>
+void pass(Archive& archive, Is<Rgb> auto& color) {
+  pass(archive, color.r);
+  pass(archive, color.g);
+  pass(archive, color.b);
+}
+
+template <class Archive>
+void pass(Archive& archive, Is<Affine> auto& map) {
+  for (auto* entry : {&map.a, &map.b, &map.c, &map.d, &map.e, &map.f}) pass(archive, *entry);
+}
+
+/// Items one by one, for what has padding in memory or tables of its own.
+template <class Archive, class Items>
+void pass_items(Archive& archive, Items& items) {
+  if (!archive.resize(items)) return;
+  for (auto& item : items) {
+    pass(archive, item);
+    if (!archive.ok()) return;
+  }
+}
+
+template <class Archive, class Value>
+void pass_stop(Archive& archive, Value& stop) {
+  pass(archive, stop.offset);
+  pass(archive, stop.value);
+}
+template <class Archive>
+void pass(Archive& archive, Is<Stop<Rgb>> auto& stop) {
+  pass_stop(archive, stop);
+}
+template <class Archive>
+void pass(Archive& archive, Is<Stop<float>> auto& stop) {
+  pass_stop(archive, stop);
+}
+
+template <class Archive, class List>
+requires Is<List, ColorStops> || Is<List, ScalarStops>
+void pass(Archive& archive, List& list) {
+  pass(archive, list.space);
+  pass_items(archive, list.stops);
+}
+
+template <class Archive>
+void pass(Archive& archive, Is<GradientStop> auto& stop) {
+  pass(archive, stop.offset);
+  pass(archive, stop.color);
+  pass(archive, stop.alpha);
+}
+
+template <class Archive>
+void pass(Archive& archive, Is<LinearGradient> auto& gradient) {
+  pass(archive, gradient.start);
+  pass(archive, gradient.end);
+}
+
+template <class Archive>
+void pass(Archive& archive, Is<RadialGradient> auto& gradient) {
+  pass(archive, gradient.center);
+  pass(archive, gradient.focus);
+  pass(archive, gradient.radius);
+}
+
+template <class Archive, class Variant>
+void pass_variant(Archive& archive, Variant& variant) {
+  if (!archive.alternative(variant)) return;
+  std::visit([&archive](auto& part) { pass(archive, part); }, variant);
+}
+
+template <class Archive>
+void pass(Archive& archive, Is<GradientFill> auto& fill) {
+  pass_variant(archive, fill.shape);
+  pass(archive, fill.spread);
+  pass(archive, fill.layer_from_gradient);
+  pass_items(archive, fill.stops);
+}
+
+template <class Archive>
+void pass(Archive& archive, Is<Texture> auto& texture) {
+  pass(archive, texture.width);
+  pass(archive, texture.height);
+  archive.table(texture.rgba);
+  pass(archive, texture.layer_from_texture);
+  archive.flag(texture.repeats);
+  pass(archive, texture.period);
+  archive.table(texture.file);
+}
+
+template <class Archive>
+void pass(Archive& archive, Is<Shader> auto& shader) {
+  archive.text(shader.id);
+  pass_variant(archive, shader.paint);
+}
+
+template <class Archive>
+void pass(Archive& archive, Is<PatchField> auto& field) {
+  pass(archive, field.channel_count);
+  archive.table(field.triangle_node);
+  archive.table(field.node_value);
+  archive.table(field.shader);
+}
+
+template <class Archive>
+void pass(Archive& archive, Is<SoftEdge> auto& edge) {
+  pass(archive, edge.front);
+  pass(archive, edge.back);
+  pass(archive, edge.reach[0]);
+  pass(archive, edge.reach[1]);
+  pass(archive, edge.contrast);
+}
+
+template <class Archive>
+void pass(Archive& archive, Is<PatchLayer> auto& layer) {
+  pass(archive, layer.frame);
+  pass(archive, layer.order);
+  archive.table(layer.vertex_position);
+  archive.table(layer.triangle_vertex);
+  archive.table(layer.edge_is_curve);
+  pass_items(archive, layer.soft_edge);
+  pass(archive, layer.color);
+  pass(archive, layer.opacity);
+}
+
+template <class Archive>
+void pass(Archive& archive, Is<PatchInstance> auto& instance) {
+  pass(archive, instance.layer);
+  pass(archive, instance.artboard_from_layer);
+  pass(archive, instance.opacity);
+  pass(archive, instance.blend);
+}
+
+template <class Archive>
+void pass(Archive& archive, Is<LocalStroke> auto& stroke) {
+  auto& curve = stroke.curve;
+  archive.text(curve.id);
+  archive.table(curve.control_points);
+  pass(archive, curve.left_color);
+  pass(archive, curve.right_color);
+  pass(archive, curve.blur_radius);
+  pass(archive, curve.influence_radius);
+  pass(archive, curve.alpha);
+  pass(archive, stroke.artboard_from_stroke);
+}
+
+template <class Archive>
+void pass(Archive& archive, Is<GroupBegin> auto& group) {
+  pass(archive, group.opacity);
+  pass(archive, group.blend);
+}
+
+template <class Archive>
+void pass(Archive&, Is<GroupEnd> auto&) {}
+
+template <class Archive>
+void pass(Archive& archive, Is<PictureItem> auto& item) {
+  pass_variant(archive, item);
+}
+
+template <class Archive>
+void pass(Archive& archive, Is<PictureOrigin> auto& origin) {
+  pass(archive, origin.own_scale);
+  pass(archive, origin.pixels_per_unit);
+  pass(archive, origin.max_error);
+}
+
+template <class Archive>
+void pass_background(Archive& archive, Is<std::optional<Rgb>> auto& background) {
+  bool is_there = background.has_value();
+  archive.flag(is_there);
+  if (!is_there || !archive.ok()) return;
+  if constexpr (!std::is_const_v<std::remove_reference_t<decltype(background)>>) {
+    background.emplace();
+  }
+  pass(archive, *background);
+}
+
+template <class Archive>
+void pass(Archive& archive, Is<Picture> auto& picture) {
+  pass(archive, picture.artboard);
+  pass(archive, picture.viewport);
+  pass(archive, picture.interpolation);
+  pass_background(archive, picture.background);
+  pass_items(archive, picture.shaders);
+  pass_items(archive, picture.layers);
+  pass_items(archive, picture.stack);
+}
+
+}  // namespace sfumato::picture
