@@ -10,7 +10,7 @@ _sfumato() {
   local command='' word options
   for word in "${COMP_WORDS[@]:1:COMP_CWORD-1}"; do
     case $word in
-      render | info | convert | trace | lint | compare | init | watch | edit)
+      render | solve | info | convert | trace | lint | compare | init | watch | edit)
         command=$word
         break
         ;;
@@ -69,6 +69,12 @@ _sfumato() {
         --stats --quiet
         --max-memory --max-time --limit --help'
       ;;
+    solve)
+      options='--output --out-dir --allow-files --viewport --width --height --scale --detail
+        --method --rays --seed --tolerance --ends --no-blur --max-error --max-area --min-angle
+        --order --threads --stats --quiet
+        --max-memory --max-time --limit --help'
+      ;;
     info)
       options='--allow-files --json --quiet
         --max-memory --max-time --limit --help'
@@ -100,7 +106,7 @@ _sfumato() {
       options='--output --scale --json
         --max-memory --max-time --limit --help'
       ;;
-    *) options='render info convert trace lint compare init watch edit --help --version' ;;
+    *) options='render solve info convert trace lint compare init watch edit --help --version' ;;
   esac
   mapfile -t COMPREPLY < <(compgen -W "$options" -- "$current")
 }

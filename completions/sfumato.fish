@@ -1,11 +1,12 @@
 # fish completion for sfumato
 
-set -l commands render info convert trace lint compare init watch edit
+set -l commands render solve info convert trace lint compare init watch edit
 set -l limits input-bytes= unpack-ratio= xml-depth= xml-elements= xml-attributes= style-values= used-elements= used-bytes= id-bytes= curves= control-points= stops= stops-per-list= layers= shaders-per-layer= stack-items= group-depth= image-file-bytes= textures= texels= segments= triangles= nodes= image-side= viewer-triangles= viewer-stroke-segments= svg-triangles=
 
 complete -c sfumato -s h -l help -d 'Print the help'
 complete -c sfumato -n "not __fish_seen_subcommand_from $commands" -l version -d 'Print the version'
 complete -c sfumato -n "not __fish_seen_subcommand_from $commands" -f -a render -d 'Draw files of diffusion curves'
+complete -c sfumato -n "not __fish_seen_subcommand_from $commands" -f -a solve -d 'Solve drawings, for render to draw later'
 complete -c sfumato -n "not __fish_seen_subcommand_from $commands" -f -a info -d 'Say what a file of diffusion curves holds'
 complete -c sfumato -n "not __fish_seen_subcommand_from $commands" -f -a convert -d 'Write a file of diffusion curves as SVG'
 complete -c sfumato -n "not __fish_seen_subcommand_from $commands" -f -a trace -d 'Make a drawing of a photo or a painting'
@@ -55,6 +56,31 @@ complete -c sfumato -n '__fish_seen_subcommand_from render' -l quiet -d 'No warn
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l max-memory -x -d 'Give up before taking more MiB'
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l max-time -x -a off -d 'Give up after these seconds'
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l limit -x -a "$limits" -d 'Set another limit on the input'
+
+complete -c sfumato -n '__fish_seen_subcommand_from solve' -s o -l output -r -F -d 'The solved picture'
+complete -c sfumato -n '__fish_seen_subcommand_from solve' -l out-dir -x -a '(__fish_complete_directories)' -d 'Every picture into this folder'
+complete -c sfumato -n '__fish_seen_subcommand_from solve' -l allow-files -x -a '(__fish_complete_directories)' -d 'Read textures from this folder too'
+complete -c sfumato -n '__fish_seen_subcommand_from solve' -l viewport -x -d 'The part to draw'
+complete -c sfumato -n '__fish_seen_subcommand_from solve' -l width -x -d 'Width in pixels'
+complete -c sfumato -n '__fish_seen_subcommand_from solve' -l height -x -d 'Height in pixels'
+complete -c sfumato -n '__fish_seen_subcommand_from solve' -l scale -x -d 'Pixels per user unit'
+complete -c sfumato -n '__fish_seen_subcommand_from solve' -l detail -x -d 'Make the mesh for a larger picture'
+complete -c sfumato -n '__fish_seen_subcommand_from solve' -l method -x -a 'exact rays' -d 'How colours are found'
+complete -c sfumato -n '__fish_seen_subcommand_from solve' -l rays -x -d 'Rays per node'
+complete -c sfumato -n '__fish_seen_subcommand_from solve' -l seed -x -d 'Of the random rays'
+complete -c sfumato -n '__fish_seen_subcommand_from solve' -l tolerance -x -d 'Largest distance between a curve and its chords'
+complete -c sfumato -n '__fish_seen_subcommand_from solve' -l ends -x -a 'soft paper' -d 'Colours ahead of the ends of open curves'
+complete -c sfumato -n '__fish_seen_subcommand_from solve' -l no-blur -d 'Draw every curve sharp'
+complete -c sfumato -n '__fish_seen_subcommand_from solve' -l max-error -x -a 'off' -d 'Refine where a patch misses by more'
+complete -c sfumato -n '__fish_seen_subcommand_from solve' -l max-area -x -d 'Largest triangle'
+complete -c sfumato -n '__fish_seen_subcommand_from solve' -l min-angle -x -d 'Smallest angle of a triangle'
+complete -c sfumato -n '__fish_seen_subcommand_from solve' -l order -x -a 'linear quadratic cubic' -d 'Interpolation inside a triangle'
+complete -c sfumato -n '__fish_seen_subcommand_from solve' -l threads -x -d 'Number of threads'
+complete -c sfumato -n '__fish_seen_subcommand_from solve' -l stats -r -F -d 'Sizes and times as JSON'
+complete -c sfumato -n '__fish_seen_subcommand_from solve' -l quiet -d 'No warnings, no progress bar'
+complete -c sfumato -n '__fish_seen_subcommand_from solve' -l max-memory -x -d 'Give up before taking more MiB'
+complete -c sfumato -n '__fish_seen_subcommand_from solve' -l max-time -x -a off -d 'Give up after these seconds'
+complete -c sfumato -n '__fish_seen_subcommand_from solve' -l limit -x -a "$limits" -d 'Set another limit on the input'
 
 complete -c sfumato -n '__fish_seen_subcommand_from info' -l allow-files -x -a '(__fish_complete_directories)' -d 'Read textures from this folder too'
 complete -c sfumato -n '__fish_seen_subcommand_from info' -l json -d 'Print one JSON object'

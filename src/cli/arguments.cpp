@@ -27,6 +27,7 @@ constexpr const char* kRootFooter =
     "  sfumato edit drawing.svg\n"
     "  sfumato watch drawing.svg\n"
     "  sfumato render lady_bug.xml -o lady_bug.png\n"
+    "  sfumato solve lady_bug.xml -o lady_bug.sfp\n"
     "  sfumato info lady_bug.xml\n"
     "  sfumato convert lady_bug.xml -o lady_bug.svg\n"
     "  sfumato trace photo.jpg -o drawing.svg\n"
@@ -173,6 +174,8 @@ class CommandLine {
   CLI::App root_{kDescription, "sfumato"};
   RenderArguments render_;
   RenderChoices render_choices_;
+  SolveArguments solve_;
+  JobChoices solve_choices_;
   InfoArguments info_;
   ConvertArguments convert_;
   LintArguments lint_;
@@ -193,6 +196,7 @@ CommandLine::CommandLine() {
   root_.get_formatter()->column_width(28);
   root_.get_formatter()->label("REQUIRED", "");
   add_render(root_, render_, render_choices_);
+  add_solve(root_, solve_, solve_choices_);
   add_info(root_, info_);
   add_convert(root_, convert_);
   add_trace(root_, trace_, trace_choices_);
@@ -206,7 +210,12 @@ CommandLine::CommandLine() {
 Command CommandLine::chosen() {
   if (root_.got_subcommand("render")) {
     settle(render_, render_choices_);
+    render_.drawing_options = given_drawing_options(*root_.get_subcommand("render"));
     return render_;
+  }
+  if (root_.got_subcommand("solve")) {
+    settle(solve_, solve_choices_);
+    return solve_;
   }
   if (root_.got_subcommand("info")) return info_;
   if (root_.got_subcommand("convert")) {

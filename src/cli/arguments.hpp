@@ -30,6 +30,13 @@ struct DocumentArguments {
 struct RenderArguments : DocumentArguments, JobArguments {
   OutputKind kind = OutputKind::png;
   options::Settings settings;
+  /// Options that were given and have no place where the input is a solved picture: "--rays".
+  std::vector<std::string> drawing_options;
+};
+
+/// `input` is the input of the current job.
+struct SolveArguments : DocumentArguments, JobArguments {
+  options::Settings settings;
 };
 
 struct ConvertArguments : DocumentArguments {
@@ -90,9 +97,9 @@ struct NoCommand {
   ExitCode exit_code = kBadUsage;
 };
 
-using Command =
-    std::variant<NoCommand, RenderArguments, InfoArguments, ConvertArguments, LintArguments,
-                 CompareArguments, InitArguments, WatchArguments, EditArguments, TraceArguments>;
+using Command = std::variant<NoCommand, RenderArguments, SolveArguments, InfoArguments,
+                             ConvertArguments, LintArguments, CompareArguments, InitArguments,
+                             WatchArguments, EditArguments, TraceArguments>;
 
 /// Reads the command line. Never prints, never exits.
 Command parse_arguments(int argc, const char* const* argv);

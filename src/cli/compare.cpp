@@ -7,6 +7,7 @@
 #include "base/table_memory.hpp"
 #include "cli/commands.hpp"
 #include "cli/difference.hpp"
+#include "cli/document_input.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/paths.hpp"
 #include "sfumato/base/native/file.hpp"
@@ -26,6 +27,7 @@ constexpr std::array<Percentile, 4> kPercentiles{
     {{"50%", "p50", 500}, {"90%", "p90", 900}, {"99%", "p99", 990}, {"99.9%", "p99.9", 999}}};
 
 Result<Image> read_png(Context& context, const std::string& path, const std::string& bytes) {
+  if (is_solved(bytes)) return no_solved_picture("a PNG", path);
   return decode_png(context, {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()},
                     display_name(path));
 }

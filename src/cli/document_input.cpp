@@ -7,6 +7,7 @@
 #include "base/table_memory.hpp"
 #include "cli/folder_loader.hpp"
 #include "cli/paths.hpp"
+#include "sfumato/picture/picture_file.hpp"
 
 namespace sfumato::cli {
 namespace {
@@ -27,8 +28,25 @@ Result<std::string> read_within(Context& context, const std::string& path,
   return limit_error(context.limits, limit, what, bytes.status().where);
 }
 
-Result<std::string> read_drawing_text(Context& context, const std::string& path) {
+Result<std::string> read_any_text(Context& context, const std::string& path) {
   return read_within(context, path, &Limits::input_bytes, "bytes of input");
+}
+
+bool is_solved(const std::string& bytes) {
+  return is_picture_file({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+}
+
+Status no_solved_picture(std::string_view expected, const std::string& path) {
+  return make_error(StatusCode::bad_input,
+                    "this is a solved picture, expected " + std::string(expected) +
+                        "; `sfumato render` draws it, `sfumato info` says what it holds",
+                    {display_name(path)});
+}
+
+Result<std::string> read_drawing_text(Context& context, const std::string& path) {
+  Result<std::string> bytes = read_any_text(context, path);
+  if (bytes && is_solved(*bytes)) return no_solved_picture("a drawing", path);
+  return bytes;
 }
 
 Result<ReadDocument> read_drawing(Context& context, const DocumentArguments& arguments) {
@@ -37,9 +55,13 @@ Result<ReadDocument> read_drawing(Context& context, const DocumentArguments& arg
   ScopedCharge charge;
   Status status = charge.add(context, capacity_bytes(*bytes), "the input");
   if (!status) return status;
+  return read_drawing_of(context, arguments, *bytes);
+}
+
+Result<ReadDocument> read_drawing_of(Context& context, const DocumentArguments& arguments,
+                                     const std::string& bytes) {
   const FolderLoader loader(arguments, context);
-  Result<ReadDocument> read =
-      read_document(context, *bytes, display_name(arguments.input), &loader);
+  Result<ReadDocument> read = read_document(context, bytes, display_name(arguments.input), &loader);
   if (!read || arguments.quiet) return read;
   for (const Diagnostic& warning : warnings_of(*read)) report_warning(warning);
   return read;

@@ -16,9 +16,23 @@ namespace sfumato::cli {
 Result<std::string> read_within(Context& context, const std::string& path,
                                 std::size_t Limits::*limit, std::string_view what);
 
+/// The bytes of a drawing or of a solved picture, if the budget has room for them. The caller must
+/// charge them. Errors: bad_input, limit, out_of_memory.
+Result<std::string> read_any_text(Context& context, const std::string& path);
+
+/// Whether these are the bytes of a solved picture.
+bool is_solved(const std::string& bytes);
+
+/// What is wrong with a solved picture where something else is expected: "a drawing".
+Status no_solved_picture(std::string_view expected, const std::string& path);
+
 /// The bytes of a drawing, if the budget has room for them. The caller must charge them.
 /// Errors: bad_input, limit, out_of_memory.
 Result<std::string> read_drawing_text(Context& context, const std::string& path);
+
+/// Reads the document of these bytes of arguments.input, as read_drawing() does.
+Result<ReadDocument> read_drawing_of(Context& context, const DocumentArguments& arguments,
+                                     const std::string& bytes);
 
 /// Reads the document of arguments.input, with the textures that it may use, and reports the
 /// reader's warnings. Errors: bad_input, limit, cancelled, out_of_memory.

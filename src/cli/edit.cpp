@@ -6,6 +6,7 @@
 #include "base/ascii.hpp"
 #include "cli/browser.hpp"
 #include "cli/commands.hpp"
+#include "cli/document_input.hpp"
 #include "cli/edit_server.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/paths.hpp"
@@ -59,6 +60,7 @@ Status prepare(const EditArguments& arguments, const Context& context) {
     return make_error(StatusCode::bad_input, "is not a file", {arguments.input, 0, 0});
   }
   const auto bytes = read_file(arguments.input, context.limits.input_bytes);
+  if (bytes && is_solved(*bytes)) return no_solved_picture("a drawing", arguments.input);
   return bytes ? ok_status() : bytes.status();
 }
 

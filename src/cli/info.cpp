@@ -1,13 +1,16 @@
 #include <cstdio>
 #include <string>
 
+#include "base/charge.hpp"
 #include "base/json.hpp"
-#include "base/number_text.hpp"
+#include "base/table_memory.hpp"
 #include "cli/commands.hpp"
 #include "cli/document_facts.hpp"
 #include "cli/document_input.hpp"
+#include "cli/info_text.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/paths.hpp"
+#include "cli/solved_input.hpp"
 
 namespace sfumato::cli {
 namespace {
@@ -16,29 +19,8 @@ const char* format_name(DocumentFormat format) {
   return format == DocumentFormat::orzan ? "Orzan XML" : "SVG";
 }
 
-std::string shortest(double number) {
-  return JsonWriter().value(number).text();
-}
-
-std::string size_text(const Box& artboard) {
-  std::string text = shortest(artboard.width()) + " x " + shortest(artboard.height());
-  if (!(artboard.min == Vec2{})) {
-    text += " at " + shortest(artboard.min.x) + "," + shortest(artboard.min.y);
-  }
-  return text;
-}
-
 Vec2 picture_size(const Document& document) {
   return document.size_px.value_or(Vec2{document.artboard.width(), document.artboard.height()});
-}
-
-const char* interpolation_name(InterpolationSpace space) {
-  constexpr const char* kNames[] = {"srgb", "linear", "oklab"};
-  return kNames[static_cast<std::size_t>(space)];
-}
-
-std::string background_text(const Document& document) {
-  return document.background ? color_text(*document.background) : "none";
 }
 
 std::string textures_text(const DocumentFacts& facts) {
@@ -53,9 +35,8 @@ std::string textures_text(const DocumentFacts& facts) {
 std::string as_table(const std::string& name, const ReadDocument& read) {
   const DocumentFacts facts = count_facts(read.document);
   std::string table = output_line(name);
-  const auto row = [&table](std::string label, const std::string& content) {
-    label.resize(24, ' ');
-    table += "  " + label + content + '\n';
+  const auto row = [&table](const char* label, const std::string& content) {
+    table += table_row(label, content);
   };
   const auto count = [&row](const char* label, std::size_t number) {
     row(label, std::to_string(number));
@@ -64,7 +45,7 @@ std::string as_table(const std::string& name, const ReadDocument& read) {
   row("artboard", size_text(read.document.artboard));
   const Vec2 size = picture_size(read.document);
   row("size", shortest(size.x) + " x " + shortest(size.y) + " px");
-  row("background", background_text(read.document));
+  row("background", background_text(read.document.background));
   row("interpolation", interpolation_name(read.document.interpolation));
   row("layers", std::to_string(facts.layers) + " (" + std::to_string(facts.instances) +
                     (facts.instances == 1 ? " instance)" : " instances)"));
@@ -131,7 +112,7 @@ std::string as_json(const std::string& name, const ReadDocument& read) {
       .end_object();
   const Vec2 size = picture_size(read.document);
   json.key("size_px").begin_object().member("width", size.x).member("height", size.y).end_object();
-  json.member("background", background_text(read.document))
+  json.member("background", background_text(read.document.background))
       .member("interpolation", interpolation_name(read.document.interpolation));
   write_counts(json, facts);
   json.key("textures").begin_array();
@@ -143,6 +124,24 @@ std::string as_json(const std::string& name, const ReadDocument& read) {
   return json.text() + '\n';
 }
 
+/// What is to be printed of a drawing or, by its first bytes, of a solved picture.
+Result<std::string> text_of(Context& context, const InfoArguments& arguments,
+                            const std::string& name) {
+  const Result<std::string> bytes = read_any_text(context, arguments.input);
+  if (!bytes) return bytes.status();
+  ScopedCharge charge;
+  Status status = charge.add(context, capacity_bytes(*bytes), "the input");
+  if (!status) return status;
+  if (is_solved(*bytes)) {
+    const Result<SolvedInput> solved = read_solved(context, arguments.input, *bytes);
+    if (!solved) return solved.status();
+    return solved_text(name, *solved, bytes->size(), arguments.json);
+  }
+  const Result<ReadDocument> read = read_drawing_of(context, arguments, *bytes);
+  if (!read) return read.status();
+  return arguments.json ? as_json(name, *read) : as_table(name, *read);
+}
+
 }  // namespace
 
 int info(const InfoArguments& arguments) {
@@ -151,10 +150,9 @@ int info(const InfoArguments& arguments) {
                   .limits = arguments.resources.limits,
                   .deadline = deadline_of(arguments.resources)};
   const CancelOnSignal cancel_on_signal(context.cancel);
-  const Result<ReadDocument> read = read_drawing(context, arguments);
-  if (!read) return fail(read.status());
-  const Status printed =
-      print(arguments.json ? as_json(name, *read) : as_table(name, *read), &context);
+  const Result<std::string> text = text_of(context, arguments, name);
+  if (!text) return fail(text.status());
+  const Status printed = print(*text, &context);
   return printed ? kDone : fail(printed);
 }
 

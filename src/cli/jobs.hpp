@@ -9,7 +9,7 @@
 #include "sfumato/base/function_ref.hpp"
 #include "sfumato/base/status.hpp"
 
-/// Commands that make an output of each of their inputs: `render` and `trace`.
+/// Commands that make an output of each of their inputs: `render`, `solve` and `trace`.
 namespace sfumato::cli {
 
 /// One input of a call and the destination of what becomes of it.
@@ -39,6 +39,7 @@ struct JobWords {
   const char* output;
 };
 inline constexpr JobWords kRenderWords{"drawing", "picture"};
+inline constexpr JobWords kSolveWords{"drawing", "solved picture"};
 inline constexpr JobWords kTraceWords{"picture", "drawing"};
 
 /// The jobs of the choices: either a single input becomes `output`, or each input becomes a file in

@@ -26,6 +26,7 @@ std::string extension_of(const std::string& path) {
 }
 
 std::vector<std::string_view> extensions_of(const OutputNames& names) {
+  if (names.is_solved) return {kSolvedExtension};
   std::vector<std::string_view> extensions;
   for (const options::KnownOutput& known : options::known_outputs()) {
     if (!names.only || known.kind == *names.only) extensions.push_back(known.extension);
@@ -66,11 +67,14 @@ bool is_packed_name(const std::string& path) {
 std::string complaint_about_output(const std::string& name, const OutputNames& names) {
   if (name == "-" && names.takes_dash) return {};
   if (names.takes_packed && is_packed_name(name)) return {};
+  const bool has_solved_name = ascii_lower(extension_of(name)) == kSolvedExtension;
+  if (names.is_solved && has_solved_name) return {};
   const std::optional<OutputKind> kind = output_kind(name);
-  if (kind && (!names.only || kind == names.only)) return {};
+  if (!names.is_solved && kind && (!names.only || kind == names.only)) return {};
   const std::string_view meant =
       text::nearest(ascii_lower(extension_of(name)), extensions_of(names));
   std::string text = "\"" + name + "\" given, expected " + expected_name(names);
+  if (!names.only && has_solved_name) return text + "; `sfumato solve` writes solved pictures";
   if (!meant.empty()) {
     text += "; did you mean " + fs::path(name).replace_extension(meant).string() + "?";
   }

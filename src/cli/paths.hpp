@@ -22,12 +22,16 @@ std::vector<std::string> known_extensions();
 /// The allowed endings of output names.
 struct OutputNames {
   std::optional<OutputKind> only{};  ///< empty: any kind
+  bool is_solved = false;            ///< .sfp alone, instead of a kind
   bool takes_dash = true;            ///< for standard output
   bool takes_packed = false;         ///< .svgz as well
 };
 
 /// Whether the name is that of an SVG packed by gzip: .svgz.
 bool is_packed_name(const std::string& path);
+
+/// The extension of solved pictures, without its dot.
+inline constexpr const char* kSolvedExtension = "sfp";
 
 /// A message if the name of an output is not allowed, with what was probably meant; empty: it is
 /// allowed.

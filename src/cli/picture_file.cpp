@@ -8,12 +8,14 @@
 #include <utility>
 
 #include "base/charge.hpp"
+#include "base/number_text.hpp"
 #include "base/stopwatch.hpp"
 #include "base/table_memory.hpp"
 #include "cli/messages.hpp"
 #include "output/export_picture.hpp"
 #include "output/image_output.hpp"
 #include "output/output_size.hpp"
+#include "picture/picture_counts.hpp"
 #include "sfumato/api/render_pixels.hpp"
 #include "sfumato/gpu/render.hpp"
 
@@ -34,16 +36,20 @@ class PictureMaker {
         kept_(kept) {}
 
   Result<Bytes> make(Document& document);
+  Result<Bytes> make(SolvedInput solved);
 
  private:
-  void choose_background(Document& document);
-  Status choose_options(const Document& document);
+  void choose_background(std::optional<Rgb>& background) const;
+  Status choose_options(const Box& shown, Vec2 own_scale, bool has_background);
   Result<Image> draw_pixels(const Document& document);
   Result<Image> draw_picture(const Picture& picture);
   Result<const Picture*> solve(Document& document);
   Result<const Picture*> solve_kept(Document document);
   Result<Bytes> make_image(Document& document);
-  Result<Bytes> make_drawing(Document& document);
+  Result<Bytes> make_image(const Picture& picture);
+  Result<Bytes> make_drawing(const Picture& picture);
+  Result<Bytes> encode(Result<Image> image);
+  void warn_of_scale(double solved_scale) const;
   std::string title() const;
   void warn(const std::string& what) const;
 
@@ -60,18 +66,18 @@ class PictureMaker {
 };
 
 /// What was asked for goes before the drawing's own. Formats that know no alpha stand on white.
-void PictureMaker::choose_background(Document& document) {
-  if (settings_.raster.background) document.background = settings_.raster.background;
-  if (settings_.no_background) document.background.reset();
+void PictureMaker::choose_background(std::optional<Rgb>& background) const {
+  if (settings_.raster.background) background = settings_.raster.background;
+  if (settings_.no_background) background.reset();
   const OutputKind kind = arguments_.kind;
   const bool knows_no_alpha = kind == OutputKind::jpeg || kind == OutputKind::eps;
-  if (knows_no_alpha && !document.background) document.background = Rgb{1, 1, 1};
+  if (knows_no_alpha && !background) background = Rgb{1, 1, 1};
 }
 
-Status PictureMaker::choose_options(const Document& document) {
-  const Box viewport = settings_.diffuse.viewport.value_or(document.artboard);
-  const Vec2 own = output::own_scale(document);
-  scale_ = output::output_scale(settings_.size, viewport, own);
+/// shown: where no other part was asked for.
+Status PictureMaker::choose_options(const Box& shown, Vec2 own_scale, bool has_background) {
+  const Box viewport = settings_.diffuse.viewport.value_or(shown);
+  scale_ = output::output_scale(settings_.size, viewport, own_scale);
   diffuse_ = settings_.diffuse;
   diffuse_.viewport = viewport;
   if (!options::is_image(arguments_.kind)) {
@@ -79,11 +85,11 @@ Status PictureMaker::choose_options(const Document& document) {
     return ok_status();
   }
   const Result<output::OutputSize> size = output::output_size(
-      context_.limits, settings_.size, viewport, own, settings_.window.has_value());
+      context_.limits, settings_.size, viewport, own_scale, settings_.window.has_value());
   if (!size) return size.status();
   diffuse_.pixels_per_unit = size->pixels_per_unit;
   raster_ = settings_.raster;
-  if (!document.background) raster_.format = output::with_alpha(raster_.format);
+  if (!has_background) raster_.format = output::with_alpha(raster_.format);
   raster_.viewport = viewport;
   output::set_size(*size, settings_.window, raster_);
   return ok_status();
@@ -146,26 +152,29 @@ Result<const Picture*> PictureMaker::solve_kept(Document document) {
 }
 
 Result<Bytes> PictureMaker::make_image(Document& document) {
-  std::optional<Result<Image>> image;
-  if (settings_.method == options::Method::pixels) {
-    image = draw_pixels(document);
-  } else {
-    const Result<const Picture*> picture = solve(document);
-    if (!picture) return picture.status();
-    const Stopwatch watch;
-    image = draw_picture(**picture);
-    stats_.rasterise_seconds = watch.seconds();
-    picture_ = {};
-  }
-  if (!*image) return image->status();
+  if (settings_.method == options::Method::pixels) return encode(draw_pixels(document));
+  const Result<const Picture*> picture = solve(document);
+  return picture ? make_image(**picture) : picture.status();
+}
+
+Result<Bytes> PictureMaker::make_image(const Picture& picture) {
+  const Stopwatch watch;
+  Result<Image> image = draw_picture(picture);
+  stats_.rasterise_seconds = watch.seconds();
+  picture_ = {};
+  return encode(std::move(image));
+}
+
+Result<Bytes> PictureMaker::encode(Result<Image> image) {
+  if (!image) return image.status();
   charge_ = {};
-  Status status = charge_.add(context_, capacity_bytes((*image)->bytes), "the image");
+  Status status = charge_.add(context_, capacity_bytes(image->bytes), "the image");
   if (!status) return status;
   const Stopwatch watch;
   if (!settings_.no_background) {
-    if (status = output::drop_opaque_alpha(context_, **image); !status) return status;
+    if (status = output::drop_opaque_alpha(context_, *image); !status) return status;
   }
-  Result<Bytes> file = output::encode_image(context_, **image, arguments_.kind, settings_.output);
+  Result<Bytes> file = output::encode_image(context_, *image, arguments_.kind, settings_.output);
   stats_.write_seconds = watch.seconds();
   return file;
 }
@@ -176,25 +185,50 @@ std::string PictureMaker::title() const {
   return std::filesystem::path(arguments_.input).stem().string();
 }
 
-Result<Bytes> PictureMaker::make_drawing(Document& document) {
-  const Result<const Picture*> picture = solve(document);
-  if (!picture) return picture.status();
+Result<Bytes> PictureMaker::make_drawing(const Picture& picture) {
   const Stopwatch watch;
   ExportNotes notes;
   output::DrawingOptions drawing{arguments_.kind, settings_.output, scale_, diffuse_.max_error};
   drawing.output.title = title();
-  Result<Bytes> file = output::export_picture(context_, **picture, drawing, &notes);
+  Result<Bytes> file = output::export_picture(context_, picture, drawing, &notes);
   stats_.export_seconds = watch.seconds();
   for (const std::string& lost : notes.lost) warn(lost);
   return file;
 }
 
 Result<Bytes> PictureMaker::make(Document& document) {
-  choose_background(document);
-  Status status = choose_options(document);
+  choose_background(document.background);
+  Status status = choose_options(document.artboard, output::own_scale(document),
+                                 document.background.has_value());
   if (status) status = charge_.add(context_, bytes_of(document), "the document");
   if (!status) return status;
-  return options::is_image(arguments_.kind) ? make_image(document) : make_drawing(document);
+  if (options::is_image(arguments_.kind)) return make_image(document);
+  const Result<const Picture*> picture = solve(document);
+  return picture ? make_drawing(**picture) : picture.status();
+}
+
+/// Where no more was solved than the eye sees, blur and curves are coarser than they could be.
+void PictureMaker::warn_of_scale(double solved_scale) const {
+  constexpr double kRounding = 1.001;
+  if (scale_ <= solved_scale * kRounding) return;
+  warn("solved for " + rounded_number_text(solved_scale, 3) + " pixels per user unit, drawn at " +
+       rounded_number_text(scale_, 3) + "; `sfumato solve --scale` makes a finer one");
+}
+
+Result<Bytes> PictureMaker::make(SolvedInput solved) {
+  picture_ = std::move(solved.picture);
+  const picture::PictureCounts counts = picture::count_tables(picture_);
+  stats_.diffuse.triangles = counts.triangles;
+  stats_.diffuse.vertices = counts.vertices;
+  stats_.diffuse.nodes = counts.nodes;
+  choose_background(picture_.background);
+  Status status =
+      choose_options(picture_.viewport, solved.origin.own_scale, picture_.background.has_value());
+  if (status) status = charge_.add(context_, bytes_of(picture_), "the picture");
+  if (!status) return status;
+  diffuse_.max_error = solved.origin.max_error;
+  warn_of_scale(solved.origin.pixels_per_unit);
+  return options::is_image(arguments_.kind) ? make_image(picture_) : make_drawing(picture_);
 }
 
 }  // namespace
@@ -203,6 +237,11 @@ Result<Bytes> make_picture_file(Context& context, Document& document,
                                 const RenderArguments& arguments, RenderStats& stats,
                                 std::optional<Solution>* kept) {
   return PictureMaker(context, arguments, stats, kept).make(document);
+}
+
+Result<Bytes> make_picture_file(Context& context, SolvedInput solved,
+                                const RenderArguments& arguments, RenderStats& stats) {
+  return PictureMaker(context, arguments, stats, nullptr).make(std::move(solved));
 }
 
 }  // namespace sfumato::cli

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cli/arguments.hpp"
+#include "cli/solved_input.hpp"
 #include "cli/stats.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
@@ -22,5 +23,10 @@ Result<std::vector<std::uint8_t>> make_picture_file(Context& context, Document& 
                                                     const RenderArguments& arguments,
                                                     RenderStats& stats,
                                                     std::optional<Solution>* kept = nullptr);
+
+/// The same of a picture that is solved already. solved: let go of as soon as it is drawn.
+Result<std::vector<std::uint8_t>> make_picture_file(Context& context, SolvedInput solved,
+                                                    const RenderArguments& arguments,
+                                                    RenderStats& stats);
 
 }  // namespace sfumato::cli

@@ -14,12 +14,14 @@ constexpr const char* kRenderFooter =
     "  sfumato render lady_bug.xml -o noisy.png --method rays --rays 64 --max-error off\n"
     "  sfumato render lady_bug.xml -o lady_bug.html\n"
     "  sfumato render lady_bug.xml -o lady_bug.pdf --title \"Lady bug\"\n"
+    "  sfumato render lady_bug.sfp -o lady_bug.webp\n"
     "  sfumato render *.svg --out-dir pictures --format webp\n"
     "  sfumato render - -o - <lady_bug.xml >lady_bug.png";
 
 void add_files(CLI::App& app, RenderArguments& arguments, RenderChoices& choices) {
   app.add_option("IN", choices.inputs,
-                 "Diffusion curves (SVG or Orzan XML); '-': from stdin;\nseveral with --out-dir")
+                 "Diffusion curves (SVG or Orzan XML) or a solved picture\n(.sfp); '-': from "
+                 "stdin; several with --out-dir")
       ->required()
       ->type_name("");
   add_output(app, choices.output, {}, "OUT",
@@ -45,16 +47,24 @@ void add_group(CLI::App& app, options::Group group, options::Settings& settings)
   }
 }
 
-void add_running_options(CLI::App& app, RenderArguments& arguments) {
-  const char* group = heading(options::Group::running);
-  add_group(app, options::Group::running, arguments.settings);
-  app.add_option("--stats", arguments.stats, "Sizes and times as JSON; '-': to stdout")
-      ->type_name("FILE.json")
-      ->group(group);
-  app.add_flag("--quiet", arguments.quiet, "No warnings, no progress bar")->group(group);
+/// One option of the table.
+void add_option_of(CLI::App& app, std::string_view key, options::Settings& settings) {
+  for (const options::Option<options::Settings>& option : options::render_options()) {
+    if (option.info.key == key) add_option(app, option, settings);
+  }
 }
 
 }  // namespace
+
+void add_running_options(CLI::App& app, options::Settings& settings, JobArguments& jobs,
+                         DocumentArguments& documents) {
+  const char* group = heading(options::Group::running);
+  add_option_of(app, "threads", settings);
+  app.add_option("--stats", jobs.stats, "Sizes and times as JSON; '-': to stdout")
+      ->type_name("FILE.json")
+      ->group(group);
+  app.add_flag("--quiet", documents.quiet, "No warnings, no progress bar")->group(group);
+}
 
 void add_place_options(CLI::App& app, options::Settings& settings) {
   add_group(app, options::Group::place, settings);
@@ -69,7 +79,8 @@ CLI::App* add_render(CLI::App& root, RenderArguments& arguments, RenderChoices& 
         options::Group::image, options::Group::vector}) {
     add_group(*app, group, arguments.settings);
   }
-  add_running_options(*app, arguments);
+  add_option_of(*app, "device", arguments.settings);
+  add_running_options(*app, arguments.settings, arguments, arguments);
   add_resources(*app, arguments.resources);
   return app;
 }

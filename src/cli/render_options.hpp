@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "cli/arguments.hpp"
 #include "cli/option_helpers.hpp"
@@ -18,7 +19,19 @@ struct RenderChoices : JobChoices {
 /// --viewport, --width, --height and --scale.
 void add_place_options(CLI::App& app, options::Settings& settings);
 
+/// --threads, --stats and --quiet.
+void add_running_options(CLI::App& app, options::Settings& settings, JobArguments& jobs,
+                         DocumentArguments& documents);
+
 CLI::App* add_render(CLI::App& root, RenderArguments& arguments, RenderChoices& choices);
+
+/// Of the options of `render` that were given, those that say how a drawing is solved.
+std::vector<std::string> given_drawing_options(const CLI::App& render);
+
+CLI::App* add_solve(CLI::App& root, SolveArguments& arguments, JobChoices& choices);
+
+/// Applies the choices; throws CLI::ValidationError if options conflict.
+void settle(SolveArguments& arguments, const JobChoices& choices);
 
 /// Applies the choices; throws CLI::ValidationError if options conflict.
 void settle(RenderArguments& arguments, const RenderChoices& choices);

@@ -19,6 +19,7 @@ struct RunCommand {
     return printed ? kDone : fail(printed);
   }
   int operator()(const RenderArguments& arguments) const { return render(arguments); }
+  int operator()(const SolveArguments& arguments) const { return solve(arguments); }
   int operator()(const InfoArguments& arguments) const { return info(arguments); }
   int operator()(const ConvertArguments& arguments) const { return convert(arguments); }
   int operator()(const LintArguments& arguments) const { return lint(arguments); }

@@ -18,8 +18,11 @@ namespace fs = std::filesystem;
 
 class TextureUses {
  public:
-  TextureUses(Context& context, const RenderArguments& arguments)
-      : context_(context), arguments_(arguments), outputs_(written_files(arguments.outputs)) {}
+  TextureUses(Context& context, const DocumentArguments& arguments, const JobArguments& jobs)
+      : context_(context),
+        arguments_(arguments),
+        jobs_(jobs),
+        outputs_(written_files(arguments.outputs)) {}
 
   void look_at(const std::string& drawing);
   const std::string& complaint() const { return complaint_; }
@@ -28,7 +31,8 @@ class TextureUses {
   void look_at_texture(const std::string& drawing, const std::string& name);
 
   Context& context_;
-  const RenderArguments& arguments_;
+  const DocumentArguments& arguments_;
+  const JobArguments& jobs_;
   const FilesByIdentity outputs_;
   std::string complaint_;
 };
@@ -41,7 +45,7 @@ void TextureUses::look_at_texture(const std::string& drawing, const std::string&
   const auto identity = file_identity(path.string(), FileUse::reads);
   const auto output = identity ? outputs_.find(*identity) : outputs_.end();
   if (output == outputs_.end()) return;
-  const bool is_stats = output->second == arguments_.stats;
+  const bool is_stats = output->second == jobs_.stats;
   complaint_ = std::string(is_stats ? "--stats" : "--out-dir") + ": " +
                (is_stats ? "the figures " : "the picture ") + in_quotes(output->second) +
                " would replace the texture " + in_quotes(name) + " of " + in_quotes(drawing);
@@ -62,10 +66,11 @@ void TextureUses::look_at(const std::string& drawing) {
 
 }  // namespace
 
-std::string complaint_about_textures(Context& context, const RenderArguments& arguments) {
-  if (!arguments.many) return {};
-  TextureUses uses(context, arguments);
-  for (const Job& job : arguments.jobs) {
+std::string complaint_about_textures(Context& context, const DocumentArguments& arguments,
+                                     const JobArguments& jobs) {
+  if (!jobs.many) return {};
+  TextureUses uses(context, arguments, jobs);
+  for (const Job& job : jobs.jobs) {
     uses.look_at(job.input);
     if (!uses.complaint().empty() || context.cancel.load()) break;
   }

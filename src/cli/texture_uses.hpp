@@ -12,6 +12,7 @@ namespace sfumato::cli {
 /// comes, but another drawing may have overwritten its texture by then. Reads every drawing as XML,
 /// without its textures, each within the call's limits and time. Drawings that cannot be read, and
 /// pipes, which can be read only once, are skipped.
-std::string complaint_about_textures(Context& context, const RenderArguments& arguments);
+std::string complaint_about_textures(Context& context, const DocumentArguments& arguments,
+                                     const JobArguments& jobs);
 
 }  // namespace sfumato::cli

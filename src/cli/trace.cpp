@@ -85,6 +85,7 @@ Result<Image> Tracing::read_picture(const std::string& path) {
   const Result<std::string> bytes =
       read_within(context_, path, &Limits::image_file_bytes, "bytes of a picture");
   if (!bytes) return bytes.status();
+  if (is_solved(*bytes)) return no_solved_picture("a PNG, JPEG or WebP", path);
   ScopedCharge charge;
   Status status = charge.add(context_, capacity_bytes(*bytes), "the input");
   if (!status) return status;

@@ -89,6 +89,13 @@ Conflict find_conflict(const Settings& given, OutputKind kind) {
   return found.key.empty() ? conflict_among(given) : found;
 }
 
+Conflict find_solve_conflict(const Settings& given) {
+  if (given.method == Method::pixels) {
+    return {"@method=pixels", "makes no picture, expected exact or rays"};
+  }
+  return conflict_among(given);
+}
+
 void settle(Settings& settings, OutputKind kind) {
   OutputOptions& output = settings.output;
   output.quality = output.quality.value_or(kDefaultQuality);

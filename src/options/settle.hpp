@@ -17,6 +17,10 @@ struct Conflict {
 /// The first conflict of what was given with each other or with an output of this kind.
 Conflict find_conflict(const Settings& given, OutputKind kind);
 
+/// The first conflict of what was given with each other where a picture is solved and nothing is
+/// made of it.
+Conflict find_solve_conflict(const Settings& given);
+
 /// Gives what was not given the values that it has for an output of this kind.
 void settle(Settings& settings, OutputKind kind);
 

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "cli/arguments.hpp"
+#include "cli/jobs.hpp"
+#include "cli/stats.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/function_ref.hpp"
+#include "sfumato/base/status.hpp"
+
+/// What `render` and `solve` have in common: both make a file of each drawing.
+namespace sfumato::cli {
+
+/// Makes the file of one job, with the time that the call has from now on.
+using MakeFile = FunctionRef<Result<std::vector<std::uint8_t>>(
+    Context& context, const std::string& input, RenderStats& stats)>;
+
+/// Does the jobs of a call on `threads` threads, 0: all cores, and returns the exit code.
+int run_drawing_jobs(const DocumentArguments& documents, const JobArguments& jobs, int threads,
+                     const JobWords& words, MakeFile make);
+
+}  // namespace sfumato::cli
