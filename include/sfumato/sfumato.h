@@ -343,6 +343,14 @@ SFUMATO_API int32_t sfumato_solve_within(sfumato_context* context, const sfumato
  * SFUMATO_BAD_INPUT where there is no such curve, or its layer was not solved since it changed. */
 SFUMATO_API int32_t sfumato_expect_drag(sfumato_context* context, sfumato_picture* picture,
                                         uint32_t layer, uint32_t curve);
+/** Writes a picture as it is, exactly, as `sfumato solve` does: docs/picture-file.md. */
+SFUMATO_API int32_t sfumato_picture_write(sfumato_context* context, const sfumato_picture* picture,
+                                          sfumato_bytes** bytes);
+/** Reads such a file, whose content is checked as that of a stranger. The picture shows and exports
+ * what the one that was written does, to the last bit, but follows no document: to solve it again,
+ * to drag in it and to ask for responses is SFUMATO_BAD_USAGE. It is charged to the budget. */
+SFUMATO_API int32_t sfumato_picture_read(sfumato_context* context, const void* bytes,
+                                         size_t byte_count, sfumato_picture** picture);
 /** Gives a picture back. */
 SFUMATO_API void sfumato_picture_free(sfumato_picture* picture);
 /** The part that was solved: x, y, width and height, in user units. */

@@ -62,7 +62,7 @@ std::optional<Rgb> background_of(const options::Settings& settings, OutputKind k
 
 Result<Bytes> make_image(Context& context, const sfumato_picture& handle, OutputKind kind,
                          const options::Settings& settings) {
-  const Picture& picture = handle.solution.picture();
+  const Picture& picture = handle.picture();
   const std::optional<Rgb> background = background_of(settings, kind, picture);
   const Box viewport = settings.diffuse.viewport.value_or(picture.viewport);
   const Result<output::OutputSize> size = output::output_size(
@@ -84,7 +84,7 @@ Result<Bytes> make_image(Context& context, const sfumato_picture& handle, Output
 /// The exporters take the background from the picture: where it is another, from a copy.
 Result<Bytes> make_drawing(Context& context, const sfumato_picture& handle, OutputKind kind,
                            const options::Settings& settings, ExportNotes& notes) {
-  const Picture& picture = handle.solution.picture();
+  const Picture& picture = handle.picture();
   output::DrawingOptions drawing{kind, settings.output};
   drawing.scale = output::output_scale(settings.size, picture.viewport, handle.own_scale);
   drawing.max_error = handle.settings.diffuse.max_error;

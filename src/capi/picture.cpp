@@ -16,8 +16,8 @@ sfumato_view view_of_values(const PatchField& field) {
 
 /// The layer; null where there is none.
 const PatchLayer* find_layer(const sfumato_picture* handle, std::uint32_t layer) {
-  if (!handle || layer >= handle->solution.picture().layers.size()) return nullptr;
-  return &handle->solution.picture().layers[layer];
+  if (!handle || layer >= handle->picture().layers.size()) return nullptr;
+  return &handle->picture().layers[layer];
 }
 
 double statistic(const sfumato_picture& picture, std::uint32_t which) {
@@ -40,7 +40,7 @@ double statistic(const sfumato_picture& picture, std::uint32_t which) {
     case SFUMATO_GATHER_SECONDS:
       return stats.gather_seconds;
     case SFUMATO_WAITING_NODES:
-      return static_cast<double>(picture.solution.waiting_nodes());
+      return static_cast<double>(picture.solution ? picture.solution->waiting_nodes() : 0);
     default:
       return 0;
   }
@@ -80,12 +80,12 @@ bool find_table(const PatchLayer& layer, std::uint32_t table, sfumato_view& view
 
 int32_t sfumato_picture_viewport(const sfumato_picture* picture, double box[4]) {
   if (!picture || !box) return SFUMATO_BAD_USAGE;
-  sfumato::capi::write_box(picture->solution.picture().viewport, box);
+  sfumato::capi::write_box(picture->picture().viewport, box);
   return SFUMATO_OK;
 }
 
 uint32_t sfumato_picture_layer_count(const sfumato_picture* picture) {
-  return picture ? static_cast<uint32_t>(picture->solution.picture().layers.size()) : 0;
+  return picture ? static_cast<uint32_t>(picture->picture().layers.size()) : 0;
 }
 
 int32_t sfumato_picture_table(const sfumato_picture* picture, uint32_t layer, uint32_t table,

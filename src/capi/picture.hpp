@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/charge.hpp"
 #include "capi/context.hpp"
 #include "capi/edits.hpp"
 #include "options/option.hpp"
@@ -42,6 +43,9 @@ Status show_change(sfumato_context& context, CurvePlace place, const sfumato_doc
 /// Prepares the picture, which is one of what the document is, for a curve to be moved.
 Status expect_drag(sfumato_context& context, CurvePlace place, sfumato_picture& handle);
 
+/// What is wrong with a picture that was read from a file, where it is to follow a document.
+Outcome no_solution();
+
 /// Gathers nodes that wait, of a picture of what the document is. Errors: as
 /// Solution::drag_more().
 Status show_more(sfumato_context& context, double seconds, sfumato_picture& handle);
@@ -56,15 +60,25 @@ struct sfumato_picture {
                   const sfumato::options::Settings& asked)
       : workshop(std::move(w)), solution(std::move(s)), settings(asked) {}
 
-  std::shared_ptr<sfumato::capi::Workshop> workshop;         ///< first: it outlives the solution
+  /// Of a picture that was read from a file, which is charged as long as it is held.
+  sfumato_picture(std::shared_ptr<sfumato::capi::Workshop> w, sfumato::ScopedCharge charge,
+                  sfumato::Picture p)
+      : workshop(std::move(w)), read_charge(std::move(charge)), read(std::move(p)) {}
+
+  const sfumato::Picture& picture() const { return solution ? solution->picture() : read; }
+
+  std::shared_ptr<sfumato::capi::Workshop> workshop;         ///< first: it outlives the rest
   std::shared_ptr<sfumato::capi::Workshop> drag_workshop{};  ///< so does that of its drag
-  sfumato::Solution solution;
-  sfumato::options::Settings settings;  ///< that it is solved with
-  sfumato::Vec2 own_scale{1, 1};        ///< pixels per user unit at the document's own size
-  std::vector<sfumato::capi::ChangedRows> changed;  ///< of each layer
-  sfumato::DiffuseStats stats{};                    ///< of the last time that it was solved
-  sfumato::capi::Revision shown{};                  ///< what it is a picture of
-  sfumato::capi::Revision applied{};                ///< what its solution's document is
+  sfumato::ScopedCharge read_charge{};
+  sfumato::Picture read{};  ///< what it is where there is no solution
+  std::optional<sfumato::Solution> solution{};
+  sfumato::options::Settings settings{};  ///< that it is solved with
+  double pixels_per_unit = 1;             ///< the same, of the last time
+  sfumato::Vec2 own_scale{1, 1};          ///< pixels per user unit at the document's own size
+  std::vector<sfumato::capi::ChangedRows> changed{};  ///< of each layer
+  sfumato::DiffuseStats stats{};                      ///< of the last time that it was solved
+  sfumato::capi::Revision shown{};                    ///< what it is a picture of
+  sfumato::capi::Revision applied{};                  ///< what its solution's document is
   std::optional<sfumato::capi::CurvePlace> dragged{};
   bool has_moved = false;  ///< the curve that is dragged, which may only be expected to be
   std::optional<sfumato::StopPlace> colored{};  ///< the stop that its solution is prepared for

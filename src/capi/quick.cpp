@@ -11,12 +11,12 @@ namespace {
 /// Prepares the curve to be dragged; bad_input where its layer has to be solved first.
 Status take_hold(sfumato_context& context, CurvePlace place, sfumato_picture& handle) {
   if (handle.dragged == place) return ok_status();
-  handle.solution.end_drag();
+  handle.solution->end_drag();
   handle.dragged.reset();
   handle.colored.reset();
   handle.has_moved = false;
   handle.drag_workshop = context.workshop;
-  Status status = handle.solution.begin_drag(context.workshop->context, place.layer, place.curve);
+  Status status = handle.solution->begin_drag(context.workshop->context, place.layer, place.curve);
   if (status) handle.dragged = place;
   return status;
 }
@@ -36,11 +36,11 @@ Status drag(sfumato_context& context, CurvePlace place, const sfumato_document& 
   std::vector<ChangedRows> changed(handle.changed.size());
   const Curve& curve = document.document.layers[place.layer].curves[place.curve];
   DiffuseStats stats;
-  Status status = handle.solution.drag(context.workshop->context, curve, &stats, seconds);
+  Status status = handle.solution->drag(context.workshop->context, curve, &stats, seconds);
   if (!status) return status;
   handle.has_moved = true;
   handle.stats = stats;
-  note_changes(handle.solution.picture(), handle.solution.take_delta(), changed);
+  note_changes(handle.picture(), handle.solution->take_delta(), changed);
   handle.changed = std::move(changed);
   note_shown(document, true, handle);
   return status;
@@ -49,17 +49,17 @@ Status drag(sfumato_context& context, CurvePlace place, const sfumato_document& 
 /// Prepares the stop to be changed; bad_input where its layer has to be solved first.
 Status take_stop(sfumato_context& context, const StopPlace& place, sfumato_picture& handle) {
   if (handle.colored == place) return ok_status();
-  handle.solution.end_drag();
+  handle.solution->end_drag();
   handle.dragged.reset();
   handle.colored.reset();
   handle.drag_workshop = context.workshop;
-  return handle.solution.begin_color(context.workshop->context, place);
+  return handle.solution->begin_color(context.workshop->context, place);
 }
 
 /// All of the layer where its tables are new, else its values.
 void note_stop(const StopPlace& place, bool is_first, sfumato_picture& handle,
                std::vector<ChangedRows>& changed) {
-  note_changes(handle.solution.picture(), handle.solution.take_delta(), changed);
+  note_changes(handle.picture(), handle.solution->take_delta(), changed);
   const auto values =
       place.attribute == StopAttribute::color ? SFUMATO_COLOR_VALUES : SFUMATO_OPACITY_VALUES;
   for (std::uint32_t table = 0; !is_first && table < changed[place.layer].size(); ++table) {
@@ -72,7 +72,7 @@ Status set_stop(sfumato_context& context, const StopChange& change, sfumato_pict
   const bool is_first = handle.colored != change.place;
   std::vector<ChangedRows> changed(handle.changed.size());
   Status status = take_stop(context, change.place, handle);
-  if (status) status = handle.solution.color(context.workshop->context, change.value);
+  if (status) status = handle.solution->color(context.workshop->context, change.value);
   if (!status) return status;
   note_stop(change.place, is_first, handle, changed);
   handle.changed = std::move(changed);
@@ -84,7 +84,7 @@ Status set_stop(sfumato_context& context, const StopChange& change, sfumato_pict
 /// The picture with one stop as it is now; bad_input where more has changed.
 Status recolor(sfumato_context& context, CurvePlace place, const sfumato_document& document,
                sfumato_picture& handle) {
-  const Document& shown = handle.solution.document();
+  const Document& shown = handle.solution->document();
   const Curve& from = shown.layers[place.layer].curves[place.curve];
   const Curve& to = document.document.layers[place.layer].curves[place.curve];
   const auto change = find_stop_change(from, to, place, shown.interpolation);
@@ -125,15 +125,16 @@ std::optional<StopValue> value_of(const Document& document, const StopPlace& pla
 Outcome respond(sfumato_context& context, sfumato_picture* handle,
                 const std::optional<StopPlace>& place, sfumato_view& view) {
   if (!handle) return bad_usage("NULL given, expected a picture");
+  if (!handle->solution) return no_solution();
   if (!place) return bad_usage("an unknown side, or an attribute without a response");
-  const std::optional<StopValue> value = value_of(handle->solution.document(), *place);
+  const std::optional<StopValue> value = value_of(handle->solution->document(), *place);
   if (!value) return bad_usage("there is no such stop");
   if (handle->colored == place) {
     for (ChangedRows& rows : handle->changed) rows = {};
   } else if (Status status = set_stop(context, {*place, *value}, *handle); !status) {
     return status;
   }
-  const std::span<const float> response = handle->solution.color_response();
+  const std::span<const float> response = handle->solution->color_response();
   view = {response.data(), response.size(), sizeof(float), 1, SFUMATO_F32};
   return {};
 }
@@ -156,10 +157,10 @@ Status expect_drag(sfumato_context& context, CurvePlace place, sfumato_picture& 
 Status show_more(sfumato_context& context, double seconds, sfumato_picture& handle) {
   std::vector<ChangedRows> changed(handle.changed.size());
   DiffuseStats stats;
-  Status status = handle.solution.drag_more(context.workshop->context, &stats, seconds);
+  Status status = handle.solution->drag_more(context.workshop->context, &stats, seconds);
   if (!status) return status;
   handle.stats = stats;
-  note_changes(handle.solution.picture(), handle.solution.take_delta(), changed);
+  note_changes(handle.picture(), handle.solution->take_delta(), changed);
   handle.changed = std::move(changed);
   return status;
 }
@@ -170,6 +171,7 @@ int32_t sfumato_expect_drag(sfumato_context* context, sfumato_picture* picture, 
                             uint32_t curve) {
   return sfumato::capi::call(context, [&](sfumato::capi::Workshop&) -> sfumato::capi::Outcome {
     if (!picture) return sfumato::capi::bad_usage("NULL given, expected a picture");
+    if (!picture->solution) return sfumato::capi::no_solution();
     return sfumato::capi::expect_drag(*context, {layer, curve}, *picture);
   });
 }

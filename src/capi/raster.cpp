@@ -53,7 +53,7 @@ Outcome draw(Workshop& workshop, const sfumato_picture* handle, const sfumato_im
   options.format = *format;
   options.viewport = settings.diffuse.viewport;
   options.dither = settings.dither.value_or(false);
-  const Picture& picture = handle->solution.picture();
+  const Picture& picture = handle->picture();
   const std::optional<Rgb> own = settings.no_background ? std::nullopt : picture.background;
   return raster::rasterize_into_on(workshop.context, picture, options, own,
                                    static_cast<std::uint8_t*>(image->pixels), image->row_bytes);

@@ -60,15 +60,16 @@ using Solve = Status (Solution::*)(Context&, const DiffuseOptions&, DiffuseStats
 /// Brings the picture up to what its solution's document is. Whatever may fail comes before the
 /// handle changes.
 Status bring_up(Context& context, Solve solve, sfumato_picture& handle) {
-  const Document& document = handle.solution.document();
+  const Document& document = handle.solution->document();
   std::vector<ChangedRows> changed(document.layers.size());
   const DiffuseOptions options = solve_options(handle.settings, document);
   DiffuseStats stats;
-  if (Status status = (handle.solution.*solve)(context, options, &stats); !status) return status;
+  if (Status status = ((*handle.solution).*solve)(context, options, &stats); !status) return status;
   handle.stats = stats;
-  note_changes(handle.solution.picture(), handle.solution.take_delta(), changed);
+  note_changes(handle.picture(), handle.solution->take_delta(), changed);
   handle.changed = std::move(changed);
   handle.own_scale = output::own_scale(document);
+  handle.pixels_per_unit = options.pixels_per_unit;
   return ok_status();
 }
 
@@ -92,7 +93,7 @@ Outcome solve(Workshop& workshop, sfumato_context* context, const sfumato_docume
   if (!solution) return solution.status();
   auto handle =
       std::make_unique<sfumato_picture>(context->workshop, std::move(*solution), settings);
-  if (own.drag_triangles) handle->solution.expect_drags(*own.drag_triangles);
+  if (own.drag_triangles) handle->solution->expect_drags(*own.drag_triangles);
   Status status = bring_up(workshop.context, &Solution::solve, *handle);
   if (!status) return status;
   handle->shown = handle->applied = document.edits.now();
@@ -129,8 +130,8 @@ Status follow(Context& context, const sfumato_document& document, sfumato_pictur
   const auto edits = document.edits.since(handle.applied);
   auto changes = edits ? changes_of(*edits, document.document) : std::nullopt;
   handle.applied = {};  // until all of them are made
-  Status status = changes ? apply_all(context, std::move(*changes), handle.solution)
-                          : replace_all(context, document.document, handle.solution);
+  Status status = changes ? apply_all(context, std::move(*changes), *handle.solution)
+                          : replace_all(context, document.document, *handle.solution);
   if (status) handle.applied = document.edits.now();
   return status;
 }
@@ -138,7 +139,7 @@ Status follow(Context& context, const sfumato_document& document, sfumato_pictur
 /// Whatever the document has become.
 Outcome solve_all(Workshop& workshop, const sfumato_document& document, Solve solve,
                   sfumato_picture& handle) {
-  handle.solution.end_drag();
+  handle.solution->end_drag();
   handle.dragged.reset();
   handle.colored.reset();
   handle.has_moved = false;
@@ -157,7 +158,7 @@ Outcome solve_quickly(sfumato_context& context, const sfumato_document& document
     return status.code != StatusCode::bad_input && status.code != StatusCode::limit;
   };
   if (handle.shown == document.edits.now()) {
-    if (handle.solution.waiting_nodes() == 0) {
+    if (handle.solution->waiting_nodes() == 0) {
       for (ChangedRows& rows : handle.changed) rows = {};
       handle.stats = {};
       return {};
@@ -178,6 +179,7 @@ Outcome no_pair() {
 Outcome solve_again(sfumato_context& context, const sfumato_document* document, std::int32_t quick,
                     sfumato_picture* handle) {
   if (!document || !handle) return no_pair();
+  if (!handle->solution) return no_solution();
   return quick != 0 ? solve_quickly(context, *document, kNoHurry, *handle)
                     : solve_all(*context.workshop, *document, &Solution::solve, *handle);
 }
@@ -185,11 +187,17 @@ Outcome solve_again(sfumato_context& context, const sfumato_document* document, 
 Outcome solve_within(sfumato_context& context, const sfumato_document* document, double seconds,
                      sfumato_picture* handle) {
   if (!document || !handle) return no_pair();
+  if (!handle->solution) return no_solution();
   if (!(seconds >= 0)) return bad_usage("seconds: expected at least 0");
   return solve_quickly(context, *document, seconds, *handle);
 }
 
 }  // namespace
+
+Outcome no_solution() {
+  return bad_usage(
+      "a picture that was read from a file follows no document, expected one of sfumato_solve()");
+}
 
 /// All rows of the layers that are new, and none of the others.
 void note_changes(const Picture& picture, const PictureDelta& delta,

@@ -20,7 +20,7 @@ Outcome make_payload(Writer write, Workshop& workshop, const sfumato_picture* ha
   if (Outcome read = read_options(text, options::kPayload, options::render_options(), settings);
       read.code != SFUMATO_OK)
     return read;
-  const Picture& picture = handle->solution.picture();
+  const Picture& picture = handle->picture();
   const Rgb background = settings.no_background
                              ? Rgb{1, 1, 1}
                              : outputs::viewer_background(picture, settings.raster.background);

@@ -168,6 +168,18 @@ void show(Session& session, sfumato_context* c, Drawing& drawing) {
   sfumato_bytes_free(bytes);
 }
 
+void keep(Session& session, sfumato_context* c, Drawing& drawing) {
+  sfumato_bytes* bytes = nullptr;
+  if (session.take(sfumato_picture_write(c, drawing.picture, &bytes), &bytes)) {
+    sfumato_picture* again = nullptr;
+    session.take(
+        sfumato_picture_read(c, sfumato_bytes_data(bytes), sfumato_bytes_size(bytes), &again),
+        &again);
+    sfumato_picture_free(again);
+  }
+  sfumato_bytes_free(bytes);
+}
+
 void write_reached(void* user, const sfumato_trace_state*, const sfumato_document* drawing) {
   sfumato_bytes* bytes = nullptr;
   sfumato_document_write(static_cast<sfumato_context*>(user), drawing, &bytes);
@@ -253,6 +265,7 @@ INSTANTIATE_TEST_SUITE_P(Of, CAllocation,
                                          Part{"curves_that_change", begin_picture, move_two},
                                          Part{"the_end_of_changes", begin_move, end_changes},
                                          Part{"outputs", begin_picture, show},
+                                         Part{"a_picture_file", begin_picture, keep},
                                          Part{"a_trace", begin_nothing, trace}),
                          [](const testing::TestParamInfo<Part>& part) { return part.param.name; });
 

@@ -38,6 +38,8 @@ const CASES = [
   ["payload", CONTROLS, ""],
   ["stack", EVENING, ""],
   ["stack", CONTROLS, ""],
+  ["file", EVENING, ""],
+  ["file", CONTROLS, "max-error=off"],
   ["lint", CONTROLS, "verbose"],
   ["lint", "examples/fish.svg", "verbose"],
 ];
@@ -79,6 +81,10 @@ const ANSWERS = {
   svg: (context, document) => new TextEncoder().encode(document.write()),
   payload: (context, document, options) =>
     context.viewerPayload(context.solve(document, options)),
+  file(context, document, options) {
+    const bytes = context.writePicture(context.solve(document, options));
+    return context.writePicture(context.readPicture(bytes));
+  },
   stack: (context, document, options) => context.pictureStack(context.solve(document, options)),
 };
 

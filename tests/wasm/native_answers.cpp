@@ -128,6 +128,9 @@ bool answer(const std::string& question, Work& work) {
   if (question == "payload" && solve(work)) {
     sfumato_viewer_payload(work.context, work.picture, "", &bytes);
   }
+  if (question == "file" && solve(work)) {
+    sfumato_picture_write(work.context, work.picture, &bytes);
+  }
   if (question == "stack" && solve(work)) {
     sfumato_picture_stack(work.context, work.picture, "", &bytes);
   }
@@ -140,7 +143,7 @@ int main(int argc, char** argv) {
   if (argc < 3) {
     std::fputs(
         "usage: native_answers tables|dragged|colors|pixels|traced|svg|payload|stack|"
-        "lint IN [OPTIONS]\n",
+        "file|lint IN [OPTIONS]\n",
         stderr);
     return 2;
   }

@@ -225,6 +225,23 @@ export class SfumatoContext extends Handle {
     }
   }
 
+  /** A picture as a file, exactly: `sfumato render` reads it, too (docs/picture-file.md). */
+  writePicture(picture) {
+    return this.library.takeBytes(this.make("sfumato_picture_write", picture.address));
+  }
+
+  /**
+   * A picture from the bytes of such a file. It draws what the other one does, and follows no
+   * document.
+   */
+  readPicture(bytes) {
+    return this.library.withBytes(
+      bytes,
+      (address, count) =>
+        new SfumatoPicture(this.library, this.make("sfumato_picture_read", address, count)),
+    );
+  }
+
   /** What web/viewer's PictureReader reads. @param {Options} options background */
   viewerPayload(picture, options = null) {
     return this.#withOptions(options, (text) =>

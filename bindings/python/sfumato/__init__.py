@@ -23,7 +23,7 @@ from ._errors import (
 )
 from ._field import Field, Weights
 from ._library import lib as _lib
-from ._picture import Interactive, Picture
+from ._picture import Interactive, Picture, load_picture
 from ._session import Session
 from ._trace import Round, trace
 
@@ -49,6 +49,7 @@ __all__ = [
     "UsageError",
     "Weights",
     "convert_colors",
+    "load_picture",
     "open",
     "read",
     "trace",

@@ -127,6 +127,8 @@ _signatures: dict[str, tuple[Any, ...]] = {
     "remove_curve": (c_int32, _handle, _handle, c_uint32, c_uint32),
     "solve": (c_int32, _handle, _handle, c_char_p, _out),
     "solve_again": (c_int32, _handle, _handle, c_int32, _handle),
+    "picture_write": (c_int32, _handle, _handle, _out),
+    "picture_read": (c_int32, _handle, c_char_p, c_size_t, _out),
     "picture_free": (None, _handle),
     "picture_viewport": (c_int32, _handle, _box),
     "picture_layer_count": (c_uint32, _handle),

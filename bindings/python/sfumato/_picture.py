@@ -9,7 +9,7 @@ import os
 import sys
 import weakref
 from numbers import Integral
-from typing import TYPE_CHECKING, Any, Optional, Tuple
+from typing import TYPE_CHECKING, Any, Optional, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -35,6 +35,9 @@ _tables = (
 )
 
 
+SOLVED = "sfp"  # the extension of solved pictures
+
+
 def _window_size(window: Any) -> Tuple[int, int]:
     numbers = tuple(window)
     if len(numbers) != 4:
@@ -57,7 +60,8 @@ def _room(across: int, down: int, depth: int, alpha: bool) -> NDArray[Any]:
 
 
 class Picture(Handle):
-    """A solved document. The arrays of its tables are views of the library's memory, which keep that
+    """A solved document, by Document.solve() or load_picture(). It can be pickled and copied: the other
+    one follows no document, and has this thread's session. The arrays of its tables are views of the library's memory, which keep that
     alive; they cannot be written to."""
 
     def __init__(self, resource: Resource, session: Optional[Session]) -> None:
@@ -155,13 +159,18 @@ class Picture(Handle):
         return across, down
 
     def to_bytes(self, format: str, **options: Option) -> bytes:
-        """A file: png, jpg, webp, html, pdf, eps, svg, glb, npz, ply or json. options: width, height, scale,
+        """A file: sfp, the picture itself, exactly, which load_picture() reads and `sfumato render`
+        draws, without options; or png, jpg, webp, html, pdf, eps, svg, glb, npz, ply or json. options: width, height, scale,
         background; of pixels also viewport, window, depth, dither, quality, lossless, no_antialias,
         mesh_overlay; of others dpi, svg, force, pdf_flatten, title. What the format cannot show is a
         DrawingWarning."""
         if not isinstance(format, str):
             raise TypeError(f"a format is text, not {type(format).__name__}")
         held, session = self._held(), self._session
+        if format.lower() == SOLVED:
+            if options:
+                raise TypeError(f"a solved picture takes no options, as {next(iter(options))}")
+            return session.make_bytes("picture_write", held.address, reads=held, slow=True)
         data = session.make_bytes(
             "export", held.address, format.replace("\0", "?").encode("utf-8", "replace"),
             encode(options), reads=held, slow=True,
@@ -234,6 +243,9 @@ class Picture(Handle):
         if not 0 <= layer < count:
             raise IndexError(f"there is no layer {layer} among {count}")
 
+    def __reduce__(self) -> Any:
+        return _unpickled, (self.to_bytes(SOLVED),)
+
     def _solve_again(self, document: "Document", of: Resource, quick: bool) -> None:
         held = self._held()
         if len(self._exports) > 0:
@@ -263,6 +275,26 @@ class Picture(Handle):
         _, _, width, height = self.viewport
         count = int(self.statistics["triangles"])
         return f"<Picture {width:g} x {height:g}: {self.layer_count} layers, {count} triangles>"
+
+
+def load_picture(
+    source: "Union[Path, bytes, bytearray, memoryview]", *, session: Optional[Session] = None
+) -> Picture:
+    """A picture that Picture.save() or `sfumato solve` wrote as .sfp: from a path, or from the bytes
+    of such a file. It draws and exports what the one that was written does, to the last bit, but follows
+    no document: solve(again=…) is a UsageError."""
+    if isinstance(source, (bytes, bytearray, memoryview)):
+        data = bytes(source)
+    else:
+        with io.open(source, "rb") as file:
+            data = file.read()
+    free = lib.sfumato_picture_free
+    made = session_of(session).make("picture_read", free, data, len(data), slow=True)
+    return Picture(made, session)
+
+
+def _unpickled(data: bytes) -> Picture:
+    return load_picture(data)
 
 
 class Interactive(str):

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import copy
 import gc
 import io
+import pickle
 import warnings
 
 import numpy as np
@@ -178,3 +180,54 @@ def test_any_drawing_solves_any_picture_again(drawing, evening):
     picture = drawing.solve()
     sfumato.open(evening).solve(again=picture)
     assert picture.viewport != (0, 0, 64, 48) or picture.layer_count >= 1
+
+
+def test_a_picture_is_kept_in_a_file(drawing, tmp_path):
+    picture = drawing.solve(scale=2)
+    path = tmp_path / "picture.sfp"
+    picture.save(path)
+    data = path.read_bytes()
+    assert data == picture.to_bytes("sfp") == picture.to_bytes("SFP")
+    for again in (sfumato.load_picture(path), sfumato.load_picture(str(path)),
+                  sfumato.load_picture(data), sfumato.load_picture(memoryview(bytearray(data))),
+                  sfumato.load_picture(data, session=sfumato.Session(threads=1))):
+        assert again.viewport == picture.viewport and again.layer_count == picture.layer_count
+        np.testing.assert_array_equal(again.color_values(), picture.color_values())
+        np.testing.assert_array_equal(again.render(128, alpha=True), picture.render(128, alpha=True))
+        for format in ("png", "html", "pdf", "svg", "glb"):
+            assert again.to_bytes(format) == picture.to_bytes(format)
+        assert again.to_bytes("sfp") == data
+        assert again.statistics["triangles"] == len(picture.triangles())
+        assert repr(again).startswith("<Picture 64 x 48: 1 layers, ")
+    with pytest.raises(TypeError, match="options"):
+        picture.to_bytes("sfp", width=9)
+
+
+def test_a_picture_that_was_read_follows_no_drawing(drawing):
+    again = sfumato.load_picture(drawing.solve().to_bytes("sfp"))
+    for quick in (False, True):
+        with pytest.raises(sfumato.UsageError, match="read from a file"):
+            drawing.solve(again=again, quick=quick)
+    assert again.render(32).shape == (24, 32, 3)
+
+
+def test_pictures_are_pickled_and_copied(drawing):
+    picture = drawing.solve()
+    pixels = picture.render(64)
+    others = [pickle.loads(pickle.dumps(picture)), copy.copy(picture), copy.deepcopy(picture)]
+    picture.free()
+    for other in others:
+        np.testing.assert_array_equal(other.render(64), pixels)
+    with pytest.raises(ValueError, match="freed"):
+        pickle.dumps(picture)
+
+
+def test_files_that_are_no_pictures_are_refused(drawing, tmp_path):
+    data = drawing.solve().to_bytes("sfp")
+    for wrong in (b"", b"<svg/>", data[:-1], data[:100] + bytes([data[100] ^ 1]) + data[101:]):
+        with pytest.raises(sfumato.InputError):
+            sfumato.load_picture(wrong)
+    with pytest.raises(FileNotFoundError):
+        sfumato.load_picture(tmp_path / "none.sfp")
+    with pytest.raises(TypeError):
+        sfumato.load_picture(None)

@@ -29,6 +29,9 @@ def look(drawing: sfumato.Document) -> None:
         image = picture.render(100, alpha=True, background="none")
         vertices: NDArray[np.float64] = picture.vertices()
         picture.save("picture.png", dither=True)
+        picture.save("picture.sfp")
+    kept: sfumato.Picture = sfumato.load_picture("picture.sfp", session=session)
+    kept = sfumato.load_picture(kept.to_bytes("sfp"))
     weights = drawing.field().weights(vertices)
     values: NDArray[np.float64] = weights.values
     found: list[sfumato.Curve] = drawing.layers[0].curves[1:3]
