@@ -6,10 +6,11 @@
 #include <vector>
 
 #include "scenes.hpp"
+#include "sfumato/base/native/thread_pool.hpp"
 #include "sfumato/picture/picture_file.hpp"
 #include "sfumato/solve/diffuse.hpp"
 
-// Pictures to bytes and back, checked, one thread; `bytes` is the size of the file.
+// Pictures to bytes and back, checked; `bytes` is the size of the file.
 namespace sfumato {
 namespace {
 
@@ -44,10 +45,12 @@ void write(benchmark::State& state) {
 }
 BENCHMARK(write)->ArgName("scene")->DenseRange(0, 2)->Unit(benchmark::kMillisecond);
 
+/// Arguments: scene, threads.
 void read(benchmark::State& state) {
   const Picture* const picture = picture_of(state);
   if (!picture) return;
-  const Context context;
+  ThreadPool executor(static_cast<int>(state.range(1)));
+  const Context context{.executor = &executor};
   const auto bytes = write_picture(context, *picture);
   for (auto _ : state) {
     auto again = read_picture(context, *bytes);
@@ -55,7 +58,10 @@ void read(benchmark::State& state) {
   }
   state.counters["bytes"] = static_cast<double>(bytes->size());
 }
-BENCHMARK(read)->ArgName("scene")->DenseRange(0, 2)->Unit(benchmark::kMillisecond);
+BENCHMARK(read)
+    ->ArgNames({"scene", "threads"})
+    ->ArgsProduct({{0, 1, 2}, {1, 2}})
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace sfumato

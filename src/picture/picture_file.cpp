@@ -11,6 +11,7 @@
 
 #include "base/limit_error.hpp"
 #include "base/output_buffer.hpp"
+#include "base/parallel.hpp"
 #include "base/public_verb.hpp"
 #include "base/table_memory.hpp"
 #include "document/rules.hpp"
@@ -165,25 +166,36 @@ Status check_header(const Context& context, Bytes file) {
     return bad("a solved picture of " + std::to_string(size) + " bytes, " +
                std::to_string(file.size()) + " are here");
   }
-  const auto sum = picture::checksum(context, file.subspan(kHeaderBytes));
-  if (!sum) return context.cancel_status();
-  if (*sum != number_at<std::uint64_t>(file, kChecksumAt)) {
-    return damaged("the checksum of its bytes is another");
-  }
   return ok_status();
 }
 
-Result<Picture> read(const Context& context, Bytes file, PictureOrigin* origin) {
-  if (Status status = check_header(context, file); !status) return status;
-  TableMemory memory("the picture");
+Status check_sum(const Context& context, Bytes file) {
+  const auto sum = picture::checksum(context, file.subspan(kHeaderBytes));
+  if (!sum) return context.cancel_status();
+  if (*sum == number_at<std::uint64_t>(file, kChecksumAt)) return ok_status();
+  return damaged("the checksum of its bytes is another");
+}
+
+Status read_parts(const Context& context, Bytes file, TableMemory& memory, Picture& picture,
+                  PictureOrigin& origin) {
   picture::PartReader reader(context, file, kHeaderBytes, memory);
-  PictureOrigin found;
-  Picture picture;
-  pass(reader, found);
+  pass(reader, origin);
   pass(reader, picture);
   if (!reader.ok()) return reader.status();
   if (!reader.at_end()) return damaged("there is something behind its end");
-  if (Status status = check_content(context, picture, found); !status) return status;
+  return check_content(context, picture, origin);
+}
+
+/// The parts are read as if the checksum was right, which is found out at the same time.
+Result<Picture> read(const Context& context, Bytes file, PictureOrigin* origin) {
+  if (Status status = check_header(context, file); !status) return status;
+  TableMemory memory("the picture");
+  PictureOrigin found;
+  Picture picture;
+  Status status = run_both(
+      context, [&] { return check_sum(context, file); },
+      [&] { return read_parts(context, file, memory, picture, found); });
+  if (!status) return status;
   if (origin) *origin = found;
   return picture;
 }
