@@ -138,7 +138,7 @@ export class PointerInput {
  * @param {Commands} commands
  * @returns {boolean} whether the key is one of ours
  */
-function obeyKey(event, commands) {
+export function obeyKey(event, commands) {
   switch (event.key) {
     case "ArrowLeft":
       commands.move(KEY_MOVE, 0, true);

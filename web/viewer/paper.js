@@ -6,6 +6,25 @@
 const PAPER_SIDE = 2400;
 
 /**
+ * Draws the whole page as fine as it gets. What the canvas held is gone afterwards.
+ * @param {Renderer} renderer
+ * @param {HTMLCanvasElement | OffscreenCanvas} canvas the renderer's
+ * @param {Frame} shown in the window
+ * @param {number} most the longer side, pixels
+ */
+export function drawPage(renderer, canvas, shown, most) {
+  const [x0, y0, x1, y1] = renderer.picture.viewport;
+  const side = Math.min(most, renderer.abilities.largestSide);
+  const zoom = side / (Math.max(x1 - x0, y1 - y0) || 1);
+  const size = [x1 - x0, y1 - y0].map((length) => Math.max(1, Math.round(length * zoom)));
+  [canvas.width, canvas.height] = size;
+  const pixelFromArtboard = [zoom, 0, 0, zoom, -x0 * zoom, -y0 * zoom];
+  const frame = { ...shown, size, pixelFromArtboard, lineScale: 1 };
+  renderer.draw(frame);
+  while (renderer.canRefine) renderer.refine(frame);
+}
+
+/**
  * Draws the page and puts it beside the canvas as an image that paper alone shows. What the canvas
  * held is gone afterwards.
  * @param {Renderer} renderer
@@ -13,15 +32,7 @@ const PAPER_SIDE = 2400;
  * @param {Frame} shown in the window
  */
 export function layOnPaper(renderer, canvas, shown) {
-  const [x0, y0, x1, y1] = renderer.picture.viewport;
-  const side = Math.min(PAPER_SIDE, renderer.abilities.largestSide);
-  const zoom = side / (Math.max(x1 - x0, y1 - y0) || 1);
-  const size = [x1 - x0, y1 - y0].map((length) => Math.max(1, Math.round(length * zoom)));
-  [canvas.width, canvas.height] = size;
-  const pixelFromArtboard = [zoom, 0, 0, zoom, -x0 * zoom, -y0 * zoom];
-  const frame = { ...shown, size, pixelFromArtboard, desk: [1, 1, 1], lineScale: 1 };
-  renderer.draw(frame);
-  while (renderer.canRefine) renderer.refine(frame);
+  drawPage(renderer, canvas, { ...shown, desk: [1, 1, 1] }, PAPER_SIDE);
   // Chromium prints a canvas that was drawn in this event up to 6 % too small; an image whose bytes
   // stand in its address is there at once.
   const paper = document.createElement("img");

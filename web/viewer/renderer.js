@@ -40,12 +40,14 @@ export class Renderer {
    * @param {(name: string) => string} shaderText
    * @param {Picture} picture
    * @param {Uint16Array} texels of the paints
+   * @param {Programs | null} shared programs of this context, which stay with whoever made them
    */
-  constructor(gl, shaderText, picture, texels) {
+  constructor(gl, shaderText, picture, texels, shared = null) {
     this.gl = gl;
     this.picture = picture;
     this.abilities = abilitiesOf(gl);
-    this.programs = new Programs(gl, shaderText);
+    this.hasOwnPrograms = shared === null;
+    this.programs = shared ?? new Programs(gl, shaderText);
     this.targets = new Targets(gl, this.abilities);
     this.layers = new LayerDrawer(gl, this.programs, picture, texels);
     this.strokes = new StrokeDrawer(gl, this.programs, picture);
@@ -95,7 +97,7 @@ export class Renderer {
     this.strokes.free();
     this.targets.free();
     this.noInk.free();
-    this.programs.free();
+    if (this.hasOwnPrograms) this.programs.free();
     gl.bindVertexArray(null);
     gl.deleteVertexArray(this.vertices);
     gl.deleteSync(this.fence);
