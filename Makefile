@@ -8,7 +8,7 @@ fuzz_seconds := 60
 
 .DEFAULT_GOAL := help
 .PHONY: help demo build test check docs kills sanitize fuzz fuzz-merge bench wasm hostile-growth \
-  hostile-sanitized equal editor editor-tests python clean
+  hostile-sanitized equal editor editor-tests python npm clean
 
 help:
 	@echo 'make demo    install what the build needs, build, draw $(scene)'
@@ -27,6 +27,7 @@ help:
 	@echo 'make editor  draw in a browser: $(build_folder)/editor/ and $(build_folder)/editor.html'
 	@echo 'make editor-tests   the editor in Chromium: all that a person does, and what fuzzers found; in Firefox the core of it'
 	@echo 'make python  the wheel: $(build_folder)/python/, tested where it is installed'
+	@echo 'make npm     the package for npm: $(build_folder)/npm/sfumato-*.tgz, tested where it is installed'
 	@echo 'make clean   remove what was built'
 
 build:
@@ -116,6 +117,11 @@ editor-tests: build editor
 python: build
 	@scripts/setup python
 	@scripts/check-python $(build_folder)
+
+npm:
+	@scripts/setup wasm npm
+	@scripts/build-wasm build-wasm
+	@scripts/check-npm $(build_folder) build-wasm
 
 clean:
 	rm -rf $(build_folder) build-wasm build-check build-asan build-tsan build-fuzz

@@ -65,12 +65,10 @@ function(sfumato_folder name)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
   list(FILTER sources EXCLUDE REGEX "/main\\.cpp$")
   if(SFUMATO_WASM)
-    # No operating system and no other instruction set there; pictures and gzip are the browser's
-    # own affair, and so are files: of what makes them the viewer's payload alone is there.
+    # No operating system and no other instruction set there; to decode pictures and to unpack gzip is
+    # the host's own affair.
     list(FILTER sources EXCLUDE REGEX "/native/(atomic_file|file|posix)|_avx(2|512)\\.cpp$")
-    list(FILTER sources EXCLUDE REGEX "/codecs/(png|jpeg|webp|photo|image_file|gunzip|deflate|zip)")
-    list(FILTER sources EXCLUDE REGEX "/export/([^/]*|(eps|facets|glb|pdf|svg|tables)/.*|html/html.*)\\.cpp$")
-    list(FILTER sources EXCLUDE REGEX "/output/(export_picture|image_output)\\.cpp$")
+    list(FILTER sources EXCLUDE REGEX "/codecs/(png_decode|jpeg|webp|photo|image_file|gunzip)")
     # NAME_wasm.cpp stands in the place of NAME.cpp.
     foreach(source ${sources})
       if(source MATCHES "^(.*)_wasm\\.cpp$")

@@ -1,9 +1,31 @@
-// WebAssembly: the codecs that libraries of the native build bring. Pictures are the browser's own
+// WebAssembly: the codecs that libraries of the native build bring. Pictures are the host's own
 // affair there.
 #include "codecs/gunzip.hpp"
 #include "codecs/image_file.hpp"
+#include "sfumato/codecs/jpeg_encode.hpp"
+#include "sfumato/codecs/webp_encode.hpp"
 
-namespace sfumato::codecs {
+namespace sfumato {
+namespace {
+
+Status no_encoder() {
+  return make_error(
+      StatusCode::unavailable,
+      "no JPEG and no WebP is written here; expected \"png\", or pixels for the host's "
+      "own encoders");
+}
+
+}  // namespace
+
+Result<std::vector<std::uint8_t>> encode_jpeg(Context&, const Image&, int) {
+  return no_encoder();
+}
+
+Result<std::vector<std::uint8_t>> encode_webp(Context&, const Image&, const WebpOptions&) {
+  return no_encoder();
+}
+
+namespace codecs {
 
 bool is_gzip(std::string_view bytes) {
   return bytes.starts_with("\x1f\x8b");
@@ -18,4 +40,5 @@ Result<RgbaImage> decode_image(Context&, std::span<const std::uint8_t>) {
                     "images are not decoded here; expected their pixels beside the document");
 }
 
-}  // namespace sfumato::codecs
+}  // namespace codecs
+}  // namespace sfumato

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "sfumato/codecs/jpeg_encode.hpp"
+#include "sfumato/codecs/png.hpp"
 #include "sfumato/export/eps/eps.hpp"
 #include "sfumato/export/glb/glb.hpp"
 #include "sfumato/export/html/html.hpp"
@@ -21,8 +22,22 @@ using options::OutputKind;
 
 /// The longer side of the picture that a browser without WebGL 2 shows, pixels, and its quality. It
 /// fills the window as the drawing would, of whatever size that is.
+#if defined(__wasm__)
+constexpr int kFallbackSide = 320;  // as a PNG, which is larger
+constexpr const char* kFallbackType = "image/png";
+#else
 constexpr int kFallbackSide = 640;
 constexpr int kFallbackQuality = 80;
+constexpr const char* kFallbackType = "image/jpeg";
+#endif
+
+Result<Bytes> encode_fallback(Context& context, const Image& image) {
+#if defined(__wasm__)
+  return encode_png(context, image);
+#else
+  return encode_jpeg(context, image, kFallbackQuality);
+#endif
+}
 
 Result<Bytes> make_html(Context& context, const Picture& picture, const std::string& title,
                         ExportNotes* notes) {
@@ -33,11 +48,11 @@ Result<Bytes> make_html(Context& context, const Picture& picture, const std::str
   small.height = std::max(1, static_cast<int>(std::round(viewport.height() * scale)));
   const Result<Image> image = rasterize(context, picture, small);
   if (!image) return image.status();
-  Result<Bytes> fallback = encode_jpeg(context, *image, kFallbackQuality);
+  Result<Bytes> fallback = encode_fallback(context, *image);
   if (!fallback) return fallback;
   return export_html(
       context, picture,
-      {.title = title, .fallback = std::move(*fallback), .fallback_type = "image/jpeg"}, notes);
+      {.title = title, .fallback = std::move(*fallback), .fallback_type = kFallbackType}, notes);
 }
 
 Result<Bytes> make_svg(Context& context, const Picture& picture, const DrawingOptions& drawing,

@@ -56,17 +56,37 @@ async function testErrors(tap, sfumato) {
     document.free();
     refusal(Status.badUsage, () => context.solve(document));
   });
+  await tap.test("what is of the wrong type or size is not taken for an address or a number", () => {
+    const context = sfumato.context();
+    const document = twoHalves(context);
+    const picture = document.solve({ maxError: 1 });
+    const wrong = [
+      [TypeError, () => context.solve(picture)],
+      [TypeError, () => context.raster(document, { width: 1, height: 1 })],
+      [TypeError, () => context.solve(document, 5)],
+      [TypeError, () => context.read(5)],
+      [TypeError, () => document.points(-1, 0)],
+      [TypeError, () => document.setPoints(0, 0, 5)],
+      [RangeError, () => picture.raster({ width: 0 })],
+      [SfumatoError, () => picture.raster({ width: 65536, height: 65536 })], // 2 ** 34 bytes
+    ];
+    for (const [Kind, body] of wrong) {
+      let error = null;
+      try {
+        body();
+      } catch (thrown) {
+        error = thrown;
+      }
+      check(error instanceof Kind, `${body}: ${error}`);
+    }
+    same(picture.raster({ width: 32 }).height, 32, "the height that fits");
+  });
   await tap.test("what writes files of codecs says what is there instead", () => {
     const context = sfumato.context();
     const picture = context.solve(twoHalves(context));
-    // sfumato.mjs has no such function: the C interface is asked.
-    const make = (format) =>
-      context.library.withString(format, (name) =>
-        context.make("sfumato_export", picture.address, name, 0),
-      );
-    const error = refusal(Status.unavailable, () => make("png"));
+    const error = refusal(Status.unavailable, () => picture.export("png"));
     check(error.message.includes("sfumato_raster"), error.message);
-    check(refusal(Status.badUsage, () => make("pgn")).message.includes("png"), "no hint");
+    check(refusal(Status.badUsage, () => picture.export("pgn")).message.includes("png"), "no hint");
     const gzip = refusal(Status.unavailable, () => context.read(new Uint8Array([31, 139, 8, 0])));
     check(gzip.message.includes("gzip"), gzip.message);
   });

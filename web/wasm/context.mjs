@@ -1,6 +1,6 @@
 // Contexts of the library: sfumato.mjs has all of it.
 import { SfumatoDocument } from "./document.mjs";
-import { Handle } from "./handle.mjs";
+import { addressOf, Handle } from "./handle.mjs";
 import { optionText, SfumatoError, Status } from "./library.mjs";
 import { SfumatoField, SfumatoPicture } from "./picture.mjs";
 
@@ -18,6 +18,11 @@ import { SfumatoField, SfumatoPicture } from "./picture.mjs";
 
 const channels = { rgb8: 3, rgba8: 4, rgb16: 3, rgba16: 4 };
 const formats = Object.keys(channels);
+
+function expectBytes(given) {
+  if (given instanceof Uint8Array || given instanceof Uint8ClampedArray) return given;
+  throw new TypeError("expected bytes: a Uint8Array or, of pixels, a Uint8ClampedArray");
+}
 
 /** Bounds on memory and time; reads, solves and draws. */
 export class SfumatoContext extends Handle {
@@ -55,7 +60,8 @@ export class SfumatoContext extends Handle {
    */
   read(text, { name = "", load = null } = {}) {
     const { library } = this;
-    const bytes = typeof text === "string" ? new TextEncoder().encode(text) : text;
+    const bytes = typeof text === "string" ? new TextEncoder().encode(text) : expectBytes(text);
+    if (typeof name !== "string") throw new TypeError("expected a name that is a string");
     this.#loader = load;
     try {
       return library.withBytes(bytes, (address, count) =>
@@ -80,7 +86,7 @@ export class SfumatoContext extends Handle {
    */
   addImage(file, image) {
     const { library } = this;
-    library.withBytes(file, (...bytes) => {
+    library.withBytes(expectBytes(file), (...bytes) => {
       if (!image) return this.run("sfumato_add_image", ...bytes, 0);
       return this.#withImage(image, (struct) => this.run("sfumato_add_image", ...bytes, struct));
     });
@@ -89,7 +95,7 @@ export class SfumatoContext extends Handle {
   /** Runs body() with a sfumato_image of RGBA as ImageData has it. */
   #withImage({ width, height, data }, body) {
     const { library } = this;
-    if (data.length !== 4 * width * height) {
+    if (expectBytes(data).length !== 4 * width * height) {
       throw new SfumatoError(Status.badUsage, "expected 4 bytes for each pixel");
     }
     return library.withBytes(data, (pixels) => {
@@ -154,7 +160,7 @@ export class SfumatoContext extends Handle {
   fitColors(document, image, options = null) {
     return this.#withImage(image, (pixels) =>
       this.#withOptions(options, (text) => {
-        const asked = [document.address, pixels, text];
+        const asked = [this.#documentOf(document), pixels, text];
         return new SfumatoDocument(this, this.make("sfumato_fit_colors", ...asked));
       }),
     );
@@ -170,8 +176,7 @@ export class SfumatoContext extends Handle {
   /** @param {Options} options of sfumato_solve: max-error, width, drags (for pictures of an editor), … */
   solve(document, options = null) {
     return this.#withOptions(options, (text) => {
-      const picture = this.make("sfumato_solve", document.address, text);
-      return new SfumatoPicture(this.library, picture);
+      return new SfumatoPicture(this, this.make("sfumato_solve", this.#documentOf(document), text));
     });
   }
 
@@ -183,11 +188,9 @@ export class SfumatoContext extends Handle {
    *   move, rough where it is not one alone; seconds: so, and once they are over, values wait (picture.statistics.waitingNodes)
    */
   solveAgain(document, picture, { quick = false, seconds = undefined } = {}) {
-    if (seconds !== undefined) {
-      this.run("sfumato_solve_within", document.address, seconds, picture.address);
-    } else {
-      this.run("sfumato_solve_again", document.address, quick ? 1 : 0, picture.address);
-    }
+    const [drawn, solved] = [this.#documentOf(document), this.#pictureOf(picture)];
+    if (seconds !== undefined) this.run("sfumato_solve_within", drawn, seconds, solved);
+    else this.run("sfumato_solve_again", drawn, quick ? 1 : 0, solved);
   }
 
   /**
@@ -195,7 +198,7 @@ export class SfumatoContext extends Handle {
    * them comes as soon as the others.
    */
   expectDrag(picture, layer, curve) {
-    this.run("sfumato_expect_drag", picture.address, layer, curve);
+    this.run("sfumato_expect_drag", this.#pictureOf(picture), layer, curve);
   }
 
   /**
@@ -207,15 +210,23 @@ export class SfumatoContext extends Handle {
    * @returns {Uint8ClampedArray | Uint16Array} rows from the top, alpha not premultiplied
    */
   raster(picture, { width, height, format = "rgba8" }, options = null) {
+    const solved = this.#pictureOf(picture);
+    if (!Number.isFinite(width) || !Number.isFinite(height)) {
+      throw new TypeError("expected a width and a height");
+    }
+    if (!(Number.isInteger(width) && Number.isInteger(height) && Math.min(width, height) > 0)) {
+      throw new RangeError("expected whole numbers from 1 as width and height");
+    }
     const index = formats.indexOf(format);
+    if (index < 0) throw new RangeError(`expected a format of ${formats.join(", ")}`);
     const is16 = index >= 2;
-    const rowBytes = width * (channels[format] ?? 0) * (is16 ? 2 : 1);
+    const rowBytes = width * (channels[format]) * (is16 ? 2 : 1);
     const pixels = this.library.allocate(rowBytes * height);
     try {
       const image = new Uint32Array([pixels, rowBytes, width, height, index]);
       this.library.withBytes(image, (struct) =>
         this.#withOptions(options, (text) =>
-          this.run("sfumato_raster", picture.address, struct, text),
+          this.run("sfumato_raster", solved, struct, text),
         ),
       );
       const { buffer } = this.library.bytes(pixels, rowBytes * height).slice();
@@ -227,7 +238,7 @@ export class SfumatoContext extends Handle {
 
   /** A picture as a file, exactly: `sfumato render` reads it, too (docs/picture-file.md). */
   writePicture(picture) {
-    return this.library.takeBytes(this.make("sfumato_picture_write", picture.address));
+    return this.library.takeBytes(this.make("sfumato_picture_write", this.#pictureOf(picture)));
   }
 
   /**
@@ -242,10 +253,27 @@ export class SfumatoContext extends Handle {
     );
   }
 
+  /**
+   * A picture as a file. Only a module with exporters makes them (docs/npm.md); the others throw
+   * Status.unavailable.
+   * @param {SfumatoPicture} picture
+   * @param {string} format png, svg, pdf, eps, glb or html
+   * @param {Options} options of sfumato_export
+   * @returns {Uint8Array}
+   */
+  export(picture, format, options = null) {
+    return this.library.withString(String(format), (name) =>
+      this.#withOptions(options, (text) => {
+        const asked = [this.#pictureOf(picture), name, text];
+        return this.library.takeBytes(this.make("sfumato_export", ...asked));
+      }),
+    );
+  }
+
   /** What web/viewer's PictureReader reads. @param {Options} options background */
   viewerPayload(picture, options = null) {
     return this.#withOptions(options, (text) =>
-      this.library.takeBytes(this.make("sfumato_viewer_payload", picture.address, text)),
+      this.library.takeBytes(this.make("sfumato_viewer_payload", this.#pictureOf(picture), text)),
     );
   }
 
@@ -255,7 +283,7 @@ export class SfumatoContext extends Handle {
    */
   pictureStack(picture, options = null) {
     return this.#withOptions(options, (text) =>
-      this.library.takeBytes(this.make("sfumato_picture_stack", picture.address, text)),
+      this.library.takeBytes(this.make("sfumato_picture_stack", this.#pictureOf(picture), text)),
     );
   }
 
@@ -265,7 +293,7 @@ export class SfumatoContext extends Handle {
    */
   lint(document, options = null) {
     return this.#withOptions(options, (text) => {
-      const json = this.library.takeBytes(this.make("sfumato_lint", document.address, text));
+      const json = this.library.takeBytes(this.make("sfumato_lint", this.#documentOf(document), text));
       return JSON.parse(new TextDecoder().decode(json));
     });
   }
@@ -273,7 +301,7 @@ export class SfumatoContext extends Handle {
   /** A layer's exact colours at points. @param {Options} options of sfumato_field_new */
   field(document, layer, options = null) {
     return this.#withOptions(options, (text) => {
-      const field = this.make("sfumato_field_new", document.address, layer, text);
+      const field = this.make("sfumato_field_new", this.#documentOf(document), layer, text);
       return new SfumatoField(this, field);
     });
   }
@@ -288,6 +316,14 @@ export class SfumatoContext extends Handle {
 
   resume() {
     this.library.call("sfumato_resume", this.address);
+  }
+
+  #documentOf(given) {
+    return addressOf(given, SfumatoDocument, this.library);
+  }
+
+  #pictureOf(given) {
+    return addressOf(given, SfumatoPicture, this.library);
   }
 
   #withOptions(options, body) {

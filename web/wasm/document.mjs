@@ -1,5 +1,5 @@
 // Documents of the library: sfumato.mjs has all of it.
-import { box, expect, Handle } from "./handle.mjs";
+import { box, expect, expectIndices, Handle } from "./handle.mjs";
 import { SfumatoError, Status } from "./library.mjs";
 
 /** Sides of a curve, what they bear, what they are to it, and what offsets count. */
@@ -25,6 +25,11 @@ export class SfumatoDocument extends Handle {
     );
   }
 
+  /** SfumatoContext.solve(), by the context that made it. */
+  solve(options = null) {
+    return this.#context.solve(this, options);
+  }
+
   /** The document as SVG. */
   write() {
     const bytes = this.#context.make("sfumato_document_write", this.address);
@@ -41,16 +46,19 @@ export class SfumatoDocument extends Handle {
   }
 
   curveCount(layer) {
+    expectIndices(layer);
     return this.library.call("sfumato_curve_count", this.address, layer);
   }
 
   /** Perhaps ""; null where there is no such layer. */
   layerId(layer) {
+    expectIndices(layer);
     return this.library.string(this.library.call("sfumato_layer_id", this.address, layer));
   }
 
   /** Perhaps ""; null where there is no such curve. */
   curveId(layer, curve) {
+    expectIndices(layer, curve);
     return this.library.string(this.library.call("sfumato_curve_id", this.address, layer, curve));
   }
 
@@ -59,6 +67,7 @@ export class SfumatoDocument extends Handle {
    * element's `<` in UTF-8, and which of the element's subpaths it is; null where that is not known.
    */
   curveSource(layer, curve) {
+    expectIndices(layer, curve);
     const place = this.library.scratch();
     const asked = [this.address, layer, curve, place, place + 4];
     expect(
@@ -71,6 +80,7 @@ export class SfumatoDocument extends Handle {
 
   /** 3 n + 1 control points, x and y in turn. */
   points(layer, curve) {
+    expectIndices(layer, curve);
     const view = this.library.scratch();
     expect(
       this.library.call("sfumato_curve_points", this.address, layer, curve, view),
@@ -81,6 +91,7 @@ export class SfumatoDocument extends Handle {
 
   /** @param {ArrayLike<number>} xy as points() gives them */
   setPoints(layer, curve, xy) {
+    expectIndices(layer, curve);
     this.#withPoints(xy, (...points) =>
       this.#context.run("sfumato_set_curve_points", this.address, layer, curve, ...points),
     );
@@ -88,22 +99,26 @@ export class SfumatoDocument extends Handle {
 
   /** Adds a curve whose sides bear nothing, before curve `at` or, with null, as the last. */
   insertCurve(layer, at, xy) {
+    expectIndices(layer, at ?? 0);
     this.#withPoints(xy, (...points) =>
       this.#context.run("sfumato_insert_curve", this.address, layer, at ?? 0xffffffff, ...points),
     );
   }
 
   removeCurve(layer, curve) {
+    expectIndices(layer, curve);
     this.#context.run("sfumato_remove_curve", this.address, layer, curve);
   }
 
   /** How strongly a curve counts beside others; 1 for one without a weight. */
   weight(layer, curve) {
+    expectIndices(layer, curve);
     const weight = this.library.number("sfumato_curve_weight", this.address, layer, curve);
     if (weight === 0) expect(Status.badUsage, `there is no curve ${curve} in layer ${layer}`);
     return weight;
   }
   setWeight(layer, curve, weight) {
+    expectIndices(layer, curve);
     this.#context.run("sfumato_set_curve_weight", this.address, layer, curve, weight);
   }
 
@@ -113,6 +128,7 @@ export class SfumatoDocument extends Handle {
    * @param {number} attribute of Attribute
    */
   stops(layer, curve, side, attribute) {
+    expectIndices(layer, curve, side, attribute);
     const { library } = this;
     const asked = ["sfumato_curve_stops", this.address, layer, curve, side, attribute];
     const numbers = attribute === Attribute.color ? 4 : 2;
@@ -138,6 +154,7 @@ export class SfumatoDocument extends Handle {
    * @param {{kind: number, space?: number, rows?: readonly (readonly number[])[]}} list
    */
   setStops(layer, curve, side, attribute, { kind, space = Space.arcLength, rows = [] }) {
+    expectIndices(layer, curve, side, attribute, kind, space);
     const numbers = attribute === Attribute.color ? 4 : 2;
     if (rows.some((row) => row.length !== numbers)) {
       throw new SfumatoError(Status.badUsage, `expected rows of ${numbers} numbers`);
@@ -150,6 +167,7 @@ export class SfumatoDocument extends Handle {
   }
 
   #withPoints(xy, body) {
+    if (!Number.isInteger(xy?.length)) throw new TypeError("expected an array of numbers");
     if (xy.length % 2 !== 0) throw new SfumatoError(Status.badUsage, "expected pairs of numbers");
     return this.library.withBytes(Float64Array.from(xy), (address) => body(address, xy.length / 2));
   }

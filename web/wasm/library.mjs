@@ -94,6 +94,11 @@ export class Library {
     this.#scratch = this.allocate(scratchBytes);
   }
 
+  /** Whether a trap has ended it: every call throws. */
+  get isBroken() {
+    return this.#broken !== null;
+  }
+
   get memoryBytes() {
     return this.#exports.memory.buffer.byteLength;
   }
@@ -116,6 +121,9 @@ export class Library {
   /** The same of a function that returns a double. */
   number(name, ...values) {
     if (this.#broken) throw this.#end(this.#broken);
+    if (!this.#exports[name]) {
+      throw new SfumatoError(Status.unavailable, `this module is without ${name}`);
+    }
     ++this.#depth;
     let result;
     try {
@@ -165,6 +173,8 @@ export class Library {
 
   /** Memory that call("sfumato_free", address) gives back. */
   allocate(byteCount) {
+    // A number that 32 bits do not hold would be cut down to one that they do.
+    if (!(byteCount < 2 ** 32)) throw new SfumatoError(Status.outOfMemory, "out of memory");
     const address = this.#exports.sfumato_allocate(Math.max(byteCount, 1)) >>> 0;
     if (address === 0) throw new SfumatoError(Status.outOfMemory, "out of memory");
     return address;
@@ -239,13 +249,16 @@ export class Library {
 
 /**
  * Options as the C interface takes them: a string as it is, or an object whose keys are the long
- * options of the command. `true` gives a flag, `false`, null and undefined leave one out.
+ * options of the command, or the same in camel case (maxError). `true` gives a flag, `false`, null and
+ * undefined leave one out.
  */
 export function optionText(options) {
   if (options === null || options === undefined) return null;
   if (typeof options === "string") return options;
+  if (typeof options !== "object") throw new TypeError("expected options as an object or a string");
   return Object.entries(options)
     .filter(([, value]) => value !== false && value !== null && value !== undefined)
+    .map(([key, value]) => [key.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`), value])
     .map(([key, value]) => (value === true ? key : `${key}=${quoted(String(value))}`))
     .join(" ");
 }

@@ -1,5 +1,5 @@
 // Solved documents, and exact colours at points: sfumato.mjs has all of it.
-import { box, expect, Handle } from "./handle.mjs";
+import { box, expect, expectIndices, Handle } from "./handle.mjs";
 
 /** Tables of a solved layer. */
 export const Table = Object.freeze({
@@ -27,9 +27,39 @@ const statistics = [
 
 /** A solved document, of no resolution. */
 export class SfumatoPicture extends Handle {
+  #context;
+
   /** For SfumatoContext. */
-  constructor(library, address) {
-    super(library, "picture", address);
+  constructor(context, address) {
+    super(context.library, "picture", address);
+    this.#context = context;
+  }
+
+  /**
+   * Pixels for ImageData, RGBA: of the width or the height that is given, else of a pixel to a unit.
+   * @param {{width?: number, height?: number} & Record<string, string | number | boolean | undefined>}
+   *   options and those of sfumato_raster
+   * @returns {{width: number, height: number, data: Uint8ClampedArray}}
+   */
+  raster({ width = undefined, height = undefined, ...options } = {}) {
+    const [, , across, down] = this.viewport;
+    const ratio = across / down;
+    const whole = (length) => Math.max(1, Math.round(length));
+    const size = {
+      width: width ?? whole(height === undefined ? across : height * ratio),
+      height: height ?? whole(width === undefined ? down : width / ratio),
+    };
+    return { ...size, data: this.#context.raster(this, size, options) };
+  }
+
+  /** The picture as a file: SfumatoContext.export(). */
+  export(format, options = null) {
+    return this.#context.export(this, format, options);
+  }
+
+  /** What web/viewer's PictureReader reads. @param options background */
+  viewerPayload(options = null) {
+    return this.#context.viewerPayload(this, options);
   }
 
   /** x, y, width, height */
@@ -68,6 +98,7 @@ export class SfumatoPicture extends Handle {
   }
 
   #look(name, layer, table) {
+    expectIndices(layer, table);
     const view = this.library.scratch();
     expect(
       this.library.call(name, this.address, layer, table, view),

@@ -51,6 +51,11 @@ export class Sfumato {
     return this.#library.call("sfumato_abi");
   }
 
+  /** Whether a trap, likely out of memory, has ended the module: it is to be loaded anew. */
+  get isBroken() {
+    return this.#library.isBroken;
+  }
+
   /** Bytes of the module's memory, which grows and never shrinks. */
   get memoryBytes() {
     return this.#library.memoryBytes;

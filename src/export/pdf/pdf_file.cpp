@@ -118,7 +118,7 @@ Result<std::vector<std::uint8_t>> PdfFile::finish(PdfRef root, PdfRef info) {
   const std::string count = std::to_string(offset_.size() + 1);
   bytes_ += "xref\n0 " + count + "\n0000000000 65535 f \n";
   for (std::size_t offset : offset_) {
-    if (offset > 9'999'999'999)
+    if (std::uint64_t{offset} > 9'999'999'999)
       return make_error(StatusCode::limit, "a PDF of more than 10 GB, which its table cannot hold");
     char line[24];
     std::snprintf(line, sizeof line, "%010zu 00000 n \n", offset);

@@ -1,0 +1,35 @@
+// What stands in the element's shadow root. A constructed sheet is no inline style, which policies forbid.
+const text = `
+:host { display: inline-block; position: relative; overflow: hidden; width: 300px; aspect-ratio: 3 / 2; }
+:host([hidden]) { display: none; }
+:host(:focus-visible) { outline: 2px solid Highlight; outline-offset: 2px; }
+canvas, #input, slot { position: absolute; inset: 0; width: 100%; height: 100%; }
+slot { display: block; }
+[hidden] { display: none !important; }
+::slotted(img) { display: block; width: 100%; height: 100%; object-fit: contain; }
+#input { cursor: grab; touch-action: pan-x pan-y; -webkit-user-select: none; user-select: none; }
+#input:active { cursor: grabbing; }
+#hint {
+  position: absolute; inset: auto 0 0; margin: 0; padding: .4em .8em; pointer-events: none; text-align: center;
+  font: 14px/1.4 system-ui, sans-serif; color: #fff; background: #000b; opacity: 0; transition: opacity .15s;
+}
+#hint.shown { opacity: 1; }
+#paper { display: none; }
+@media (prefers-reduced-motion: reduce) { #hint { transition: none; } }
+@media print {
+  #hint, #input { display: none; }
+  #paper { display: block; position: absolute; inset: 0; width: 100%; height: 100%; object-fit: contain; }
+  #paper ~ canvas { display: none; }
+}`;
+
+/** @type {CSSStyleSheet | null} */
+let sheet = null;
+
+/** @param {ShadowRoot} root */
+export function dress(root) {
+  if (!sheet) {
+    sheet = new CSSStyleSheet();
+    sheet.replaceSync(text);
+  }
+  root.adoptedStyleSheets = [sheet];
+}

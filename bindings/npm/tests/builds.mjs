@@ -1,0 +1,133 @@
+// The project built by Vite, webpack and esbuild, and the pages that come of it.
+import { copyFileSync, mkdirSync, writeFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { join } from "node:path";
+import { pathToFileURL } from "node:url";
+import { testElement } from "./element.mjs";
+import { testManners } from "./manners.mjs";
+import { writeFiles } from "./node.mjs";
+import { check, checkNear, packageOf, serve } from "./tools.mjs";
+
+const { chromium } = packageOf("playwright-core");
+
+/** Mesa's software driver, which is several times as fast as Chromium's own. */
+const graphics = ["--use-gl=angle", "--use-angle=gl-egl", "--ignore-gpu-blocklist", "--enable-gpu"];
+const quiet = ["--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync"];
+
+export const launch = (flags = graphics) =>
+  chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: [...quiet, ...flags] });
+
+/** As somebody would who has read Vite's first page and nothing of ours. */
+async function buildByVite(project) {
+  const { build } = await import(pathToFileURL(packageOf.resolve("vite")));
+  const input = ["index.html", "many.html", "print.html"].map((name) => join(project, name));
+  await build({ root: project, logLevel: "warn", configFile: false, base: "./", build: { rollupOptions: { input } } });
+  return join(project, "dist");
+}
+
+async function buildByWebpack(project) {
+  const webpack = packageOf("webpack");
+  const out = join(project, "webpacked");
+  const options = {
+    mode: "production", context: project, entry: "./main.js",
+    output: { path: out, filename: "bundle.js" }, performance: { hints: false },
+  };
+  await new Promise((resolve, reject) => {
+    webpack(options, (error, stats) => (error || stats.hasErrors() ? reject(error ?? new Error(stats.toString("errors-only"))) : resolve()));
+  });
+  return out;
+}
+
+/** esbuild does not follow `new URL`: what docs/npm.md says to do. */
+async function buildByEsbuild(project) {
+  const { build } = packageOf("esbuild");
+  const out = join(project, "esbuilt");
+  await build({ entryPoints: [join(project, "esbuild-main.js")], bundle: true, format: "esm", outfile: join(out, "bundle.js"), logLevel: "warning" });
+  for (const name of ["worker.js", "sfumato-solver.wasm"]) {
+    copyFileSync(createRequire(join(project, "package.json")).resolve(`sfumato/${name}`), join(out, name));
+  }
+  return out;
+}
+
+/** A page with one picture beside a bundle. */
+function addPage(project, out) {
+  mkdirSync(out, { recursive: true });
+  copyFileSync(join(project, "public/halves.svg"), join(out, "halves.svg"));
+  copyFileSync(join(project, "style.css"), join(out, "style.css"));
+  writeFileSync(join(out, "index.html"), `<!doctype html><html lang="en"><meta charset="utf-8"><title>A bundle</title>
+    <link rel="stylesheet" href="style.css"><script type="module" src="bundle.js"></script>
+    <sfumato-picture id="first" src="halves.svg" alt="Red above blue"></sfumato-picture>`);
+}
+
+/** A pixel of an element's canvas: red, green, blue, alpha. x, y: parts of its size. */
+export const pixelOf = (page, id, x, y) =>
+  page.evaluate(([name, a, b]) => {
+    const canvas = document.getElementById(name).shadowRoot.querySelector("canvas");
+    const at = [Math.floor(a * canvas.width), Math.floor(b * canvas.height)];
+    return [...canvas.getContext("2d").getImageData(...at, 1, 1).data];
+  }, [id, x, y]);
+
+export async function checkPixel(page, id, [x, y], expected) {
+  const found = await pixelOf(page, id, x, y);
+  expected.forEach((value, i) => checkNear(found[i], value, 10, `channel ${i} of ${id} at ${x}, ${y} (${found})`));
+}
+
+/** Opens an address, and fails where the page complains of what is not in `expected`. */
+export async function visit(browser, address, { expected = /^$/, ...options }, body) {
+  const context = await browser.newContext({ viewport: { width: 1000, height: 800 }, ...options });
+  const complaints = [];
+  const page = await context.newPage();
+  page.setDefaultTimeout(45000);
+  page.on("pageerror", (error) => complaints.push(String(error)));
+  page.on("console", (message) => {
+    const isHarmless = /GPU stall due to ReadPixels|Multiple readback operations/.test(message.text()) || expected.test(message.text());
+    if (["error", "warning"].includes(message.type()) && !isHarmless) complaints.push(message.text());
+  });
+  page.on("request", (request) => {
+    if (!/^(data|blob):/.test(request.url()) && !request.url().startsWith(new URL(address).origin)) complaints.push(`asked for ${request.url()}`);
+  });
+  try {
+    await page.goto(address);
+    await body(page);
+    check(complaints.length === 0, `the page complained: ${complaints.join(" | ")}`);
+  } finally {
+    await context.close();
+  }
+}
+
+async function testOneBuild(tap, browser, name, project, make) {
+  await tap.test(`npm: ${name} builds a page that draws`, async () => {
+    const out = await make(project);
+    addPage(project, out);
+    const { address, close } = await serve(out);
+    try {
+      await visit(browser, address, {}, async (page) => {
+        await page.evaluate(() => document.getElementById("first").ready);
+        await checkPixel(page, "first", [0.5, 0.1], [255, 0, 0, 255]);
+      });
+    } finally {
+      close();
+    }
+  });
+}
+
+export async function testBuilds(tap, project, folder) {
+  await writeFiles(project, join(project, "public"));
+  let site = null;
+  await tap.test("npm: an empty project of Vite's takes the package as it is", async () => {
+    site = await buildByVite(project);
+  });
+  const browser = await launch();
+  try {
+    if (site) {
+      const server = await serve(site);
+      await testElement(tap, browser, server.address, folder);
+      await testManners(tap, browser, server.address);
+      server.close();
+    }
+    await testOneBuild(tap, browser, "webpack", project, buildByWebpack);
+    await testOneBuild(tap, browser, "esbuild", project, buildByEsbuild);
+  } finally {
+    await browser.close();
+  }
+}

@@ -1,0 +1,213 @@
+// The package in node, as it is installed in a project.
+import { spawnSync } from "node:child_process";
+import { copyFileSync, cpSync, existsSync, readFileSync, statSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { deflateSync, gzipSync } from "node:zlib";
+import { check, checkEqual, checkNear, importOf, pathOf, run } from "./tools.mjs";
+
+const halves = () => readFileSync(pathOf("bindings/npm/tests/site/public/halves.svg"), "utf8");
+
+/** What a call throws. */
+function thrown(body) {
+  try {
+    body();
+  } catch (error) {
+    return error;
+  }
+  throw new Error(`nothing was thrown by ${body}`);
+}
+
+async function thrownLater(promise) {
+  try {
+    await promise;
+  } catch (error) {
+    return error;
+  }
+  throw new Error("nothing was thrown");
+}
+
+/** Sizes that a change must not exceed, bytes; docs/npm.md has what they are. */
+const limits = { tarball: 1_350_000, element: 8_000, drawing: 27_000, worker: 8_000, solver: 420_000 };
+
+async function testSizes(tap, project, tarball) {
+  await tap.test("npm: what a page fetches and what is installed stay small", () => {
+    const packed = (name) => gzipSync(readFileSync(join(project, "node_modules/sfumato", name)), { level: 9 }).length;
+    const sizes = {
+      tarball: statSync(tarball).size,
+      element: packed("element.js"),
+      drawing: packed("drawing.js"),
+      worker: packed("worker.js"),
+      solver: packed("sfumato-solver.wasm"),
+    };
+    for (const [name, size] of Object.entries(sizes)) console.log(`# ${name}: ${size} bytes${name === "tarball" ? "" : " gz"}`);
+    for (const [name, size] of Object.entries(sizes)) check(size <= limits[name], `${name}: ${size} > ${limits[name]}`);
+  });
+  await tap.test("npm: the package holds what it names and nothing else", () => {
+    const names = run(project, "tar", "--list", "--file", tarball).trim().split("\n").map((name) => name.replace("package/", ""));
+    const expected = ["LICENSE", "README.md", "drawing.js", "element.d.ts", "element.js", "index.d.ts", "index.js",
+      "library.js", "node.js", "package.json", "sfumato-solver.wasm", "sfumato.wasm", "worker.js"];
+    checkEqual(names.sort(), expected, "its files");
+  });
+}
+
+async function testDrawing(tap, { read, create, load, Side, Attribute, Kind, Status, SfumatoError }) {
+  await tap.test("npm: node reads, solves, rasters, exports and writes", async () => {
+    const drawing = await read(halves(), { name: "halves.svg" });
+    checkEqual([drawing.artboard, drawing.layerCount, drawing.curveCount(0)], [[0, 0, 300, 200], 1, 1], "the document");
+    const picture = drawing.solve();
+    const { width, height, data } = picture.raster({ width: 150 });
+    checkEqual([width, height, data.length], [150, 100, 60000], "the size that fits");
+    const corners = [...data.subarray(0, 4), ...data.subarray(-4)];
+    [255, 0, 0, 255, 0, 0, 255, 255].forEach((value, i) => checkNear(corners[i], value, 8, `channel ${i}`));
+    checkEqual(picture.raster({ height: 10 }).width, 15, "the width that fits");
+    const starts = { png: "\x89PNG", svg: "<svg", pdf: "%PDF", eps: "%!PS", glb: "glTF", html: "<!do" };
+    for (const [format, start] of Object.entries(starts)) {
+      const file = picture.export(format);
+      checkEqual(Buffer.from(file.subarray(0, 4)).toString("latin1").toLowerCase(), start.toLowerCase(), format);
+    }
+    check(drawing.write().includes("sf:left"), "no SVG is written");
+    checkEqual(Buffer.from(picture.viewerPayload().subarray(0, 7)).toString(), "SFUMATO", "the payload");
+  });
+  await tap.test("npm: what was written is read as the same drawing", async () => {
+    const drawing = await create(40, 30, { background: "#102030" });
+    drawing.insertCurve(0, null, [-5, 15, 10, 15, 30, 15, 45, 15]);
+    drawing.setStops(0, 0, Side.left, Attribute.color, { kind: Kind.stops, rows: [[0, 0, 1, 0]] });
+    const again = await read(drawing.write());
+    const [a, b] = [drawing, again].map((document) => document.solve().raster({ width: 40 }).data.toString());
+    check(a === b, "the pixels differ");
+    check(a.includes("0,255,0,255"), "there is no green");
+  });
+  await tap.test("npm: errors have code, reason and place", async () => {
+    const broken = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9">\n  <g>\n</svg>';
+    const error = await thrownLater(read(broken, { name: "a.svg" }));
+    check(error instanceof SfumatoError && error instanceof Error, `a ${error?.name}`);
+    checkEqual([error.name, error.code, error.file, error.line], ["SfumatoError", Status.badInput, "a.svg", 3], "the error");
+    check(error.message.startsWith("a.svg:3:") && error.message.endsWith(error.reason), error.message);
+    const drawing = await read(halves());
+    const misspelt = thrown(() => drawing.solve({ maxEror: 1 }));
+    check(misspelt.code === Status.badUsage && misspelt.reason.includes("max-error"), misspelt.message);
+    const jpeg = thrown(() => drawing.solve().export("jpg"));
+    check(jpeg.code === Status.unavailable, jpeg.message);
+  });
+  await tap.test("npm: what is freed or of the wrong type is an error of JavaScript", async () => {
+    const drawing = await read(halves());
+    const picture = drawing.solve();
+    const context = (await load()).context();
+    const wrong = {
+      TypeError: [
+        () => drawing.points(-1, 0), () => drawing.points("0", 0), () => drawing.setPoints(0, 0, 5),
+        () => drawing.solve(5), () => picture.raster({ width: "9" }), () => picture.raster({ width: NaN }),
+        () => context.solve(picture), () => context.solve({}), () => context.read(5), () => context.raster(drawing, { width: 1, height: 1 }),
+        () => context.addImage("file", null), () => picture.table(0, undefined),
+      ],
+      RangeError: [() => picture.raster({ width: 0 }), () => picture.raster({ width: 1.5 }), () => context.raster(picture, { width: 1, height: 1, format: "cmyk" })],
+      SfumatoError: [() => drawing.points(0, 99), () => picture.raster({ width: 65536, height: 65536 }), () => picture.raster({ width: 1e9 })],
+    };
+    for (const [name, bodies] of Object.entries(wrong)) {
+      for (const body of bodies) checkEqual(thrown(body).name, name, String(body));
+    }
+    checkEqual((await thrownLater(read(null))).name, "TypeError", "read(null)");
+    checkEqual((await thrownLater(create(0, 5))).name, "TypeError", "create(0, 5)");
+    drawing.free();
+    drawing.free();
+    checkEqual(thrown(() => drawing.solve()).code, Status.badUsage, "a freed drawing");
+    checkEqual(picture.raster({ width: 3 }).width, 3, "its picture");
+    context.free();
+    checkEqual(thrown(() => context.read(halves())).code, Status.badUsage, "a freed context");
+  });
+  await tap.test("npm: limits hold, and a module without memory is loaded anew", async () => {
+    const sfumato = await load();
+    const context = sfumato.context({ maxMemory: 1 });
+    const error = thrown(() => context.raster(context.solve(context.read(halves())), { width: 4000, height: 4000 }));
+    check([Status.limit, Status.outOfMemory].includes(error.code), error.message);
+    check(!sfumato.isBroken, "the module is broken");
+    checkEqual((await load()) === sfumato, true, "the module is shared");
+  });
+  await tap.test("npm: what nobody holds is given back by the collector", async () => {
+    if (!globalThis.gc) throw new Error("run node with --expose-gc");
+    const drawing = await read(halves());
+    const sfumato = await load();
+    drawing.solve({ width: 2000 });
+    const before = sfumato.memoryBytes;
+    for (let i = 0; i < 300; ++i) {
+      drawing.solve();
+      if (i % 20 === 19) {
+        globalThis.gc();
+        await new Promise((resolve) => setTimeout(resolve, 5));
+      }
+    }
+    const grown = sfumato.memoryBytes - before;
+    check(grown < 4e6, `the memory has grown by ${grown} bytes`);
+  });
+}
+
+/** Names of a class or an interface in a .d.ts, of what is not private. */
+function declared(text, name) {
+  const body = new RegExp(`export class ${name} [^{]*\\{([^]*?)\\n\\}`).exec(text)?.[1] ?? "";
+  return new Set([...body.matchAll(/^ {2}(?:readonly |get |set )?(\w+)[(:?]/gm)].map(([, found]) => found));
+}
+
+async function testTypes(tap, project, library) {
+  await tap.test("npm: tsc --strict takes the types", () => {
+    copyFileSync(pathOf("bindings/npm/tests/typed_use.ts"), join(project, "typed_use.ts"));
+    const options = { strict: true, noEmit: true, target: "es2022", module: "nodenext", lib: ["es2022", "dom"], types: [], skipLibCheck: false };
+    writeFileSync(join(project, "tsconfig.json"), JSON.stringify({ compilerOptions: options, files: ["typed_use.ts"] }));
+    run(project, process.execPath, pathOf("bindings/npm/tests/node_modules/typescript/bin/tsc"), "-p", "tsconfig.json");
+  });
+  await tap.test("npm: the element's own types are right", () => {
+    const compiler = pathOf("bindings/npm/tests/node_modules/typescript/bin/tsc");
+    const { stdout } = spawnSync(process.execPath, [compiler, "-p", pathOf("bindings/npm/tests")], { encoding: "utf8" });
+    // What web/wasm says of itself has no types; those of the package are index.d.ts.
+    const own = stdout.split("\n").filter((line) => /bindings\/npm\/src|^src|^\.\.\/src|TS18003/.test(line));
+    checkEqual(own, [], "complaints");
+  });
+  await tap.test("npm: types name what is there", () => {
+    const text = readFileSync(pathOf("bindings/npm/src/index.d.ts"), "utf8");
+    const exported = [...text.matchAll(/^export (?:class|const|function) (\w+)/gm)].map(([, name]) => name);
+    checkEqual(exported.sort(), Object.keys(library).sort(), "what is exported");
+    for (const name of ["Sfumato", "SfumatoContext", "SfumatoDocument", "SfumatoPicture", "SfumatoField"]) {
+      const inherited = ["constructor", "library", "address"];
+      const internal = ["run", "make", "progressed", "traced", "loaded", "trace", "fitColors"];
+      const here = Object.getOwnPropertyNames(library[name].prototype).filter((key) => ![...inherited, ...internal].includes(key));
+      const told = declared(text, name);
+      for (const key of here) check(told.has(key), `${name}.${key} has no type`);
+      const all = new Set([...here, ...inherited, "free", "onProgress"]);
+      for (const key of told) check(all.has(key), `${name}.${key} is not there`);
+    }
+  });
+}
+
+export async function testNode(tap, project, tarball) {
+  await testSizes(tap, project, tarball);
+  const library = await importOf(project, "sfumato");
+  await testDrawing(tap, library);
+  await testTypes(tap, project, library);
+  await tap.test("npm: the element can be imported where there is no page", () => {
+    const text = 'import { SfumatoPicture } from "sfumato/element"; console.log(typeof SfumatoPicture, typeof window);';
+    checkEqual(run(project, process.execPath, "--input-type=module", "--eval", text).trim(), "function undefined", "what it says");
+  });
+  await tap.test("npm: the programs of its documents run", async () => {
+    cpSync(pathOf("bindings/npm/tests/example.mjs"), join(project, "example.mjs"));
+    writeFileSync(join(project, "drawing.svg"), halves());
+    const text = `import * as e from "./example.mjs"; const { width, height } = await e.convert();
+      await e.prepare();
+      console.log(width, height, (await e.draw()).includes("sf:left"), await e.complain("<svg>\\n<"));`;
+    const said = run(project, process.execPath, "--input-type=module", "--eval", text);
+    check(/^600 400 true line \d+: ./.test(said), said);
+    for (const name of ["drawing.pdf", "drawing.png", "drawing.sfv"]) check(existsSync(join(project, name)), `no ${name}`);
+  });
+}
+
+/** The payload that the page shows without a solver, and what else takes a library to make. */
+export async function writeFiles(project, folder) {
+  const { read } = await importOf(project, "sfumato");
+  const payload = (await read(halves())).solve().viewerPayload();
+  writeFileSync(join(folder, "halves.sfv"), payload);
+  writeFileSync(join(folder, "packed.sfv"), deflateSync(payload));
+  writeFileSync(join(folder, "cut.sfv"), payload.subarray(0, payload.length - 9));
+  writeFileSync(join(folder, "halves.svgz"), gzipSync(halves()));
+  // A background, and a layer that one looks through.
+  const clear = halves().replace("<svg ", '<svg sf:background="#00ff00" ').replace("sf:left", 'sf:opacity="0" sf:left');
+  writeFileSync(join(folder, "clear.svg"), clear);
+}
+
