@@ -1,5 +1,5 @@
-// Picture files, whose size and checksum are mended, or no change of a byte would come past them. What
-// is read is written again as it was, drawn, and exported.
+// Picture files, whose size and checksum are mended, or no change of a byte would come past them.
+// What is read is written again as it was, drawn, and exported.
 #include <cstring>
 #include <vector>
 

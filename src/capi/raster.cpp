@@ -29,7 +29,7 @@ Outcome set_size(const Limits& limits, const sfumato_picture& handle, const sfum
   const PixelRect& window = *settings.window;
   if (window.x1 - window.x0 != image.width || window.y1 - window.y0 != image.height)
     return bad_usage("window: of another size than the image");
-  const Box viewport = settings.diffuse.viewport.value_or(handle.solution.picture().viewport);
+  const Box viewport = settings.diffuse.viewport.value_or(handle.picture().viewport);
   const Result<output::OutputSize> size =
       output::output_size(limits, asked, viewport, handle.own_scale, true);
   if (!size) return size.status();

@@ -76,13 +76,13 @@ std::uint64_t mixed(std::uint64_t hash) {
 
 }  // namespace
 
-std::optional<std::uint64_t> checksum(const Context& context, std::span<const std::uint8_t> bytes) {
+Result<std::uint64_t> checksum(const Context& context, std::span<const std::uint8_t> bytes) {
   const std::uint8_t* at = bytes.data();
   const std::uint8_t* const end = at + bytes.size();
   const std::uint8_t* const tail = end - bytes.size() % kStripe;
   Lanes lanes{kPrime1 + kPrime2, kPrime2, 0, 0 - kPrime1};
   while (at != tail) {
-    if (context.cancelled()) return std::nullopt;
+    if (context.cancelled()) return context.cancel_status();
     const std::uint8_t* const next = at + std::min<std::ptrdiff_t>(kPart, tail - at);
     add_stripes(at, next, lanes);
     at = next;

@@ -142,8 +142,8 @@ Result<std::vector<std::uint8_t>> write(const Context& context, const Picture& p
   write_parts(picture, origin, sink);
   Result<std::vector<std::uint8_t>> bytes = file.finish();
   if (!bytes) return bytes;
-  const auto sum = picture::checksum(context, Bytes(*bytes).subspan(kHeaderBytes));
-  if (!sum) return context.cancel_status();
+  const Result<std::uint64_t> sum = picture::checksum(context, Bytes(*bytes).subspan(kHeaderBytes));
+  if (!sum) return sum.status();
   std::memcpy(bytes->data() + kChecksumAt, &*sum, sizeof *sum);
   return bytes;
 }
@@ -170,8 +170,8 @@ Status check_header(const Context& context, Bytes file) {
 }
 
 Status check_sum(const Context& context, Bytes file) {
-  const auto sum = picture::checksum(context, file.subspan(kHeaderBytes));
-  if (!sum) return context.cancel_status();
+  const Result<std::uint64_t> sum = picture::checksum(context, file.subspan(kHeaderBytes));
+  if (!sum) return sum.status();
   if (*sum == number_at<std::uint64_t>(file, kChecksumAt)) return ok_status();
   return damaged("the checksum of its bytes is another");
 }

@@ -13,8 +13,8 @@ namespace {
 
 /// A drawing of everything, with a size of its own.
 std::string drawing() {
-  return R"svg(<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1" width="96" height="72"
-     viewBox="0 0 64 48" sf:version="1">
+  return R"svg(<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1"
+     width="96" height="72" viewBox="0 0 64 48" sf:version="1">
   <defs><linearGradient id="g" gradientUnits="userSpaceOnUse" x2="64"><stop stop-color="red"/>
     <stop offset="1" stop-color="gold"/></linearGradient></defs>
   <g style="mix-blend-mode:multiply;opacity:.9">

@@ -257,7 +257,7 @@ export class SfumatoContext extends Handle {
    * A picture as a file. Only a module with exporters makes them (docs/npm.md); the others throw
    * Status.unavailable.
    * @param {SfumatoPicture} picture
-   * @param {string} format png, svg, pdf, eps, glb or html
+   * @param {string} format png, svg, pdf, eps, glb, html, npz, ply or json
    * @param {Options} options of sfumato_export
    * @returns {Uint8Array}
    */

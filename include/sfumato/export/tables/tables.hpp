@@ -16,8 +16,8 @@ namespace sfumato {
 /// PatchLayer. `notes`, unless null, receives what the tables leave out and the number of
 /// triangles.
 ///
-/// Errors: bad_input (an invalid picture, an empty viewport), limit (memory; 4 GiB in an NPZ and a PLY), cancelled,
-/// out_of_memory.
+/// Errors: bad_input (an invalid picture, an empty viewport), limit (memory; 4 GiB in an NPZ and a
+/// PLY), cancelled, out_of_memory.
 /// @{
 
 /// As NumPy reads it: an uncompressed ZIP archive of arrays. The same picture gives the same bytes.
