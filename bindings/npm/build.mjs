@@ -1,6 +1,6 @@
-// Makes the package: node build.mjs MODULES OUT, where MODULES has the .wasm files of scripts/build-wasm.
+// Makes the package: node build.mjs MODULES OUT, where MODULES is what scripts/build-wasm has made.
 // Needs the packages of tests/package.json. Run it by scripts/build-npm.
-import { copyFileSync, mkdirSync, readdirSync, readFileSync, rmSync } from "node:fs";
+import { copyFileSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -46,6 +46,20 @@ const bundle = (entry, options = {}) =>
     ...options,
   });
 
+/** What is in the modules besides the library, with the words that its licences want to go with it. */
+function licences() {
+  const debian = (name) => readFileSync(`/usr/share/doc/${name}/copyright`, "utf8");
+  const comment = (name, which) => readFileSync(join(modules, name), "utf8").match(/\/\*[^]*?\*\//g).at(which);
+  const texts = {
+    pugixml: comment("pugixml/pugixml.hpp", -1),
+    zlib: comment("zlib/zlib.h", 0),
+    "wasi-libc": debian("wasi-libc"),
+    "libc++": debian("libc++-19-dev-wasm32"),
+  };
+  const parts = Object.entries(texts).map(([name, text]) => `=== ${name} ===\n\n${text}\n`);
+  return `The modules of this package hold parts of these libraries.\n\n${parts.join("\n")}`;
+}
+
 rmSync(out, { recursive: true, force: true });
 mkdirSync(out, { recursive: true });
 await bundle("src/library.js");
@@ -57,5 +71,6 @@ await bundle("src/element/drawing.js", { minify: true, plugins: [shaders] });
 for (const name of ["package.json", "README.md", "src/index.d.ts", "src/element.d.ts", "../../LICENSE"]) {
   copyFileSync(path(name), join(out, name.split("/").at(-1)));
 }
+writeFileSync(join(out, "licences.txt"), licences());
 copyFileSync(join(modules, "sfumato-files.wasm"), join(out, "sfumato.wasm"));
 copyFileSync(join(modules, "sfumato-solver.wasm"), join(out, "sfumato-solver.wasm"));
