@@ -405,7 +405,7 @@ def seeds():
     yield 'picture_file', list(pictures())
     yield 'pixels', documents + orzan + list(noise(3, 40, 300))
     yield 'round_trip', documents + orzan + list(noise(4, 40, 300))
-    yield 'export', [bytes([kind]) + text for kind in range(6)
+    yield 'export', [bytes([kind]) + text for kind in range(9)
                      for text in documents[:8] + list(noise(kind, 8, 250))]
     steps = random.Random(5)
     yield 'solution', [bytes(steps.randrange(256) for _ in range(24)) + text

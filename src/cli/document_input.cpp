@@ -15,21 +15,36 @@ namespace {
 /// What a pipe gives is read into memory that doubles: old and new are there at once.
 constexpr std::size_t kBytesPerPipedByte = 3;
 
-}  // namespace
-
-Result<std::string> read_within(Context& context, const std::string& path,
-                                std::size_t Limits::*limit, std::string_view what) {
-  const std::size_t most = context.limits.*limit, room = context.budget.room();
+/// Errors: limit, of `most` or of memory; others as read_input().
+Result<std::string> read_up_to(Context& context, const std::string& path, std::size_t most) {
+  const std::size_t room = context.budget.room();
   const std::size_t readable = path == "-" ? room / kBytesPerPipedByte : room;
   Result<std::string> bytes = read_input(context, path, std::min(most, readable));
   if (bytes || bytes.status().code != StatusCode::limit) return bytes;
   if (context.cancelled()) return context.cancel_status();
   if (readable < most) return context.budget.charge(room + 1, "the input");
+  return bytes;
+}
+
+}  // namespace
+
+Result<std::string> read_within(Context& context, const std::string& path,
+                                std::size_t Limits::*limit, std::string_view what) {
+  Result<std::string> bytes = read_up_to(context, path, context.limits.*limit);
+  if (bytes || bytes.status().code != StatusCode::limit || is_lack_of_memory(bytes.status())) {
+    return bytes;
+  }
   return limit_error(context.limits, limit, what, bytes.status().where);
 }
 
 Result<std::string> read_any_text(Context& context, const std::string& path) {
-  return read_within(context, path, &Limits::input_bytes, "bytes of input");
+  const std::size_t most_text = context.limits.input_bytes;
+  Result<std::string> bytes = read_up_to(context, path, kPictureFileFactor * most_text);
+  const bool is_long =
+      bytes ? bytes->size() > most_text && !is_solved(*bytes)
+            : bytes.status().code == StatusCode::limit && !is_lack_of_memory(bytes.status());
+  if (!is_long) return bytes;
+  return limit_error(context.limits, &Limits::input_bytes, "bytes of input", {display_name(path)});
 }
 
 bool is_solved(const std::string& bytes) {

@@ -118,6 +118,14 @@ Status check_content(const Context& context, const Picture& picture, const Pictu
   return picture::check_picture(context, picture);
 }
 
+Status check_length(const Limits& limits, std::size_t bytes) {
+  if (bytes / kPictureFileFactor < limits.input_bytes) return ok_status();
+  return make_limit_error(&Limits::input_bytes,
+                          "a solved picture of more than " + std::to_string(kPictureFileFactor) +
+                              " times the limit of " + std::to_string(limits.input_bytes) +
+                              " bytes of input");
+}
+
 template <class Sink>
 void write_parts(const Picture& picture, const PictureOrigin& origin, Sink& sink) {
   picture::PartWriter<Sink> writer(sink);
@@ -130,6 +138,8 @@ Result<std::vector<std::uint8_t>> write(const Context& context, const Picture& p
   if (Status status = check_content(context, picture, origin); !status) return status;
   picture::ByteCount count(kHeaderBytes);
   write_parts(picture, origin, count);
+  // What nobody could read is not written.
+  if (Status status = check_length(context.limits, count.position()); !status) return status;
   OutputBuffer file(context, "the picture file");
   file.reserve(count.position());
   picture::BufferSink sink(file);
@@ -149,9 +159,7 @@ Result<std::vector<std::uint8_t>> write(const Context& context, const Picture& p
 }
 
 Status check_header(const Context& context, Bytes file) {
-  if (file.size() > context.limits.input_bytes) {
-    return limit_error(context.limits, &Limits::input_bytes, "bytes of input");
-  }
+  if (Status status = check_length(context.limits, file.size()); !status) return status;
   if (!is_picture_file(file)) return bad("not a solved picture");
   if (file.size() < kHeaderBytes) return bad("a solved picture that is cut off");
   if (file[kVersionAt] != kPictureFileVersion) {

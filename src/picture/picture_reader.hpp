@@ -7,10 +7,12 @@
 #include <cstring>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include "base/limit_error.hpp"
 #include "base/table_memory.hpp"
 #include "picture/picture_parts.hpp"
 #include "picture/picture_writer.hpp"
@@ -60,7 +62,9 @@ class PartReader {
   }
   template <class Items>
   bool resize(Items& items) {
-    const std::size_t count = read_count(kLeastBytes<typename Items::value_type>);
+    using Item = typename Items::value_type;
+    const std::size_t count = read_count(kLeastBytes<Item>);
+    if (ok()) check_limit<Item>(count);
     if (ok()) status_ = memory_.resize(context_, items, count);
     return ok();
   }
@@ -91,6 +95,18 @@ class PartReader {
     return ok() ? static_cast<std::size_t>(count) : 0;
   }
   void skip_padding();
+  /// Items that take much more room than in the file are counted before there is room for them.
+  template <class Item>
+  void check_limit(std::size_t count) {
+    const Limits& limits = context_.limits;
+    if constexpr (std::is_same_v<Item, PictureItem>) {
+      if (count > limits.stack_items) {
+        status_ = limit_error(limits, &Limits::stack_items, "items in the stack");
+      }
+    } else if constexpr (std::is_same_v<Item, PatchLayer>) {
+      if (count > limits.layers) status_ = limit_error(limits, &Limits::layers, "layers");
+    }
+  }
 
   const Context& context_;
   std::span<const std::uint8_t> file_;

@@ -35,11 +35,10 @@ Result<PreparedStroke> prepare_stroke(Context& context, const LocalStroke& strok
 class StrokePainter {
  public:
   /// image_from_artboard  image coordinates are pixels.
-  /// image                what may be painted of the stroke. A pixel's value may depend on it in
-  /// the
-  ///                      last bit.
+  /// image                what may be painted of the stroke; the last bit of a pixel may depend on
+  ///                      it.
   /// Precondition: the document of `stroke` was validated. Nothing of `stroke` is kept; the
-  /// context must outlive the painter.
+  /// context's Budget must outlive the painter.
   /// Errors: limit (segments, memory), cancelled.
   /// Cost: O(length within reach of the image / influence radius).
   static Result<StrokePainter> create(Context& context, const LocalStroke& stroke,

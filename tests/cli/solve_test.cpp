@@ -184,7 +184,7 @@ TEST(Solve, damaged_files_are_refused_in_plain_words) {
 
 TEST(Solve, limits_end_it) {
   const CommandResult bytes =
-      run_sfumato({"render", "-", "-o", "-", "--limit", "input-bytes=1000"}, solved());
+      run_sfumato({"render", "-", "-o", "-", "--limit", "input-bytes=100"}, solved());
   EXPECT_EQ(bytes.exit_code, 3) << bytes.err;
   const CommandResult layers = run_sfumato({"info", "-", "--limit", "layers=0"}, solved());
   EXPECT_EQ(layers.exit_code, 3) << layers.err;

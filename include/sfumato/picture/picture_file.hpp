@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -25,6 +26,10 @@ struct PictureOrigin {
   friend bool operator==(const PictureOrigin&, const PictureOrigin&) = default;
 };
 
+/// Bytes of the longest picture file that is written or read: a solved picture may be this many
+/// times as long as the text of a drawing, Limits::input_bytes.
+inline constexpr std::size_t kPictureFileFactor = 16;
+
 /// Whether these are the first bytes of a picture file, of any version.
 bool is_picture_file(std::span<const std::uint8_t> bytes);
 
@@ -40,7 +45,7 @@ Result<std::vector<std::uint8_t>> write_picture(const Context& context, const Pi
 /// bytes    at any address
 /// origin   unless null, written on success
 /// Errors   bad_input (no picture file, of a later version, of the other byte order, cut off,
-///          damaged), limit (Limits::input_bytes, layers, triangles, nodes, those of shaders and
+///          damaged), limit (kPictureFileFactor × Limits::input_bytes, layers, triangles, nodes, those of shaders and
 ///          stacks, memory), cancelled, out_of_memory
 Result<Picture> read_picture(const Context& context, std::span<const std::uint8_t> bytes,
                              PictureOrigin* origin = nullptr);
