@@ -7,7 +7,7 @@ equal_scenes := 1-1000
 fuzz_seconds := 60
 
 .DEFAULT_GOAL := help
-.PHONY: help demo build test check docs kills sanitize fuzz fuzz-merge bench wasm hostile-growth \
+.PHONY: help demo build test check docs kills check-slurm sanitize fuzz fuzz-merge bench wasm hostile-growth \
   hostile-sanitized equal editor editor-tests python npm clean
 
 help:
@@ -17,6 +17,7 @@ help:
 	@echo 'make check   everything built and tested, and the style checked'
 	@echo 'make docs    the API reference: build/docs/html/index.html'
 	@echo 'make kills   outputs under 1,000 times kill -9'
+	@echo 'make check-slurm   tiles and frames by Slurm and GNU parallel on this machine'
 	@echo 'make sanitize  the unit tests under AddressSanitizer, UBSan and ThreadSanitizer'
 	@echo 'make fuzz    each fuzz target for fuzz_seconds=$(fuzz_seconds) (fuzz/README.md)'
 	@echo 'make bench   the table of docs/benchmarks.md on this machine'
@@ -63,6 +64,12 @@ kills:
 	@cmake --preset release -DSFUMATO_TESTS=ON --log-level=WARNING >/dev/null
 	@cmake --build $(build_folder) --parallel $(jobs) --target test_cli
 	@SFUMATO_KILLS=1000 $(build_folder)/tests/test_cli --gtest_filter='*Kill*'
+
+check-slurm:
+	@scripts/setup build slurm
+	@cmake --preset release -DSFUMATO_TESTS=OFF -DSFUMATO_WERROR=OFF --log-level=WARNING >/dev/null
+	@cmake --build $(build_folder) --parallel $(jobs) --target sfumato
+	@scripts/check-slurm $(build_folder)/sfumato
 
 sanitize:
 	@scripts/sanitize

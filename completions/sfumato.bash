@@ -10,7 +10,7 @@ _sfumato() {
   local command='' word options
   for word in "${COMP_WORDS[@]:1:COMP_CWORD-1}"; do
     case $word in
-      render | solve | info | convert | trace | lint | compare | init | watch | edit)
+      render | solve | tiles | info | convert | trace | lint | compare | init | watch | edit)
         command=$word
         break
         ;;
@@ -62,7 +62,7 @@ _sfumato() {
   fi
   case $command in
     render)
-      options='--output --out-dir --format --allow-files --viewport --width --height --scale
+      options='--output --out-dir --shard --newer-only --format --allow-files --viewport --width --height --scale
         --window --detail --method --rays --seed --tolerance --ends --no-blur --max-error --max-area
         --min-angle --order --mesh-overlay --background --depth --dither --no-dither --quality
         --lossless --dpi --svg --force --pdf-flatten --title --device --no-antialias --threads
@@ -73,6 +73,11 @@ _sfumato() {
       options='--output --out-dir --allow-files --viewport --width --height --scale --detail
         --method --rays --seed --tolerance --ends --no-blur --max-error --max-area --min-angle
         --order --threads --stats --quiet
+        --max-memory --max-time --limit --help'
+      ;;
+    tiles)
+      options='--output --shard --format --tile --overlap --width --height --scale --background
+        --dither --no-dither --no-antialias --quality --lossless --threads --stats --quiet
         --max-memory --max-time --limit --help'
       ;;
     info)
@@ -106,7 +111,7 @@ _sfumato() {
       options='--output --scale --json
         --max-memory --max-time --limit --help'
       ;;
-    *) options='render solve info convert trace lint compare init watch edit --help --version' ;;
+    *) options='render solve tiles info convert trace lint compare init watch edit --help --version' ;;
   esac
   mapfile -t COMPREPLY < <(compgen -W "$options" -- "$current")
 }

@@ -1,12 +1,13 @@
 # fish completion for sfumato
 
-set -l commands render solve info convert trace lint compare init watch edit
+set -l commands render solve tiles info convert trace lint compare init watch edit
 set -l limits input-bytes= unpack-ratio= xml-depth= xml-elements= xml-attributes= style-values= used-elements= used-bytes= id-bytes= curves= control-points= stops= stops-per-list= layers= shaders-per-layer= stack-items= group-depth= image-file-bytes= textures= texels= segments= triangles= nodes= image-side= viewer-triangles= viewer-stroke-segments= svg-triangles=
 
 complete -c sfumato -s h -l help -d 'Print the help'
 complete -c sfumato -n "not __fish_seen_subcommand_from $commands" -l version -d 'Print the version'
 complete -c sfumato -n "not __fish_seen_subcommand_from $commands" -f -a render -d 'Draw files of diffusion curves'
 complete -c sfumato -n "not __fish_seen_subcommand_from $commands" -f -a solve -d 'Solve drawings, for render to draw later'
+complete -c sfumato -n "not __fish_seen_subcommand_from $commands" -f -a tiles -d 'Cut a solved picture into tiles'
 complete -c sfumato -n "not __fish_seen_subcommand_from $commands" -f -a info -d 'Say what a file of diffusion curves holds'
 complete -c sfumato -n "not __fish_seen_subcommand_from $commands" -f -a convert -d 'Write a file of diffusion curves as SVG'
 complete -c sfumato -n "not __fish_seen_subcommand_from $commands" -f -a trace -d 'Make a drawing of a photo or a painting'
@@ -18,6 +19,8 @@ complete -c sfumato -n "not __fish_seen_subcommand_from $commands" -f -a edit -d
 
 complete -c sfumato -n '__fish_seen_subcommand_from render' -s o -l output -r -F -d 'The image'
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l out-dir -x -a '(__fish_complete_directories)' -d 'Every picture into this folder'
+complete -c sfumato -n '__fish_seen_subcommand_from render' -l shard -x -d 'Part I/N of the drawings'
+complete -c sfumato -n '__fish_seen_subcommand_from render' -l newer-only -d 'No drawings whose pictures are not older'
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l format -x -a 'png jpg webp html pdf eps svg glb npz ply json' -d 'What is written'
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l allow-files -x -a '(__fish_complete_directories)' -d 'Read textures from this folder too'
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l viewport -x -d 'The part to draw'
@@ -82,6 +85,26 @@ complete -c sfumato -n '__fish_seen_subcommand_from solve' -l max-memory -x -d '
 complete -c sfumato -n '__fish_seen_subcommand_from solve' -l max-time -x -a off -d 'Give up after these seconds'
 complete -c sfumato -n '__fish_seen_subcommand_from solve' -l limit -x -a "$limits" -d 'Set another limit on the input'
 
+complete -c sfumato -n '__fish_seen_subcommand_from tiles' -s o -l output -r -F -d 'A folder, .dzi or .tif'
+complete -c sfumato -n '__fish_seen_subcommand_from tiles' -l shard -x -d 'Part I/N of the work'
+complete -c sfumato -n '__fish_seen_subcommand_from tiles' -l format -x -a 'png webp jpg' -d 'Of the tiles'
+complete -c sfumato -n '__fish_seen_subcommand_from tiles' -l tile -x -d 'Side of a tile'
+complete -c sfumato -n '__fish_seen_subcommand_from tiles' -l overlap -x -d 'Pixels that tiles reach into neighbours'
+complete -c sfumato -n '__fish_seen_subcommand_from tiles' -l width -x -d 'Width in pixels'
+complete -c sfumato -n '__fish_seen_subcommand_from tiles' -l height -x -d 'Height in pixels'
+complete -c sfumato -n '__fish_seen_subcommand_from tiles' -l scale -x -d 'Pixels per user unit'
+complete -c sfumato -n '__fish_seen_subcommand_from tiles' -l background -x -a none -d 'Behind transparent parts'
+complete -c sfumato -n '__fish_seen_subcommand_from tiles' -l dither -d 'Blue noise below a code value'
+complete -c sfumato -n '__fish_seen_subcommand_from tiles' -l no-dither -d 'Round to the nearest code value'
+complete -c sfumato -n '__fish_seen_subcommand_from tiles' -l no-antialias -d 'Hard edges at curves'
+complete -c sfumato -n '__fish_seen_subcommand_from tiles' -l quality -x -d 'Of JPEG and WebP'
+complete -c sfumato -n '__fish_seen_subcommand_from tiles' -l lossless -d 'WebP that keeps every pixel'
+complete -c sfumato -n '__fish_seen_subcommand_from tiles' -l threads -x -d 'Number of threads'
+complete -c sfumato -n '__fish_seen_subcommand_from tiles' -l stats -r -F -d 'Sizes and times as JSON'
+complete -c sfumato -n '__fish_seen_subcommand_from tiles' -l quiet -d 'No warnings, no progress bar'
+complete -c sfumato -n '__fish_seen_subcommand_from tiles' -l max-memory -x -d 'Give up before taking more MiB'
+complete -c sfumato -n '__fish_seen_subcommand_from tiles' -l max-time -x -a off -d 'Give up after these seconds'
+complete -c sfumato -n '__fish_seen_subcommand_from tiles' -l limit -x -a "$limits" -d 'Set another limit on the input'
 complete -c sfumato -n '__fish_seen_subcommand_from info' -l allow-files -x -a '(__fish_complete_directories)' -d 'Read textures from this folder too'
 complete -c sfumato -n '__fish_seen_subcommand_from info' -l json -d 'Print one JSON object'
 complete -c sfumato -n '__fish_seen_subcommand_from info' -l quiet -d 'No warnings'

@@ -11,6 +11,7 @@
 #include "cli/option_helpers.hpp"
 #include "cli/render_options.hpp"
 #include "cli/start_commands.hpp"
+#include "cli/tiles_options.hpp"
 #include "cli/trace_options.hpp"
 #include "formats/text/suggestion.hpp"
 #include "options/values.hpp"
@@ -28,6 +29,7 @@ constexpr const char* kRootFooter =
     "  sfumato watch drawing.svg\n"
     "  sfumato render lady_bug.xml -o lady_bug.png\n"
     "  sfumato solve lady_bug.xml -o lady_bug.sfp\n"
+    "  sfumato tiles lady_bug.sfp -o deep --scale 128\n"
     "  sfumato info lady_bug.xml\n"
     "  sfumato convert lady_bug.xml -o lady_bug.svg\n"
     "  sfumato trace photo.jpg -o drawing.svg\n"
@@ -176,6 +178,8 @@ class CommandLine {
   RenderChoices render_choices_;
   SolveArguments solve_;
   JobChoices solve_choices_;
+  TilesArguments tiles_;
+  TilesChoices tiles_choices_;
   InfoArguments info_;
   ConvertArguments convert_;
   LintArguments lint_;
@@ -197,6 +201,7 @@ CommandLine::CommandLine() {
   root_.get_formatter()->label("REQUIRED", "");
   add_render(root_, render_, render_choices_);
   add_solve(root_, solve_, solve_choices_);
+  add_tiles(root_, tiles_, tiles_choices_);
   add_info(root_, info_);
   add_convert(root_, convert_);
   add_trace(root_, trace_, trace_choices_);
@@ -216,6 +221,10 @@ Command CommandLine::chosen() {
   if (root_.got_subcommand("solve")) {
     settle(solve_, solve_choices_);
     return solve_;
+  }
+  if (root_.got_subcommand("tiles")) {
+    settle(tiles_, tiles_choices_);
+    return tiles_;
   }
   if (root_.got_subcommand("info")) return info_;
   if (root_.got_subcommand("convert")) {

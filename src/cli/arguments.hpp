@@ -39,6 +39,20 @@ struct SolveArguments : DocumentArguments, JobArguments {
   options::Settings settings;
 };
 
+/// `input`: a solved picture.
+struct TilesArguments : DocumentArguments {
+  TilesArguments() { resources.seconds.reset(); }  // gigapixels take their time
+
+  std::string output;
+  std::string stats;              ///< where the JSON goes; empty: nowhere
+  std::string extension = "png";  ///< of the tiles of a Deep Zoom pyramid
+  bool is_tiff = false;           ///< one file with all tiles
+  int tile_side = 256;            ///< pixels
+  int overlap = 0;                ///< pixels
+  Shard shard;
+  options::Settings settings;
+};
+
 struct ConvertArguments : DocumentArguments {
   std::string output;
 };
@@ -97,9 +111,9 @@ struct NoCommand {
   ExitCode exit_code = kBadUsage;
 };
 
-using Command = std::variant<NoCommand, RenderArguments, SolveArguments, InfoArguments,
-                             ConvertArguments, LintArguments, CompareArguments, InitArguments,
-                             WatchArguments, EditArguments, TraceArguments>;
+using Command = std::variant<NoCommand, RenderArguments, SolveArguments, TilesArguments,
+                             InfoArguments, ConvertArguments, LintArguments, CompareArguments,
+                             InitArguments, WatchArguments, EditArguments, TraceArguments>;
 
 /// Reads the command line. Never prints, never exits.
 Command parse_arguments(int argc, const char* const* argv);

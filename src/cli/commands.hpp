@@ -7,6 +7,7 @@ namespace sfumato::cli {
 
 int render(const RenderArguments& arguments);
 int solve(const SolveArguments& arguments);
+int tiles(const TilesArguments& arguments);
 int info(const InfoArguments& arguments);
 int convert(const ConvertArguments& arguments);
 int lint(const LintArguments& arguments);

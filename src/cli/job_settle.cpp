@@ -1,6 +1,8 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
+#include <system_error>
+#include <utility>
 
 #include "cli/jobs.hpp"
 #include "cli/option_helpers.hpp"
@@ -39,6 +41,25 @@ void settle_file_uses(const JobArguments& arguments, const JobWords& words,
   for (const OutputFile& output : outputs) written.push_back(output.path);
 }
 
+/// Whether the output is there, and not older than the input.
+bool is_up_to_date(const Job& job) {
+  std::error_code no_input, no_output;
+  const fs::file_time_type input = fs::last_write_time(job.input, no_input);
+  const fs::file_time_type output = fs::last_write_time(job.output, no_output);
+  return !no_input && !no_output && output >= input;
+}
+
+/// The jobs that this call is to do.
+std::vector<Job> chosen_jobs(const JobChoices& choices, const std::vector<Job>& jobs) {
+  const Shard shard = choices.shard.value_or(Shard{});
+  std::vector<Job> chosen;
+  for (std::size_t i = static_cast<std::size_t>(shard.index); i < jobs.size();
+       i += static_cast<std::size_t>(shard.count)) {
+    if (!choices.newer_only || !is_up_to_date(jobs[i])) chosen.push_back(jobs[i]);
+  }
+  return chosen;
+}
+
 }  // namespace
 
 void settle_jobs(const JobChoices& choices, const std::string& extension, const JobWords& words,
@@ -56,6 +77,9 @@ void settle_jobs(const JobChoices& choices, const std::string& extension, const 
   expect(choices.output != "-" || arguments.stats != "-", "--stats",
          std::string("stdout is taken by the ") + words.output + ", expected a file name");
   settle_file_uses(arguments, words, other_inputs, outputs);
+  expect(arguments.many || !choices.shard, "--shard", "expected with --out-dir only");
+  expect(arguments.many || !choices.newer_only, "--newer-only", "expected with --out-dir only");
+  arguments.jobs = chosen_jobs(choices, arguments.jobs);
 }
 
 }  // namespace sfumato::cli

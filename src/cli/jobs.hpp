@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/function_ref.hpp"
 #include "sfumato/base/status.hpp"
+#include "tiles/deep_zoom.hpp"
 
 /// Commands that make an output of each of their inputs: `render`, `solve` and `trace`.
 namespace sfumato::cli {
@@ -18,11 +20,15 @@ struct Job {
   std::string output;
 };
 
+using tiles::Shard;
+
 /// What such commands are given.
 struct JobChoices {
   std::vector<std::string> inputs;
-  std::string output;         ///< of a single input
-  std::string output_folder;  ///< --out-dir
+  std::string output;          ///< of a single input
+  std::string output_folder;   ///< --out-dir
+  std::optional<Shard> shard;  ///< of the jobs, with --out-dir
+  bool newer_only = false;     ///< leave out inputs whose outputs are there and not older
 };
 
 /// What such a command does.

@@ -34,6 +34,17 @@ std::string word_hint(const std::string& text, const std::vector<std::string>& w
   return text::did_you_mean(text, candidates);
 }
 
+std::optional<Shard> parse_shard(const std::string& text) {
+  constexpr std::uint64_t kMostShards = 1'000'000;
+  const std::size_t slash = text.find('/');
+  if (slash == std::string::npos) return std::nullopt;
+  const auto count = options::parse_whole(text.substr(slash + 1), 1, kMostShards);
+  if (!count) return std::nullopt;
+  const auto index = options::parse_whole(text.substr(0, slash), 0, *count - 1);
+  if (!index) return std::nullopt;
+  return Shard{static_cast<int>(*index), static_cast<int>(*count)};
+}
+
 CLI::Option* add_output(CLI::App& app, std::string& output, const OutputNames& names,
                         const std::string& value_name, const std::string& help) {
   const auto read = [&output, names](const std::string& name) {

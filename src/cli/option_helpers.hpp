@@ -67,6 +67,12 @@ auto whole_into(Target& target, std::uint64_t lowest, std::uint64_t highest) {
   };
 }
 
+/// Of parse_shard().
+inline const ValueText kShardText{"I/N, with I from 0 to N - 1", "I/N"};
+
+/// "3/16": the fourth of sixteen.
+std::optional<Shard> parse_shard(const std::string& text);
+
 /// The option -o, whose value is value_name in the help.
 CLI::Option* add_output(CLI::App& app, std::string& output, const OutputNames& names,
                         const std::string& value_name, const std::string& help);

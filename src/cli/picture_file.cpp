@@ -209,10 +209,8 @@ Result<Bytes> PictureMaker::make(Document& document) {
 
 /// Where no more was solved than the eye sees, blur and curves are coarser than they could be.
 void PictureMaker::warn_of_scale(double solved_scale) const {
-  constexpr double kRounding = 1.001;
-  if (scale_ <= solved_scale * kRounding) return;
-  warn("solved for " + rounded_number_text(solved_scale, 3) + " pixels per user unit, drawn at " +
-       rounded_number_text(scale_, 3) + "; `sfumato solve --scale` makes a finer one");
+  const std::string complaint = complaint_about_scale(solved_scale, scale_);
+  if (!complaint.empty()) warn(complaint);
 }
 
 Result<Bytes> PictureMaker::make(SolvedInput solved) {

@@ -31,6 +31,11 @@ void add_files(CLI::App& app, RenderArguments& arguments, RenderChoices& choices
                  "is not there")
       ->type_name("DIR")
       ->excludes("--output");
+  add_value(app, "--shard", kShardText,
+            "With --out-dir: every Nth drawing, from the Ith on, which\nis counted from 0 [0/1]",
+            into(choices.shard, parse_shard));
+  app.add_flag("--newer-only", choices.newer_only,
+               "With --out-dir: no drawings whose pictures are there and\nnot older");
   add_value(app, "--format", one_of(known_extensions(), "EXTENSION"),
             "What --out-dir and '-o -' write [png]", [&choices](const std::string& text) {
               choices.extension = text;

@@ -20,6 +20,7 @@ struct RunCommand {
   }
   int operator()(const RenderArguments& arguments) const { return render(arguments); }
   int operator()(const SolveArguments& arguments) const { return solve(arguments); }
+  int operator()(const TilesArguments& arguments) const { return tiles(arguments); }
   int operator()(const InfoArguments& arguments) const { return info(arguments); }
   int operator()(const ConvertArguments& arguments) const { return convert(arguments); }
   int operator()(const LintArguments& arguments) const { return lint(arguments); }

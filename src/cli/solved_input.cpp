@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "base/number_text.hpp"
 #include "cli/paths.hpp"
 
 namespace sfumato::cli {
@@ -19,6 +20,13 @@ std::string useless_options(const RenderArguments& arguments) {
 }
 
 }  // namespace
+
+std::string complaint_about_scale(double solved_scale, double drawn_scale) {
+  constexpr double kRounding = 1.001;
+  if (drawn_scale <= solved_scale * kRounding) return {};
+  return "solved for " + rounded_number_text(solved_scale, 3) + " pixels per user unit, drawn at " +
+         rounded_number_text(drawn_scale, 3) + "; `sfumato solve --scale` makes a finer one";
+}
 
 Result<SolvedInput> read_solved(const Context& context, const std::string& input,
                                 const std::string& bytes) {

@@ -25,4 +25,8 @@ Result<SolvedInput> read_solved(const Context& context, const RenderArguments& a
 Result<SolvedInput> read_solved(const Context& context, const std::string& input,
                                 const std::string& bytes);
 
+/// What is told where a picture is drawn larger than it was solved for; empty: nothing. Scales are
+/// pixels per user unit.
+std::string complaint_about_scale(double solved_scale, double drawn_scale);
+
 }  // namespace sfumato::cli

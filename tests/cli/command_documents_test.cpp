@@ -11,8 +11,8 @@ namespace {
 
 using Names = std::set<std::string>;
 
-constexpr const char* kCommands[] = {"render", "solve",   "info", "convert", "trace",
-                                     "lint",   "compare", "init", "watch",   "edit"};
+constexpr const char* kCommands[] = {"render", "solve",   "tiles", "info",  "convert", "trace",
+                                     "lint",   "compare", "init",  "watch", "edit"};
 
 std::string file_text(const std::string& path) {
   const std::string text = read_whole(SFUMATO_SOURCE_DIR "/" + path);

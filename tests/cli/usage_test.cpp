@@ -150,8 +150,8 @@ TEST(Usage, unknown_options_and_missing_operands_are_named) {
   EXPECT_EQ(command.exit_code, 2);
   EXPECT_TRUE(
       contains(command.err,
-               "\"paint\" given, expected render, solve, info, convert, trace, lint, compare, "
-               "init, watch or edit"));
+               "\"paint\" given, expected render, solve, tiles, info, convert, trace, lint, "
+               "compare, init, watch or edit"));
 }
 
 TEST(Usage, mistyped_options_get_a_suggestion_in_every_command) {

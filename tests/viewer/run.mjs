@@ -15,6 +15,7 @@ import { testPdf, testPdfInChromium } from "./pdf.mjs";
 import { testOtherDriver, testPictures } from "./pictures.mjs";
 import { testRobustness } from "./robustness.mjs";
 import { testTables } from "./tables.mjs";
+import { testTiles } from "./tiles.mjs";
 import { testUpdates } from "./updates.mjs";
 import { testWatch } from "./watch.mjs";
 
@@ -84,6 +85,7 @@ await tap.test("Chromium starts, and all tests come to their end", async () => {
     await testSvg(tap, tools);
     await testPdfInChromium(tap, tools);
     await testWatch(tap, tools);
+    await testTiles(tap, tools);
   });
   await withBrowser(other, (tools) => testOtherDriver(tap, tools));
 });

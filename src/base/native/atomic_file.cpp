@@ -89,7 +89,7 @@ Status AtomicFile::open(std::optional<unsigned> mode) {
 /// Leaves file_ closed, without an error, where another process has this slot.
 Status AtomicFile::open_slot(int slot, std::optional<unsigned> mode) {
   std::string path = slot_path(slot);
-  FileDescriptor file(path, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW,
+  FileDescriptor file(path, O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW,
                       mode ? kPrivateMode : kNewFileMode);
   if (!file.is_open()) {
     return errno == EEXIST ? ok_status() : io_error(path_, "cannot be written", errno);
@@ -113,17 +113,60 @@ Status AtomicFile::write(std::span<const std::uint8_t> bytes) {
   return io_error(path_, "cannot be written", errno);
 }
 
-Status AtomicFile::commit() {
-  if (::fsync(file_.number()) != 0) return io_error(path_, "cannot be written", errno);
+Status AtomicFile::commit(Durability durability) {
+  const bool is_synced = durability == Durability::synced;
+  if (is_synced && ::fsync(file_.number()) != 0) {
+    return io_error(path_, "cannot be written", errno);
+  }
   if (::rename(temporary_path_.c_str(), path_.c_str()) != 0) {
     return io_error(path_, "cannot be written", errno);
   }
   temporary_path_.clear();
   if (!file_.close()) return io_error(path_, "cannot be written", errno);
+  if (!is_synced) return ok_status();
   const FileDescriptor folder(folder_, O_RDONLY | O_DIRECTORY);
   // A folder that may be written but not read cannot be synced, nor can some file systems'.
   if (!folder.is_open() || ::fsync(folder.number()) == 0 || errno == EINVAL) return ok_status();
   return io_error(path_, "may not outlive a power failure", errno);
+}
+
+Status replace_file(const std::string& path, std::span<const std::uint8_t> bytes,
+                    Durability durability) {
+  AtomicFile file(path);
+  Status status = file.open(std::nullopt);
+  if (status) status = file.write(bytes);
+  if (status) status = file.commit(durability);
+  return status;
+}
+
+Result<std::optional<unsigned>> mode_of_replaced(const std::string& path) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0) {
+    if (errno == ENOENT) return std::optional<unsigned>();
+    return io_error(path, "cannot be written", errno);
+  }
+  if (S_ISDIR(status.st_mode)) return io_error(path, "cannot be written", EISDIR);
+  if (!S_ISREG(status.st_mode)) {
+    return make_error(StatusCode::io, "cannot be written: is no regular file", {path});
+  }
+  // Renaming over a file asks nobody whether the file may be written: we do.
+  if (::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0) {
+    return io_error(path, "cannot be written", errno);
+  }
+  return std::optional<unsigned>(status.st_mode);
+}
+
+Status sync_file_system(const std::string& folder) {
+#ifdef __linux__
+  const FileDescriptor any(folder, O_RDONLY | O_DIRECTORY);
+  // A folder that may be written but not read cannot be synced.
+  if (!any.is_open() || ::syncfs(any.number()) == 0) return ok_status();
+  return io_error(folder, "cannot be written", errno);
+#else
+  static_cast<void>(folder);
+  ::sync();
+  return ok_status();
+#endif
 }
 
 }  // namespace sfumato

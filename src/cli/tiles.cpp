@@ -1,0 +1,195 @@
+#include <unistd.h>
+
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "base/charge.hpp"
+#include "base/json.hpp"
+#include "base/number_text.hpp"
+#include "base/stopwatch.hpp"
+#include "base/table_memory.hpp"
+#include "cli/commands.hpp"
+#include "cli/document_input.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/progress_bar.hpp"
+#include "cli/solved_input.hpp"
+#include "cli/stats.hpp"
+#include "output/image_output.hpp"
+#include "output/output_size.hpp"
+#include "picture/checksum.hpp"
+#include "sfumato/base/native/file.hpp"
+#include "sfumato/base/native/thread_pool.hpp"
+#include "tiles/big_tiff.hpp"
+#include "tiles/deep_zoom.hpp"
+
+namespace sfumato::cli {
+namespace {
+
+constexpr std::chrono::milliseconds kProgressDelay{1000};
+
+std::string hexadecimal(std::uint64_t number) {
+  std::array<char, 17> text{};
+  std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(number));
+  return text.data();
+}
+
+class TilesJob {
+ public:
+  TilesJob(Context& context, const TilesArguments& arguments)
+      : context_(context), arguments_(arguments), settings_(arguments.settings) {}
+
+  /// Errors: those of reading and writing.
+  Status run();
+
+ private:
+  Status read();
+  Status choose_options();
+  std::string fingerprint() const;
+  Status write_deep_zoom();
+  Status write_tiff();
+  Status write_stats(double seconds) const;
+
+  Context& context_;
+  const TilesArguments& arguments_;
+  const options::Settings& settings_;
+  SolvedInput solved_;
+  ScopedCharge charge_;
+  std::uint64_t checksum_ = 0;
+  tiles::Pyramid pyramid_;
+  RasterOptions raster_;
+  tiles::DeepZoomStats deep_zoom_;
+  tiles::BigTiffStats tiff_;
+};
+
+Status TilesJob::read() {
+  const Result<std::string> bytes = read_any_text(context_, arguments_.input);
+  if (!bytes) return bytes.status();
+  ScopedCharge input;
+  Status status = input.add(context_, capacity_bytes(*bytes), "the input");
+  if (!status) return status;
+  if (!is_solved(*bytes)) {
+    return make_error(StatusCode::bad_input,
+                      "expected a solved picture, which `sfumato solve` makes of a drawing",
+                      {display_name(arguments_.input)});
+  }
+  const auto checksum = picture::checksum(
+      context_, {reinterpret_cast<const std::uint8_t*>(bytes->data()), bytes->size()});
+  if (!checksum) return checksum.status();
+  checksum_ = *checksum;
+  Result<SolvedInput> solved = read_solved(context_, arguments_.input, *bytes);
+  if (!solved) return solved.status();
+  solved_ = std::move(*solved);
+  return charge_.add(context_, bytes_of(solved_.picture), "the picture");
+}
+
+Status TilesJob::choose_options() {
+  std::optional<Rgb>& background = solved_.picture.background;
+  if (settings_.raster.background) background = settings_.raster.background;
+  if (settings_.no_background) background.reset();
+  if (arguments_.extension == "jpg" && !background) background = Rgb{1, 1, 1};
+  raster_ = settings_.raster;
+  raster_.format = background ? PixelFormat::rgb8 : PixelFormat::rgba8;
+  const double scale = solved_.origin.pixels_per_unit;
+  const Result<output::OutputSize> size = output::output_size(
+      context_.limits, settings_.size, solved_.picture.viewport, {scale, scale}, true);
+  if (!size) return size.status();
+  raster_.width = size->width;
+  raster_.height = size->height;
+  pyramid_ = {size->width, size->height, arguments_.tile_side, arguments_.overlap};
+  const std::string complaint = complaint_about_scale(scale, size->pixels_per_unit);
+  if (!complaint.empty() && !arguments_.quiet) {
+    report_warning({complaint, {display_name(arguments_.input)}});
+  }
+  return ok_status();
+}
+
+/// What decides on the bytes of tiles besides what the description says.
+std::string TilesJob::fingerprint() const {
+  std::string text = "sfumato: picture " + hexadecimal(checksum_);
+  if (solved_.picture.background) text += ", on " + color_text(*solved_.picture.background);
+  if (raster_.dither) text += ", dithered";
+  if (!raster_.antialias) text += ", hard edges";
+  if (settings_.output.lossless) text += ", lossless";
+  if (arguments_.extension != "png")
+    text += ", quality " + std::to_string(*settings_.output.quality);
+  return text;
+}
+
+Status TilesJob::write_deep_zoom() {
+  tiles::DeepZoomOptions options;
+  options.pyramid = pyramid_;
+  options.raster = raster_;
+  options.path = arguments_.output;
+  options.format = arguments_.extension;
+  options.fingerprint = fingerprint();
+  options.shard = arguments_.shard;
+  const OutputKind kind = *options::kind_of_extension(arguments_.extension);
+  const auto encode = [&](Context& context, Image& tile) -> Result<std::vector<std::uint8_t>> {
+    if (Status status = output::drop_opaque_alpha(context, tile); !status) return status;
+    return output::encode_image(context, tile, kind, settings_.output);
+  };
+  return tiles::write_deep_zoom(context_, solved_.picture, options, encode, &deep_zoom_);
+}
+
+Status TilesJob::write_tiff() {
+  return tiles::write_big_tiff(context_, solved_.picture, {pyramid_, raster_, arguments_.output},
+                               &tiff_);
+}
+
+Status TilesJob::write_stats(double seconds) const {
+  if (arguments_.stats.empty()) return ok_status();
+  JsonWriter json;
+  json.begin_object()
+      .member("width", pyramid_.width)
+      .member("height", pyramid_.height)
+      .member("levels", arguments_.is_tiff ? tiff_.levels : pyramid_.level_count())
+      .member("tiles", arguments_.is_tiff ? tiff_.tiles : deep_zoom_.tiles);
+  if (!arguments_.is_tiff) {
+    json.member("blocks", deep_zoom_.blocks)
+        .member("skipped_blocks", deep_zoom_.skipped_blocks)
+        .member("bytes", deep_zoom_.bytes);
+  }
+  json.member("threads", context_.thread_count())
+      .member("seconds", to_nanosecond(seconds))
+      .end_object();
+  const std::string text = json.text() + '\n';
+  return write_file(arguments_.stats,
+                    {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}, &context_);
+}
+
+Status TilesJob::run() {
+  const Stopwatch watch;
+  context_.deadline = deadline_of(arguments_.resources);
+  Status status = read();
+  if (status) status = choose_options();
+  if (status && !arguments_.is_tiff) {
+    const std::string folder = std::filesystem::path(arguments_.output).parent_path().string();
+    if (!folder.empty()) status = make_folder(folder);
+  }
+  if (status) status = arguments_.is_tiff ? write_tiff() : write_deep_zoom();
+  if (status) status = write_stats(watch.seconds());
+  if (!status && status.where.file.empty()) status.where.file = display_name(arguments_.input);
+  return status;
+}
+
+}  // namespace
+
+int tiles(const TilesArguments& arguments) {
+  ThreadPool executor(arguments.settings.threads);
+  std::optional<ProgressBar> progress;
+  if (!arguments.quiet && isatty(STDERR_FILENO) != 0) progress.emplace(stderr, kProgressDelay);
+  Context context{.executor = &executor,
+                  .progress = progress ? &*progress : nullptr,
+                  .budget = Budget(arguments.resources.memory_bytes),
+                  .limits = arguments.resources.limits};
+  const CancelOnSignal cancel_on_signal(context.cancel);
+  const Status status = TilesJob(context, arguments).run();
+  if (progress) progress->erase();
+  return status ? kDone : fail(status);
+}
+
+}  // namespace sfumato::cli

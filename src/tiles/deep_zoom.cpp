@@ -1,0 +1,196 @@
+#include "tiles/deep_zoom.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <filesystem>
+#include <system_error>
+
+#include "base/charge.hpp"
+#include "base/native/atomic_file.hpp"
+#include "base/parallel.hpp"
+#include "base/public_verb.hpp"
+#include "sfumato/base/native/file.hpp"
+#include "tiles/level_painter.hpp"
+
+namespace sfumato::tiles {
+namespace {
+
+constexpr std::size_t kDescriptionBytes = std::size_t{1} << 16;
+
+std::string description_text(const DeepZoomOptions& options) {
+  const Pyramid& pyramid = options.pyramid;
+  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+         "<Image xmlns=\"http://schemas.microsoft.com/deepzoom/2008\" Format=\"" +
+         options.format + "\" Overlap=\"" + std::to_string(pyramid.overlap) + "\" TileSize=\"" +
+         std::to_string(pyramid.tile_side) + "\">\n  <Size Width=\"" +
+         std::to_string(pyramid.width) + "\" Height=\"" + std::to_string(pyramid.height) +
+         "\"/>\n  <!-- " + options.fingerprint + " -->\n</Image>\n";
+}
+
+/// Errors: io, where that cannot be told.
+Result<bool> is_there(const std::string& path) {
+  std::error_code error;
+  const auto type = std::filesystem::status(path, error).type();
+  if (type == std::filesystem::file_type::not_found) return false;
+  if (!error) return true;
+  return make_error(StatusCode::io, "cannot be looked for: " + error.message(), {path});
+}
+
+class DeepZoomWriter {
+ public:
+  DeepZoomWriter(Context& context, const Picture& picture, const DeepZoomOptions& options,
+                 EncodeTile encode, DeepZoomStats& stats)
+      : context_(context),
+        options_(options),
+        encode_(encode),
+        stats_(stats),
+        painter_(context, picture, options.raster),
+        folder_(options.path.substr(0, options.path.size() - 4) + "_files") {}
+
+  Status write();
+
+ private:
+  Status prepare();
+  Status make_folder(const std::string& path) const;
+  std::string tile_path(const TileBlock& block, std::size_t tile) const;
+  Status write_block(const TileBlock& block);
+  Status write_tile(const TileBlock& block, std::size_t tile, const PixelRect& pixels,
+                    const Image& image);
+  void report(std::uint64_t done) const;
+
+  Context& context_;
+  const DeepZoomOptions& options_;
+  EncodeTile encode_;
+  DeepZoomStats& stats_;
+  LevelPainter painter_;
+  std::string folder_;
+  std::atomic<std::uint64_t> bytes_ = 0;
+};
+
+Status DeepZoomWriter::make_folder(const std::string& path) const {
+  std::error_code error, ignored;
+  std::filesystem::create_directory(path, error);
+  if (!error || std::filesystem::is_directory(path, ignored)) return ok_status();
+  return make_error(StatusCode::io, "cannot be made: " + error.message(), {path});
+}
+
+/// The description first: it says what the tiles are of, and another one's are not mixed with them.
+Status DeepZoomWriter::prepare() {
+  const std::string text = description_text(options_);
+  const Result<bool> exists = is_there(options_.path);
+  if (!exists) return exists.status();
+  if (*exists) {
+    const Result<std::string> there = read_file(options_.path, kDescriptionBytes, &context_);
+    if (!there) return there.status();
+    if (*there != text) {
+      return make_error(StatusCode::io,
+                        "describes tiles of another picture, size or format; remove it and its "
+                        "folder, or name another output",
+                        {options_.path});
+    }
+  } else {
+    Status status =
+        write_file(options_.path, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()},
+                   &context_);
+    if (!status) return status;
+  }
+  if (Status status = make_folder(folder_); !status) return status;
+  for (int level = 0; level < options_.pyramid.level_count(); ++level) {
+    Status status = make_folder(folder_ + "/" + std::to_string(level));
+    if (!status) return status;
+  }
+  return ok_status();
+}
+
+std::string DeepZoomWriter::tile_path(const TileBlock& block, std::size_t tile) const {
+  const auto columns = static_cast<std::size_t>(block.columns);
+  return folder_ + "/" + std::to_string(block.level) + "/" +
+         std::to_string(static_cast<std::size_t>(block.column0) + tile % columns) + "_" +
+         std::to_string(static_cast<std::size_t>(block.row0) + tile / columns) + "." +
+         options_.format;
+}
+
+Status DeepZoomWriter::write_tile(const TileBlock& block, std::size_t tile, const PixelRect& pixels,
+                                  const Image& image) {
+  const int columns = block.columns;
+  const PixelRect rect =
+      options_.pyramid.tile(block.level, block.column0 + static_cast<int>(tile) % columns,
+                            block.row0 + static_cast<int>(tile) / columns);
+  Image part{rect.x1 - rect.x0, rect.y1 - rect.y0, image.format, {}};
+  const std::size_t bytes = part.row_bytes() * static_cast<std::size_t>(part.height);
+  // As large again may the file be.
+  ScopedCharge charge;
+  if (Status status = charge.add(context_, 2 * bytes, "a tile"); !status) return status;
+  // Tiles are packed side by side, each with its share of what is left.
+  const Budget& budget = context_.budget;
+  Context serial{.budget = Budget(budget.room() / static_cast<unsigned>(context_.thread_count())),
+                 .limits = context_.limits,
+                 .simd = context_.simd,
+                 .outer = &context_};
+  part.bytes.resize(bytes);
+  copy_part(image, rect.x0 - pixels.x0, rect.y0 - pixels.y0, part);
+  const Result<std::vector<std::uint8_t>> file = encode_(serial, part);
+  if (!file) return file.status();
+  bytes_ += file->size();
+  // The last tile says that the block is there: it waits until the others are safe.
+  const bool is_last = tile + 1 == block.tile_count();
+  if (is_last) {
+    if (Status status = sync_file_system(folder_); !status) return status;
+  }
+  return replace_file(tile_path(block, tile), *file,
+                      is_last ? Durability::synced : Durability::fast);
+}
+
+Status DeepZoomWriter::write_block(const TileBlock& block) {
+  const std::size_t last = block.tile_count() - 1;
+  const Result<bool> is_done = is_there(tile_path(block, last));
+  if (!is_done) return is_done.status();
+  if (*is_done) {
+    ++stats_.skipped_blocks;
+    return ok_status();
+  }
+  const PixelRect pixels = block_pixels(options_.pyramid, block);
+  const Result<const Image*> image = painter_.paint(options_.pyramid, block.level, pixels);
+  if (!image) return image.status();
+  Status status = try_parallel_for(context_, last, 1, [&](std::size_t begin, std::size_t) {
+    return write_tile(block, begin, pixels, **image);
+  });
+  if (status) status = write_tile(block, last, pixels, **image);
+  if (status) stats_.tiles += block.tile_count();
+  return status;
+}
+
+void DeepZoomWriter::report(std::uint64_t done) const {
+  if (!context_.progress) return;
+  context_.progress->report("tiles",
+                            static_cast<double>(done) / static_cast<double>(stats_.blocks));
+}
+
+Status DeepZoomWriter::write() {
+  const Shard& shard = options_.shard;
+  const std::uint64_t all = block_count(options_.pyramid);
+  const auto first = static_cast<std::uint64_t>(shard.index),
+             step = static_cast<std::uint64_t>(shard.count);
+  stats_.blocks = (all + step - 1 - first) / step;
+  if (Status status = prepare(); !status) return status;
+  std::uint64_t done = 0;
+  for (std::uint64_t index = first; index < all; index += step) {
+    if (context_.cancelled()) return context_.cancel_status();
+    if (Status status = write_block(block_at(options_.pyramid, index)); !status) return status;
+    report(++done);
+  }
+  stats_.bytes = bytes_;
+  return ok_status();
+}
+
+}  // namespace
+
+Status write_deep_zoom(Context& context, const Picture& picture, const DeepZoomOptions& options,
+                       EncodeTile encode, DeepZoomStats* stats) {
+  DeepZoomStats own;
+  return public_verb(context, [&] {
+    return DeepZoomWriter(context, picture, options, encode, stats ? *stats : own).write();
+  });
+}
+
+}  // namespace sfumato::tiles
