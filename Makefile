@@ -8,7 +8,7 @@ fuzz_seconds := 60
 
 .DEFAULT_GOAL := help
 .PHONY: help demo build test check docs kills check-slurm sanitize fuzz fuzz-merge bench wasm hostile-growth \
-  hostile-sanitized equal editor editor-tests python npm clean
+  hostile-sanitized equal editor editor-tests python npm deb reproducible clean
 
 help:
 	@echo 'make demo    install what the build needs, build, draw $(scene)'
@@ -29,6 +29,8 @@ help:
 	@echo 'make editor-tests   the editor in Chromium: all that a person does, and what fuzzers found; in Firefox the core of it'
 	@echo 'make python  the wheel: $(build_folder)/python/, tested where it is installed'
 	@echo 'make npm     the package for npm: $(build_folder)/npm/sfumato-*.tgz, tested where it is installed'
+	@echo 'make deb     packages for Debian: $(build_folder)/debian/*.deb, tried in a clean Debian'
+	@echo 'make reproducible  two builds in two folders are the same bytes'
 	@echo 'make clean   remove what was built'
 
 build:
@@ -129,6 +131,13 @@ npm:
 	@scripts/setup wasm npm
 	@scripts/build-wasm build-wasm
 	@scripts/check-npm $(build_folder) build-wasm
+
+deb:
+	@packaging/debian/build --out $(build_folder)/debian
+
+reproducible:
+	@scripts/setup build
+	@scripts/check-reproducible --jobs $(jobs)
 
 clean:
 	rm -rf $(build_folder) build-wasm build-check build-asan build-tsan build-fuzz

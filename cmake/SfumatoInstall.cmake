@@ -60,35 +60,49 @@ if(SFUMATO_SANITIZE)
   target_link_options(sfumato_library INTERFACE -fsanitize=${SFUMATO_SANITIZE})
 endif()
 
-install(TARGETS sfumato RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(TARGETS sfumato_library EXPORT sfumato ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(TARGETS sfumato_c EXPORT sfumato_c LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+# Components, for packages that hand out parts (docs/packaging.md): runtime is the command, capi the C
+# interface and its shared library, cxx the rest of the library, doc the documents. Who names none gets
+# all but the documents; cxx is of use with capi alone, whose configuration for CMake loads both.
+set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/sfumato)
+install(TARGETS sfumato RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT runtime)
+install(TARGETS sfumato_library EXPORT sfumato
+        ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT cxx)
+install(TARGETS sfumato_c EXPORT sfumato_c LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT capi)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/sfumato DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-        FILES_MATCHING PATTERN *.hpp PATTERN *.h)
+        COMPONENT cxx FILES_MATCHING PATTERN *.hpp)
+install(FILES ${PROJECT_SOURCE_DIR}/include/sfumato/sfumato.h
+        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/sfumato COMPONENT capi)
 # From where the file lies to the prefix, which `cmake --install --prefix` may choose anew.
 file(RELATIVE_PATH sfumato_prefix_of_pc "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
 configure_file(${PROJECT_SOURCE_DIR}/cmake/sfumato.pc.in ${PROJECT_BINARY_DIR}/sfumato.pc @ONLY)
-install(FILES ${PROJECT_BINARY_DIR}/sfumato.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+install(FILES ${PROJECT_BINARY_DIR}/sfumato.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig
+        COMPONENT capi)
 
-install(FILES ${PROJECT_SOURCE_DIR}/docs/man/sfumato.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+install(FILES ${PROJECT_SOURCE_DIR}/docs/man/sfumato.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1
+        COMPONENT runtime)
 install(FILES ${PROJECT_SOURCE_DIR}/completions/sfumato.bash RENAME sfumato
-        DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT runtime)
 install(FILES ${PROJECT_SOURCE_DIR}/completions/_sfumato
-        DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions COMPONENT runtime)
 install(FILES ${PROJECT_SOURCE_DIR}/completions/sfumato.fish
-        DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT runtime)
+
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}
+        COMPONENT doc EXCLUDE_FROM_ALL FILES_MATCHING PATTERN *.md PATTERN figures EXCLUDE
+        PATTERN gallery EXCLUDE PATTERN images EXCLUDE PATTERN man EXCLUDE PATTERN tutorial EXCLUDE)
 
 # What `make editor` has made; `sfumato edit` serves it.
 install(FILES ${PROJECT_SOURCE_DIR}/build/editor.html OPTIONAL
-        DESTINATION ${CMAKE_INSTALL_DATADIR}/sfumato)
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/sfumato COMPONENT runtime)
 
-set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/sfumato)
-install(EXPORT sfumato NAMESPACE sfumato:: FILE sfumatoTargets.cmake DESTINATION ${package_folder})
+install(EXPORT sfumato NAMESPACE sfumato:: FILE sfumatoTargets.cmake DESTINATION ${package_folder}
+        COMPONENT cxx)
 install(EXPORT sfumato_c NAMESPACE sfumato:: FILE sfumatoCTargets.cmake
-        DESTINATION ${package_folder})
+        DESTINATION ${package_folder} COMPONENT capi)
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/sfumatoConfig.cmake.in
   ${PROJECT_BINARY_DIR}/sfumatoConfig.cmake INSTALL_DESTINATION ${package_folder})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/sfumatoConfigVersion.cmake
   COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/sfumatoConfig.cmake
-        ${PROJECT_BINARY_DIR}/sfumatoConfigVersion.cmake DESTINATION ${package_folder})
+        ${PROJECT_BINARY_DIR}/sfumatoConfigVersion.cmake DESTINATION ${package_folder}
+        COMPONENT capi)
