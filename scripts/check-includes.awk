@@ -30,6 +30,7 @@ function allow_estimates() {
   is_estimate["gpu/target.cpp"] = 1                   # the GPU's driver does
   is_estimate["gpu/table.cpp"] = 1
   is_estimate["codecs/webp_import.cpp"] = 1
+  is_estimate["tiles/big_tiff.cpp"] = 1              # what libtiff keeps of each tile
   is_estimate["export/glb/glb_file.cpp"] = 1          # so do the nodes of a std::map
   is_estimate["formats/svg/svg_write_ids.cpp"] = 1    # and those of a std::set
   is_estimate["cli/document_input.cpp"] = 1           # bounds what is read of a pipe, not there yet

@@ -68,8 +68,8 @@ class TilesJob {
 Status TilesJob::read() {
   const Result<std::string> bytes = read_any_text(context_, arguments_.input);
   if (!bytes) return bytes.status();
-  ScopedCharge input;
-  Status status = input.add(context_, capacity_bytes(*bytes), "the input");
+  ScopedCharge held;
+  Status status = held.add(context_, capacity_bytes(*bytes), "the input");
   if (!status) return status;
   if (!is_solved(*bytes)) {
     return make_error(StatusCode::bad_input,

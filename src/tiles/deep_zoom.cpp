@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <system_error>
 
-#include "base/charge.hpp"
 #include "base/native/atomic_file.hpp"
 #include "base/parallel.hpp"
 #include "base/public_verb.hpp"
+#include "base/table_memory.hpp"
 #include "sfumato/base/native/file.hpp"
 #include "tiles/level_painter.hpp"
 
@@ -118,16 +118,14 @@ Status DeepZoomWriter::write_tile(const TileBlock& block, std::size_t tile, cons
                             block.row0 + static_cast<int>(tile) / columns);
   Image part{rect.x1 - rect.x0, rect.y1 - rect.y0, image.format, {}};
   const std::size_t bytes = part.row_bytes() * static_cast<std::size_t>(part.height);
-  // As large again may the file be.
-  ScopedCharge charge;
-  if (Status status = charge.add(context_, 2 * bytes, "a tile"); !status) return status;
+  TableMemory memory("a tile");
+  if (Status status = memory.resize(context_, part.bytes, bytes); !status) return status;
   // Tiles are packed side by side, each with its share of what is left.
   const Budget& budget = context_.budget;
   Context serial{.budget = Budget(budget.room() / static_cast<unsigned>(context_.thread_count())),
                  .limits = context_.limits,
                  .simd = context_.simd,
                  .outer = &context_};
-  part.bytes.resize(bytes);
   copy_part(image, rect.x0 - pixels.x0, rect.y0 - pixels.y0, part);
   const Result<std::vector<std::uint8_t>> file = encode_(serial, part);
   if (!file) return file.status();

@@ -25,17 +25,11 @@ Result<const Image*> LevelPainter::paint(const Pyramid& pyramid, int level, cons
   image_.width = rect.x1 - rect.x0;
   image_.height = rect.y1 - rect.y0;
   const std::size_t bytes = image_.row_bytes() * static_cast<std::size_t>(image_.height);
-  if (bytes > image_.bytes.capacity()) {
-    std::vector<std::uint8_t>().swap(image_.bytes);
-    charge_ = {};
-    if (Status status = charge_.add(context_, bytes, "a block of tiles"); !status) return status;
-    image_.bytes.reserve(bytes);
-  }
-  image_.bytes.resize(bytes);
+  if (Status status = memory_.resize(context_, image_.bytes, bytes); !status) return status;
   // The pyramid is one whole to who watches.
   Progress* const progress = std::exchange(context_.progress, nullptr);
-  Status status = prepared_->paint(context_, rect.x0, rect.y0, image_.width, image_.height,
-                                   image_.bytes.data(), image_.row_bytes());
+  const Status status = prepared_->paint(context_, rect.x0, rect.y0, image_.width, image_.height,
+                                         image_.bytes.data(), image_.row_bytes());
   context_.progress = progress;
   if (!status) return status;
   return &image_;

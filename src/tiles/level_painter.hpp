@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "base/charge.hpp"
 #include "base/pixel_rect.hpp"
+#include "base/table_memory.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/image.hpp"
 #include "sfumato/raster/rasterize.hpp"
@@ -33,8 +33,8 @@ class LevelPainter {
   RasterOptions raster_;
   int level_ = -1;
   std::optional<PreparedRaster> prepared_;
-  ScopedCharge charge_;
   Image image_;
+  TableMemory memory_{"a block of tiles"};
 };
 
 /// A part of an image, whose corner is at (x, y) in it. `tile` has the size and is as large

@@ -45,8 +45,8 @@ Result<std::vector<std::uint8_t>> write_picture(const Context& context, const Pi
 /// bytes    at any address
 /// origin   unless null, written on success
 /// Errors   bad_input (no picture file, of a later version, of the other byte order, cut off,
-///          damaged), limit (kPictureFileFactor × Limits::input_bytes, layers, triangles, nodes, those of shaders and
-///          stacks, memory), cancelled, out_of_memory
+///          damaged), limit (kPictureFileFactor × Limits::input_bytes, layers, triangles, nodes,
+///          those of shaders and stacks, memory), cancelled, out_of_memory
 Result<Picture> read_picture(const Context& context, std::span<const std::uint8_t> bytes,
                              PictureOrigin* origin = nullptr);
 
