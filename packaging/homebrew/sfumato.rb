@@ -18,6 +18,7 @@ class Sfumato < Formula
   depends_on "jpeg-turbo"
   depends_on "libevent"
   depends_on "libspng"
+  depends_on "libtiff"
   depends_on :linux
   depends_on "little-cms2"
   depends_on "mesa"
