@@ -1,6 +1,9 @@
 #include "cli/document_input.hpp"
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <system_error>
 
 #include "base/charge.hpp"
 #include "base/limit_error.hpp"
@@ -26,6 +29,15 @@ Result<std::string> read_up_to(Context& context, const std::string& path, std::s
   return bytes;
 }
 
+/// Whether a regular file begins as a solved picture does.
+bool begins_solved(const std::string& path) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored)) return false;
+  std::string begin(64, '\0');
+  std::ifstream(path, std::ios::binary).read(begin.data(), 64);
+  return is_solved(begin);
+}
+
 }  // namespace
 
 Result<std::string> read_within(Context& context, const std::string& path,
@@ -37,14 +49,13 @@ Result<std::string> read_within(Context& context, const std::string& path,
   return limit_error(context.limits, limit, what, bytes.status().where);
 }
 
+/// What is too long for a drawing may be a solved picture. A pipe is not looked at twice.
 Result<std::string> read_any_text(Context& context, const std::string& path) {
-  const std::size_t most_text = context.limits.input_bytes;
-  Result<std::string> bytes = read_up_to(context, path, kPictureFileFactor * most_text);
+  Result<std::string> bytes = read_within(context, path, &Limits::input_bytes, "bytes of input");
   const bool is_long =
-      bytes ? bytes->size() > most_text && !is_solved(*bytes)
-            : bytes.status().code == StatusCode::limit && !is_lack_of_memory(bytes.status());
-  if (!is_long) return bytes;
-  return limit_error(context.limits, &Limits::input_bytes, "bytes of input", {display_name(path)});
+      bytes.status().code == StatusCode::limit && !is_lack_of_memory(bytes.status());
+  if (!is_long || !begins_solved(path)) return bytes;
+  return read_up_to(context, path, kPictureFileFactor * context.limits.input_bytes);
 }
 
 bool is_solved(const std::string& bytes) {

@@ -204,7 +204,9 @@ void add_masses(Family& family) {
              return solved.file();
            })
       .also({"--max-memory", "16"});
-  family.add("bytes_beyond_the_limit", kLimit, "bytes of input",
+  family.add("bytes_beyond_the_limit", kLimit, "bytes", [] { return good(); })
+      .also({"--limit", "input-bytes=30"});
+  family.add("bytes_beyond_a_drawings_limit", kBadInput, "are here",
              [] { return good() + std::string(std::size_t{64} << 20, 'x'); });
 }
 
