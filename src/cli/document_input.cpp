@@ -29,6 +29,11 @@ Result<std::string> read_up_to(Context& context, const std::string& path, std::s
   return bytes;
 }
 
+/// Whether there was more than was to be read, or than there was time for.
+bool is_too_long(const Result<std::string>& read) {
+  return read.status().code == StatusCode::limit && !is_lack_of_memory(read.status());
+}
+
 /// Whether a regular file begins as a solved picture does.
 bool begins_solved(const std::string& path) {
   std::error_code ignored;
@@ -43,18 +48,16 @@ bool begins_solved(const std::string& path) {
 Result<std::string> read_within(Context& context, const std::string& path,
                                 std::size_t Limits::*limit, std::string_view what) {
   Result<std::string> bytes = read_up_to(context, path, context.limits.*limit);
-  if (bytes || bytes.status().code != StatusCode::limit || is_lack_of_memory(bytes.status())) {
-    return bytes;
-  }
+  if (!is_too_long(bytes)) return bytes;
+  if (context.cancelled()) return context.cancel_status();
   return limit_error(context.limits, limit, what, bytes.status().where);
 }
 
 /// What is too long for a drawing may be a solved picture. A pipe is not looked at twice.
 Result<std::string> read_any_text(Context& context, const std::string& path) {
   Result<std::string> bytes = read_within(context, path, &Limits::input_bytes, "bytes of input");
-  const bool is_long =
-      bytes.status().code == StatusCode::limit && !is_lack_of_memory(bytes.status());
-  if (!is_long || !begins_solved(path)) return bytes;
+  if (!is_too_long(bytes) || !begins_solved(path)) return bytes;
+  if (context.cancelled()) return context.cancel_status();
   return read_up_to(context, path, kPictureFileFactor * context.limits.input_bytes);
 }
 
