@@ -249,7 +249,7 @@ export class SfumatoContext extends Handle {
     return this.library.withBytes(
       bytes,
       (address, count) =>
-        new SfumatoPicture(this.library, this.make("sfumato_picture_read", address, count)),
+        new SfumatoPicture(this, this.make("sfumato_picture_read", address, count)),
     );
   }
 

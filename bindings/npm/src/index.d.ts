@@ -209,6 +209,10 @@ export class SfumatoContext implements Handle {
     options?: Options,
   ): Uint16Array<ArrayBuffer>;
   export(picture: SfumatoPicture, format: Format, options?: Options): Uint8Array<ArrayBuffer>;
+  /** The picture itself as a file, which `sfumato render` draws, too. */
+  writePicture(picture: SfumatoPicture): Uint8Array<ArrayBuffer>;
+  /** A picture of such a file. It follows no document. */
+  readPicture(bytes: Uint8Array): SfumatoPicture;
   viewerPayload(picture: SfumatoPicture, options?: Options): Uint8Array<ArrayBuffer>;
   pictureStack(picture: SfumatoPicture, options?: Options): Uint8Array<ArrayBuffer>;
   /** Probable mistakes. */
