@@ -67,7 +67,7 @@ function(sfumato_folder name)
   if(SFUMATO_WASM)
     # No operating system and no other instruction set there; to decode pictures and to unpack gzip is
     # the host's own affair.
-    list(FILTER sources EXCLUDE REGEX "/native/(atomic_file|file|posix)|_avx(2|512)\\.cpp$")
+    list(FILTER sources EXCLUDE REGEX "/native/(atomic_file|file|folder|posix)|_avx(2|512)\\.cpp$")
     list(FILTER sources EXCLUDE REGEX "/codecs/(png_decode|jpeg|webp|photo|image_file|gunzip)")
     # NAME_wasm.cpp stands in the place of NAME.cpp.
     foreach(source ${sources})

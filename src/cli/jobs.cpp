@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "base/native/folder.hpp"
 #include "cli/messages.hpp"
 #include "cli/paths.hpp"
 #include "sfumato/base/native/file.hpp"

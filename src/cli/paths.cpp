@@ -106,13 +106,6 @@ Status check_output(const std::string& path) {
   return ok_status();
 }
 
-Status make_folder(const std::string& path) {
-  std::error_code error, ignored;
-  fs::create_directories(path, error);
-  if (fs::is_directory(path, ignored)) return ok_status();
-  return make_error(StatusCode::io, "cannot be made: " + error.message(), {path});
-}
-
 Result<std::string> read_input(const Context& context, const std::string& path,
                                std::size_t max_bytes) {
   Result<std::string> bytes = read_file(path, max_bytes, &context);

@@ -41,9 +41,6 @@ std::string complaint_about_output(const std::string& name, const OutputNames& n
 /// writable, or it is itself a folder. Writes nothing. Errors: io.
 Status check_output(const std::string& path);
 
-/// Creates a folder and its parents if they do not exist. Errors: io.
-Status make_folder(const std::string& path);
-
 /// The whole input, up to max_bytes; "-" is standard input.
 /// Errors: bad_input if it cannot be read, limit, cancelled.
 Result<std::string> read_input(const Context& context, const std::string& path,

@@ -9,6 +9,7 @@
 
 #include "base/charge.hpp"
 #include "base/json.hpp"
+#include "base/native/folder.hpp"
 #include "base/number_text.hpp"
 #include "base/stopwatch.hpp"
 #include "base/table_memory.hpp"

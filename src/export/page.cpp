@@ -1,5 +1,6 @@
 #include "export/page.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "document/rules.hpp"
@@ -18,6 +19,11 @@ Status check_viewport(const Box& viewport) {
 double points_per_unit(const std::optional<double>& page_width_pt, const Box& viewport) {
   constexpr double kPointsPerCssPixel = 0.75;
   return page_width_pt ? *page_width_pt / viewport.width() : kPointsPerCssPixel;
+}
+
+double depth_step(double side, std::size_t count) {
+  constexpr double kStep = 1e-3, kMost = 0.1;
+  return side * std::min(kStep, kMost / static_cast<double>(count));
 }
 
 Page make_page(const Box& viewport, double unit) {

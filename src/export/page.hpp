@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 
 #include "sfumato/base/affine.hpp"
@@ -23,6 +24,10 @@ Status check_viewport(const Box& viewport);
 
 /// Points (1/72 inch) per user unit on a page of that width; without a width 3/4, as in CSS.
 double points_per_unit(const std::optional<double>& page_width_pt, const Box& viewport);
+
+/// By how much one item of a scene lies in front of the one before, where `count` lie on each other
+/// and the longer side of the picture is `side`: 1/1000 of it, and all within 1/10.
+double depth_step(double side, std::size_t count);
 
 /// The page that shows `viewport`, which is not empty, with `unit` page units per user unit.
 Page make_page(const Box& viewport, double unit);

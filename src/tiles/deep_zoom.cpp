@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "base/native/atomic_file.hpp"
+#include "base/native/folder.hpp"
 #include "base/parallel.hpp"
 #include "base/public_verb.hpp"
 #include "base/table_memory.hpp"
@@ -51,7 +52,6 @@ class DeepZoomWriter {
 
  private:
   Status prepare();
-  Status make_folder(const std::string& path) const;
   std::string tile_path(const TileBlock& block, std::size_t tile) const;
   Status write_block(const TileBlock& block);
   Status write_tile(const TileBlock& block, std::size_t tile, const PixelRect& pixels,
@@ -66,13 +66,6 @@ class DeepZoomWriter {
   std::string folder_;
   std::atomic<std::uint64_t> bytes_ = 0;
 };
-
-Status DeepZoomWriter::make_folder(const std::string& path) const {
-  std::error_code error, ignored;
-  std::filesystem::create_directory(path, error);
-  if (!error || std::filesystem::is_directory(path, ignored)) return ok_status();
-  return make_error(StatusCode::io, "cannot be made: " + error.message(), {path});
-}
 
 /// The description first: it says what the tiles are of, and another one's are not mixed with them.
 Status DeepZoomWriter::prepare() {

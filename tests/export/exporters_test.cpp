@@ -44,25 +44,10 @@ const Exporter kExporters[] = {
     {"JSON", [](Context& c, const Picture& p) { return export_json(c, p); }},
     {"PLY", [](Context& c, const Picture& p) { return export_ply(c, p); }}};
 
-constexpr Box kBox{{0, 0}, {64, 64}};
-
-Rgb sloped(int, Vec2 p) {
-  return {static_cast<float>(p.x / 64), 0.5f, static_cast<float>(p.y / 64)};
-}
-
-Picture of_one_triangle() {
-  test::RegionMesh mesh;
-  mesh.vertex = {{3, 4}, {60, 20}, {11, 44}};
-  mesh.add(0, 1, 2, 0);
-  Picture picture = test::make_picture(test::make_layer(mesh, sloped));
-  picture.artboard = picture.viewport = kBox;
-  return picture;
-}
-
 TEST(Exporters, one_triangle_is_written) {
   for (const Exporter& exporter : kExporters) {
     Context context;
-    const auto file = exporter.write(context, of_one_triangle());
+    const auto file = exporter.write(context, test::picture_of_one_triangle());
     ASSERT_TRUE(file.ok()) << exporter.name << ": " << to_string(file.status());
     EXPECT_GT(file->size(), 200u) << exporter.name;
     EXPECT_EQ(context.budget.used(), 0u) << exporter.name;
@@ -99,7 +84,7 @@ void expect_limit_or(const Bytes& whole, const Exporter& exporter, const Picture
 }
 
 TEST(Exporters, whatever_the_budget_nothing_is_left_out_in_silence) {
-  Picture picture = of_one_triangle();
+  Picture picture = test::picture_of_one_triangle();
   const PictureItem one = picture.stack.front();
   picture.stack.push_back(GroupBegin{.opacity = 0.5f});
   picture.stack.insert(picture.stack.end(), 20000, one);
@@ -118,8 +103,8 @@ TEST(Exporters, whatever_the_budget_nothing_is_left_out_in_silence) {
 }
 
 TEST(Exporters, a_small_budget_is_a_limit_and_nothing_stays_charged) {
-  const Picture picture =
-      test::make_picture(test::make_layer(test::jittered_grid(kBox, 120, 3), sloped));
+  const Picture picture = test::make_picture(
+      test::make_layer(test::jittered_grid(test::kTriangleBox, 120, 3), test::sloped));
   for (const Exporter& exporter : kExporters) {
     Context context{.budget = Budget(std::size_t{20} << 10)};
     EXPECT_EQ(exporter.write(context, picture).status().code, StatusCode::limit) << exporter.name;
@@ -128,8 +113,8 @@ TEST(Exporters, a_small_budget_is_a_limit_and_nothing_stays_charged) {
 }
 
 TEST(Exporters, cancelled_work_ends) {
-  const Picture picture =
-      test::make_picture(test::make_layer(test::jittered_grid(kBox, 120, 3), sloped));
+  const Picture picture = test::make_picture(
+      test::make_layer(test::jittered_grid(test::kTriangleBox, 120, 3), test::sloped));
   for (const Exporter& exporter : kExporters) {
     Context context;
     context.cancel = true;
@@ -144,26 +129,26 @@ TEST(Exporters, tables_that_do_not_fit_are_refused) {
       Context context;
       return exporter.write(context, picture).status().code == StatusCode::bad_input;
     };
-    Picture no_layer = of_one_triangle();
+    Picture no_layer = test::picture_of_one_triangle();
     no_layer.stack = {PatchInstance{7, {}, 1, BlendMode::normal}};
     EXPECT_TRUE(refuses(no_layer)) << exporter.name;
-    Picture no_node = of_one_triangle();
+    Picture no_node = test::picture_of_one_triangle();
     no_node.layers[0].color.triangle_node[4] = 1000;
     EXPECT_TRUE(refuses(no_node)) << exporter.name;
-    Picture no_place = of_one_triangle();
+    Picture no_place = test::picture_of_one_triangle();
     no_place.layers[0].vertex_position[1].x = std::numeric_limits<double>::quiet_NaN();
     EXPECT_TRUE(refuses(no_place)) << exporter.name;
-    Picture no_view = of_one_triangle();
+    Picture no_view = test::picture_of_one_triangle();
     no_view.viewport = {{5, 5}, {5, 9}};
     EXPECT_TRUE(refuses(no_view)) << exporter.name;
-    Picture open_group = of_one_triangle();
+    Picture open_group = test::picture_of_one_triangle();
     open_group.stack.insert(open_group.stack.begin(), GroupBegin{});
     EXPECT_TRUE(refuses(open_group)) << exporter.name;
   }
 }
 
 TEST(Exporters, node_values_that_are_no_numbers_are_not_written) {
-  Picture picture = of_one_triangle();
+  Picture picture = test::picture_of_one_triangle();
   picture.layers[0].color.node_value[0] = std::numeric_limits<float>::quiet_NaN();
   picture.layers[0].color.node_value[4] = std::numeric_limits<float>::infinity();
   for (const Exporter& exporter : kExporters) {

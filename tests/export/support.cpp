@@ -11,6 +11,7 @@
 #include <numeric>
 #include <sstream>
 
+#include "raster/pictures.hpp"
 #include "sfumato/codecs/png.hpp"
 #include "sfumato/formats/read_document.hpp"
 #include "sfumato/raster/rasterize.hpp"
@@ -90,6 +91,19 @@ Picture solved(const Document& document) {
   Result<Picture> picture = diffuse(context, document, {});
   EXPECT_TRUE(picture.ok()) << to_string(picture.status());
   return picture ? std::move(*picture) : Picture{};
+}
+
+Rgb sloped(int, Vec2 p) {
+  return {static_cast<float>(p.x / 64), 0.5f, static_cast<float>(p.y / 64)};
+}
+
+Picture picture_of_one_triangle() {
+  RegionMesh mesh;
+  mesh.vertex = {{3, 4}, {60, 20}, {11, 44}};
+  mesh.add(0, 1, 2, 0);
+  Picture picture = make_picture(make_layer(mesh, sloped));
+  picture.artboard = picture.viewport = kTriangleBox;
+  return picture;
 }
 
 bool has_program(const std::string& name) {

@@ -20,6 +20,15 @@ std::optional<Document> example(const std::string& name);
 /// The picture of a document at its nominal size; an empty one and a failed test where it has none.
 Picture solved(const Document& document);
 
+/// Where the picture of one triangle lies.
+inline constexpr Box kTriangleBox{{0, 0}, {64, 64}};
+
+/// A colour that is linear in the place: red x / 64, green 1/2, blue y / 64.
+Rgb sloped(int region, Vec2 p);
+
+/// A picture of one triangle, sloped.
+Picture picture_of_one_triangle();
+
 /// Whether a program is on the PATH. A test then says GTEST_SKIP() << "no pdftoppm here".
 bool has_program(const std::string& name);
 

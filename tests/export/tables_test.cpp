@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "export/support.hpp"
-#include "raster/pictures.hpp"
 
 /// The solution as tables. That NumPy and Python's json read them is tested with the package for
 /// Python (bindings/python/tests/test_tables.py).
@@ -18,21 +17,6 @@ namespace sfumato {
 namespace {
 
 using test::Bytes;
-
-constexpr Box kBox{{0, 0}, {64, 64}};
-
-Rgb sloped(int, Vec2 p) {
-  return {static_cast<float>(p.x / 64), 0.5f, static_cast<float>(p.y / 64)};
-}
-
-Picture of_one_triangle() {
-  test::RegionMesh mesh;
-  mesh.vertex = {{3, 4}, {60, 20}, {11, 44}};
-  mesh.add(0, 1, 2, 0);
-  Picture picture = test::make_picture(test::make_layer(mesh, sloped));
-  picture.artboard = picture.viewport = kBox;
-  return picture;
-}
 
 template <class Number>
 Number number_at(const Bytes& bytes, std::size_t at) {
@@ -117,7 +101,7 @@ TEST(Npz, holds_the_tables_of_every_layer_to_the_bit) {
 }
 
 TEST(Npz, nodes_lie_where_the_patches_have_them) {
-  const Picture picture = of_one_triangle();
+  const Picture picture = test::picture_of_one_triangle();
   Context context;
   const auto file = export_npz(context, picture);
   ASSERT_TRUE(file.ok());
@@ -134,7 +118,7 @@ TEST(Npz, nodes_lie_where_the_patches_have_them) {
 }
 
 TEST(TableJson, is_exact_and_names_what_it_holds) {
-  Picture picture = of_one_triangle();
+  Picture picture = test::picture_of_one_triangle();
   picture.background = Rgb{0, 0.5f, 1};
   picture.layers[0].color.node_value[0] = 0.1f;
   Context context;
@@ -197,7 +181,7 @@ double signed_area(const Ply& ply, std::size_t face) {
 }
 
 TEST(Ply, nine_faces_of_a_patch_cover_it_and_turn_the_right_way) {
-  Picture picture = of_one_triangle();
+  Picture picture = test::picture_of_one_triangle();
   auto& instance = std::get<PatchInstance>(picture.stack[0]);
   for (const Affine& place :
        {Affine{}, Affine{-1, 0, 0, 1, 64, 0}, Affine{0.5, 0.1, -0.2, 0.5, 9, 8}}) {
@@ -216,7 +200,7 @@ TEST(Ply, nine_faces_of_a_patch_cover_it_and_turn_the_right_way) {
 }
 
 TEST(Ply, colours_are_srgb_and_alpha_is_that_of_layer_instance_and_group) {
-  Picture picture = of_one_triangle();
+  Picture picture = test::picture_of_one_triangle();
   picture.interpolation = InterpolationSpace::linear;
   std::get<PatchInstance>(picture.stack[0]).opacity = 0.5f;
   picture.stack.insert(picture.stack.begin(), GroupBegin{.opacity = 0.5f});

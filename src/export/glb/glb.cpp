@@ -20,10 +20,6 @@ using outputs::GlbFile;
 using outputs::GlbMesh;
 
 constexpr double kUnitsPerInch = 96;
-/// From one item of the stack to the next, and from the first to the last at most, in sizes of the
-/// picture.
-constexpr double kDepthStep = 1e-3;
-constexpr double kMostDepth = 0.1;
 /// Sides that patches are not cut below, in the largest instance and in sizes of the picture.
 constexpr double kSmallestSide = 1.0 / 1024;
 
@@ -104,8 +100,7 @@ Status GlbWriter::add_mesh(std::uint32_t geometry, const GlbFile::Material& mate
                            const Affine& place) {
   const auto mesh = file_.add_mesh(geometry, material);
   if (!mesh) return mesh.status();
-  const double items = static_cast<double>(picture_.stack.size()) + 1;
-  const double step = side_ * std::min(kDepthStep, kMostDepth / items);
+  const double step = outputs::depth_step(side_, picture_.stack.size() + 1);
   return file_.add_node(*mesh, place, step * static_cast<double>(depth_++));
 }
 

@@ -25,9 +25,6 @@ namespace {
 
 constexpr std::uint32_t kTurnsPerPoll = 4096;
 constexpr std::uint64_t kMost = 0xffffffff;
-/// From one instance to the next, and from the first to the last at most, in sizes of the picture.
-constexpr double kDepthStep = 1e-3;
-constexpr double kMostDepth = 0.1;
 
 /// The nine small triangles between the ten nodes of a patch: at corner 0, around the middle, at
 /// corners 1 and 2. All turn as the patch does.
@@ -228,8 +225,7 @@ Result<std::vector<std::uint8_t>> PlyWriter::write(Context& context) {
   write_header(file);
   const Box& viewport = picture_.viewport;
   const double side = std::max(viewport.width(), viewport.height());
-  const double step =
-      side * std::min(kDepthStep, kMostDepth / static_cast<double>(placed_.size() + 1));
+  const double step = depth_step(side, placed_.size() + 1);
   for (std::size_t i = 0; i < placed_.size(); ++i) {
     Status status = write_vertices(placed_[i], step * static_cast<double>(i), file);
     if (!status) return status;
