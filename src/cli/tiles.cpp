@@ -1,7 +1,4 @@
-#include <unistd.h>
-
 #include <array>
-#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
@@ -13,24 +10,20 @@
 #include "base/number_text.hpp"
 #include "base/stopwatch.hpp"
 #include "base/table_memory.hpp"
+#include "cli/command_context.hpp"
 #include "cli/commands.hpp"
 #include "cli/document_input.hpp"
-#include "cli/interrupt.hpp"
-#include "cli/progress_bar.hpp"
 #include "cli/solved_input.hpp"
 #include "cli/stats.hpp"
 #include "output/image_output.hpp"
 #include "output/output_size.hpp"
 #include "picture/checksum.hpp"
 #include "sfumato/base/native/file.hpp"
-#include "sfumato/base/native/thread_pool.hpp"
 #include "tiles/big_tiff.hpp"
 #include "tiles/deep_zoom.hpp"
 
 namespace sfumato::cli {
 namespace {
-
-constexpr std::chrono::milliseconds kProgressDelay{1000};
 
 std::string hexadecimal(std::uint64_t number) {
   std::array<char, 17> text{};
@@ -180,16 +173,9 @@ Status TilesJob::run() {
 }  // namespace
 
 int tiles(const TilesArguments& arguments) {
-  ThreadPool executor(arguments.settings.threads);
-  std::optional<ProgressBar> progress;
-  if (!arguments.quiet && isatty(STDERR_FILENO) != 0) progress.emplace(stderr, kProgressDelay);
-  Context context{.executor = &executor,
-                  .progress = progress ? &*progress : nullptr,
-                  .budget = Budget(arguments.resources.memory_bytes),
-                  .limits = arguments.resources.limits};
-  const CancelOnSignal cancel_on_signal(context.cancel);
-  const Status status = TilesJob(context, arguments).run();
-  if (progress) progress->erase();
+  CommandContext work(arguments, arguments.settings.threads);
+  const Status status = TilesJob(work.context(), arguments).run();
+  if (work.bar()) work.bar()->erase();
   return status ? kDone : fail(status);
 }
 

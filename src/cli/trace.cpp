@@ -1,29 +1,23 @@
 #include "sfumato/trace/trace.hpp"
 
-#include <unistd.h>
-
-#include <chrono>
 #include <cstdio>
 #include <optional>
 
 #include "base/charge.hpp"
 #include "base/stopwatch.hpp"
 #include "base/table_memory.hpp"
+#include "cli/command_context.hpp"
 #include "cli/commands.hpp"
 #include "cli/document_input.hpp"
 #include "cli/drawing_file.hpp"
-#include "cli/interrupt.hpp"
 #include "cli/paths.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/trace_stats.hpp"
 #include "codecs/photo.hpp"
-#include "sfumato/base/native/thread_pool.hpp"
 #include "trace/curve_choice.hpp"
 
 namespace sfumato::cli {
 namespace {
-
-constexpr std::chrono::milliseconds kProgressDelay{1000};
 
 /// Shows on the bar how near a drawing has come.
 class BarWatch : public TraceWatch {
@@ -158,15 +152,9 @@ void Tracing::say(const TraceFacts& facts, const Job& job) {
 }  // namespace
 
 int trace(const TraceArguments& arguments) {
-  ThreadPool executor(arguments.threads);
-  std::optional<ProgressBar> progress;
-  if (!arguments.quiet && isatty(STDERR_FILENO) != 0) progress.emplace(stderr, kProgressDelay);
-  ProgressBar* const bar = progress ? &*progress : nullptr;
-  Context context{.executor = &executor,
-                  .progress = bar,
-                  .budget = Budget(arguments.resources.memory_bytes),
-                  .limits = arguments.resources.limits};
-  const CancelOnSignal cancel_on_signal(context.cancel);
+  CommandContext work(arguments, arguments.threads);
+  Context& context = work.context();
+  ProgressBar* const bar = work.bar();
   Tracing tracing(context, arguments, bar);
   Status status = prepare_outputs(arguments);
   if (status && !arguments.many) status = check_output(arguments.jobs.front().output);
