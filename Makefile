@@ -8,7 +8,7 @@ fuzz_seconds := 60
 
 .DEFAULT_GOAL := help
 .PHONY: help demo build test check docs kills check-slurm sanitize fuzz fuzz-merge bench wasm hostile-growth \
-  hostile-sanitized equal editor editor-tests python npm deb reproducible clean
+  hostile-sanitized equal equal-by-clang editor editor-tests python npm deb reproducible clean
 
 help:
 	@echo 'make demo    install what the build needs, build, draw $(scene)'
@@ -24,6 +24,7 @@ help:
 	@echo 'make hostile-growth   time and memory of hostile inputs, doubled twice'
 	@echo 'make hostile-sanitized   all hostile inputs under AddressSanitizer and UBSan'
 	@echo 'make equal   random scenes $(equal_scenes): the same bits by any threads and instructions'
+	@echo 'make equal-by-clang   the library that clang makes of the same files gives the bits of that of g++'
 	@echo 'make wasm    the library for WebAssembly: build-wasm/sfumato.wasm'
 	@echo 'make editor  draw in a browser: $(build_folder)/editor/ and $(build_folder)/editor.html'
 	@echo 'make editor-tests   the editor in Chromium: all that a person does, and what fuzzers found; in Firefox the core of it'
@@ -116,6 +117,16 @@ equal:
 	@cmake --preset release -DSFUMATO_TESTS=ON -DSFUMATO_WERROR=OFF --log-level=WARNING >/dev/null
 	@cmake --build $(build_folder) --parallel $(jobs) --target equal_scenes
 	@$(build_folder)/tests/equal_scenes hashes few $(equal_scenes)
+
+equal-by-clang:
+	@scripts/setup build check clang
+	@cmake --preset release -DSFUMATO_TESTS=ON -DSFUMATO_WERROR=OFF --log-level=WARNING >/dev/null
+	@cmake --preset release -B $(build_folder)/clang -DCMAKE_CXX_COMPILER=clang++-19 \
+	  -DCMAKE_C_COMPILER=clang-19 -DSFUMATO_TESTS=ON --log-level=WARNING >/dev/null
+	@cmake --build $(build_folder) --parallel $(jobs) --target equal_scenes
+	@cmake --build $(build_folder)/clang --parallel $(jobs) --target equal_scenes sfumato
+	@tests/equal/same-lists $(build_folder)/tests/equal_scenes $(build_folder)/clang/tests/equal_scenes \
+	  $(equal_scenes)
 
 editor-tests: build editor
 	@scripts/setup viewers
