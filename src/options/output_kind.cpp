@@ -11,7 +11,8 @@ constexpr KnownOutput kKnownOutputs[] = {
     {"png", OutputKind::png},   {"jpg", OutputKind::jpeg},  {"jpeg", OutputKind::jpeg},
     {"webp", OutputKind::webp}, {"html", OutputKind::html}, {"pdf", OutputKind::pdf},
     {"eps", OutputKind::eps},   {"svg", OutputKind::svg},   {"glb", OutputKind::glb},
-    {"npz", OutputKind::npz},   {"ply", OutputKind::ply},   {"json", OutputKind::json}};
+    {"sfv", OutputKind::sfv},   {"npz", OutputKind::npz},   {"ply", OutputKind::ply},
+    {"json", OutputKind::json}};
 
 }  // namespace
 

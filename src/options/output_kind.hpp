@@ -8,7 +8,20 @@
 namespace sfumato::options {
 
 /// The kinds of output files.
-enum class OutputKind : std::uint8_t { png, jpeg, webp, html, pdf, eps, svg, glb, npz, ply, json };
+enum class OutputKind : std::uint8_t {
+  png,
+  jpeg,
+  webp,
+  html,
+  pdf,
+  eps,
+  svg,
+  glb,
+  sfv,
+  npz,
+  ply,
+  json
+};
 
 /// Whether the kind consists of pixels alone.
 constexpr bool is_image(OutputKind kind) {

@@ -91,6 +91,8 @@ Result<Bytes> export_picture(Context& context, const Picture& picture,
       options.dpi = output.dpi.value_or(options.dpi);
       return export_glb(context, picture, options, notes);
     }
+    case OutputKind::sfv:
+      return export_sfv(context, picture, {}, notes);
     case OutputKind::npz:
       return export_npz(context, picture, notes);
     case OutputKind::ply:

@@ -328,6 +328,11 @@ TEST(AllocationOfOutput, glb) {
       [](Context& context, const Picture& picture) { return export_glb(context, picture, {}); }, 7);
 }
 
+TEST(AllocationOfOutput, sfv) {
+  check_output(
+      [](Context& context, const Picture& picture) { return export_sfv(context, picture, {}); });
+}
+
 TEST(AllocationOfOutput, tables) {
   check_output(
       [](Context& context, const Picture& picture) { return export_npz(context, picture); });

@@ -45,7 +45,7 @@ TEST_F(PictureFileOfC, a_picture_that_is_read_exports_what_the_other_does) {
   const PictureHandle again = read(bytes);
   ASSERT_NE(again, nullptr);
   EXPECT_EQ(bytes_of(again.get()), bytes);
-  for (const char* format : {"png", "jpg", "html", "pdf", "eps", "svg", "glb"}) {
+  for (const char* format : {"png", "jpg", "html", "pdf", "eps", "svg", "glb", "sfv"}) {
     EXPECT_EQ(exported(again.get(), format), exported(picture.get(), format)) << format;
   }
 }

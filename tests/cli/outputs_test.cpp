@@ -26,6 +26,7 @@ const Output kOutputs[] = {{"html", "<!DOCTYPE html>", "</html>\n"},
                            {"eps", "%!PS-Adobe-3.0 EPSF-3.0", "%%EOF\n"},
                            {"svg", "<", "</svg>\n"},
                            {"glb", "glTF", ""},
+                           {"sfv", "x", ""},
                            {"npz", "PK\x03\x04", ""},
                            {"ply", "ply\n", ""},
                            {"json", "{\"format\":\"sfumato tables\"", "}\n"}};

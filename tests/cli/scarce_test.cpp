@@ -97,7 +97,7 @@ TEST_P(SmallStack, is_enough) {
 TEST(SmallStackOf, every_output_is_enough) {
   const TemporaryFolder folder;
   for (const char* extension :
-       {"html", "pdf", "eps", "svg", "glb", "npz", "ply", "json", "jpg", "webp"}) {
+       {"html", "pdf", "eps", "svg", "glb", "sfv", "npz", "ply", "json", "jpg", "webp"}) {
     const std::string output = folder.path(std::string("out.") + extension);
     for (const char* name : {"textures.svg", "strokes.svg", "apple.svg"}) {
       const CommandResult result = run_in_shell(

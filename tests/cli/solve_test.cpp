@@ -49,6 +49,7 @@ TEST(Solve, every_output_of_a_solved_picture_is_that_of_its_drawing) {
                         {"pdf", {"--detail", "2"}, {}},
                         {"eps", {"--detail", "2"}, {"--quiet"}},
                         {"glb", {"--detail", "2"}, {"--quiet"}},
+                        {"sfv", {"--detail", "2"}, {}},
                         {"svg", {}, {"--svg", "vector", "--quiet"}}};
   for (const Case& one : cases) {
     std::vector<std::string> solve{"solve", folder.path("a.svg"), "-o", folder.path("s.sfp")};

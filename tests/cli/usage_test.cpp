@@ -209,7 +209,7 @@ TEST(Usage, mistyped_extensions_get_a_suggestion_in_every_command) {
       message({"compare", "a.png", "b.png", "-o", "c.npg"}).ends_with("; did you mean c.png?"));
   EXPECT_EQ(message({"render", "a.svg", "-o", "-", "--format", "ppng"}),
             "sfumato: error: --format: \"ppng\" given, expected one of "
-            "png|jpg|jpeg|webp|html|pdf|eps|svg|glb|npz|ply|json; did you mean png?");
+            "png|jpg|jpeg|webp|html|pdf|eps|svg|glb|sfv|npz|ply|json; did you mean png?");
 }
 
 TEST(Usage, unknown_extensions_list_the_known_ones) {

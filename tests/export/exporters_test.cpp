@@ -39,6 +39,7 @@ const Exporter kExporters[] = {
        options.force = true;
        return export_svg(c, p, options);
      }},
+    {"SFV", [](Context& c, const Picture& p) { return export_sfv(c, p, {}); }},
     {"GLB", [](Context& c, const Picture& p) { return export_glb(c, p, {}); }},
     {"NPZ", [](Context& c, const Picture& p) { return export_npz(c, p); }},
     {"JSON", [](Context& c, const Picture& p) { return export_json(c, p); }},

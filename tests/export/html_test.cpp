@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 
+#include "codecs/base64.hpp"
 #include "display/embedded.hpp"
 #include "export/html/html_text.hpp"
 
@@ -100,6 +101,31 @@ TEST(Html, an_empty_picture_makes_a_page) {
   Picture picture;
   picture.artboard = picture.viewport = {{0, 0}, {10, 10}};
   EXPECT_FALSE(text_of(picture).empty());
+}
+
+TEST(Sfv, is_what_the_page_holds_of_the_picture) {
+  const Picture picture = triangle_picture();
+  for (const std::optional<Rgb> background : {std::optional<Rgb>{}, std::optional(Rgb{1, 0, 0})}) {
+    Context context;
+    ExportNotes notes;
+    const auto file = export_sfv(context, picture, {.background = background}, &notes);
+    ASSERT_TRUE(file) << file.status().message;
+    EXPECT_EQ(notes.triangle_count, 1u);
+    EXPECT_EQ(context.budget.used(), 0u);
+    const std::string html = text_of(picture, {.background = background});
+    EXPECT_NE(html.find("id=\"payload\">" + codecs::encode_base64(*file) + "</script>"),
+              std::string::npos);
+  }
+}
+
+TEST(Sfv, refuses_what_the_page_refuses) {
+  Context context;
+  const float bad = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_EQ(export_sfv(context, triangle_picture(), {.background = Rgb{bad, 0, 0}}).status().code,
+            StatusCode::bad_input);
+  Picture picture = triangle_picture();
+  picture.layers[0].triangle_vertex[0] = 3;
+  EXPECT_EQ(export_sfv(context, picture, {}).status().code, StatusCode::bad_input);
 }
 
 TEST(Html, the_same_picture_gives_the_same_bytes) {

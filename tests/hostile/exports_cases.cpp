@@ -60,7 +60,7 @@ const Odd kOdd[] = {
 void add_cases(Family& family) {
   for (const Odd& odd : kOdd) {
     for (const char* output :
-         {"png", "jpg", "webp", "html", "pdf", "eps", "svg", "glb", "npz", "ply", "json"}) {
+         {"png", "jpg", "webp", "html", "pdf", "eps", "svg", "glb", "sfv", "npz", "ply", "json"}) {
       const std::string name = std::string(odd.name) + "_as_" + output;
       family.add(name, kDone, "", odd.document)
           .run({"render", "in.svg", "--quiet", "-o", std::string("out.") + output});

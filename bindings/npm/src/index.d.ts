@@ -127,7 +127,7 @@ export class SfumatoDocument implements Handle {
 }
 
 /** The formats that `export` makes without further codecs. */
-export type Format = "png" | "svg" | "pdf" | "eps" | "glb" | "html" | "npz" | "ply" | "json";
+export type Format = "png" | "svg" | "pdf" | "eps" | "glb" | "html" | "sfv" | "npz" | "ply" | "json";
 
 /** A solved document, of no resolution. */
 export class SfumatoPicture implements Handle {

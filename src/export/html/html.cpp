@@ -92,11 +92,18 @@ Result<std::vector<std::uint8_t>> filled(const Context& context, const HtmlOptio
   return page.finish();
 }
 
+void note_triangles(const Picture& picture, ExportNotes* notes) {
+  if (!notes) return;
+  for (const PatchLayer& layer : picture.layers) notes->triangle_count += layer.triangle_count();
+}
+
 /// What the page holds of the picture, in zlib's format.
 Result<std::vector<std::uint8_t>> packed_payload(Context& context, const Picture& picture,
-                                                 const HtmlOptions& options, TableMemory& memory) {
-  const auto payload = outputs::viewer_payload(
-      context, picture, outputs::viewer_background(picture, options.background));
+                                                 const std::optional<Rgb>& background,
+                                                 TableMemory& memory) {
+  if (Status status = rules::check_background(background); !status) return status;
+  const auto payload =
+      outputs::viewer_payload(context, picture, outputs::viewer_background(picture, background));
   if (!payload) return payload.status();
   ScopedCharge held;
   Status status = held.add(context, capacity_bytes(*payload), "the viewer's payload");
@@ -108,12 +115,10 @@ Result<std::vector<std::uint8_t>> write(Context& context, const Picture& picture
                                         const HtmlOptions& options, ExportNotes* notes) {
   if (!options.fallback.empty() && !is_media_type(options.fallback_type))
     return make_error(StatusCode::bad_input, "the fallback picture has no media type of an image");
-  if (Status status = rules::check_background(options.background); !status) return status;
   TableMemory memory("the viewer's payload");
-  const auto payload = packed_payload(context, picture, options, memory);
+  const auto payload = packed_payload(context, picture, options.background, memory);
   if (!payload) return payload.status();
-  if (notes)
-    for (const PatchLayer& layer : picture.layers) notes->triangle_count += layer.triangle_count();
+  note_triangles(picture, notes);
   return filled(context, options, *payload);
 }
 
@@ -122,6 +127,16 @@ Result<std::vector<std::uint8_t>> write(Context& context, const Picture& picture
 Result<std::vector<std::uint8_t>> export_html(Context& context, const Picture& picture,
                                               const HtmlOptions& options, ExportNotes* notes) {
   return public_verb(context, [&] { return write(context, picture, options, notes); });
+}
+
+Result<std::vector<std::uint8_t>> export_sfv(Context& context, const Picture& picture,
+                                             const SfvOptions& options, ExportNotes* notes) {
+  return public_verb(context, [&]() -> Result<std::vector<std::uint8_t>> {
+    TableMemory memory("the viewer's payload");
+    auto payload = packed_payload(context, picture, options.background, memory);
+    if (payload) note_triangles(picture, notes);
+    return payload;
+  });
 }
 
 }  // namespace sfumato

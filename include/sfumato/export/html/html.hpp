@@ -36,4 +36,19 @@ Result<std::vector<std::uint8_t>> export_html(Context& context, const Picture& p
                                               const HtmlOptions& options,
                                               ExportNotes* notes = nullptr);
 
+/// Options of export_sfv().
+struct SfvOptions {
+  /// Shown where no layer covers; default: Picture::background, or white.
+  std::optional<Rgb> background{};
+};
+
+/// Picture → what such a page holds of it, as a file of its own: the viewer's payload
+/// (docs/viewer.md) in zlib's format, which `<sfumato-picture src>` shows without solving
+/// (docs/npm.md). `notes`, unless null, receives the number of triangles.
+///
+/// Errors and cost: those of export_html(), without the viewer's 90 kB.
+Result<std::vector<std::uint8_t>> export_sfv(Context& context, const Picture& picture,
+                                             const SfvOptions& options,
+                                             ExportNotes* notes = nullptr);
+
 }  // namespace sfumato
