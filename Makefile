@@ -36,7 +36,7 @@ help:
 
 build:
 	@scripts/setup build
-	@cmake --preset release -DSFUMATO_TESTS=OFF -DSFUMATO_BENCH=OFF \
+	@cmake --preset release -DSFUMATO_TESTS=OFF -DSFUMATO_BENCH=OFF -DSFUMATO_UNITY=ON \
 	  -DSFUMATO_WERROR=OFF --log-level=WARNING >/dev/null
 	@cmake --build $(build_folder) --parallel $(jobs) --target sfumato sfumato_library sfumato_c
 
@@ -49,7 +49,7 @@ demo: build
 test:
 	@scripts/setup build check
 	@cmake --preset release -DSFUMATO_TESTS=ON -DSFUMATO_BENCH=OFF -DSFUMATO_WERROR=OFF \
-	  -DSFUMATO_PRECOMPILE_TESTS=ON --log-level=WARNING >/dev/null
+	  -DSFUMATO_UNITY=ON -DSFUMATO_PRECOMPILE_TESTS=ON --log-level=WARNING >/dev/null
 	@cmake --build $(build_folder) --parallel $(jobs) --target sfumato sfumato_quick_tests
 	@ctest --test-dir $(build_folder) --label-exclude slow --exclude-regex '_NOT_BUILT$$' --parallel $(jobs) \
 	  --progress --output-on-failure --no-tests=error

@@ -12,10 +12,10 @@ namespace sfumato::codecs {
 namespace {
 
 /// zlib's code for gzip with the largest window.
-constexpr int kGzipWindow = 15 + 16;
+constexpr int kAnyGzipWindow = 15 + 16;
 
 constexpr std::size_t kFirstBytes = std::size_t{64} << 10;
-constexpr std::size_t kBytesPerPoll = std::size_t{1} << 20;
+constexpr std::size_t kTextBytesPerPoll = std::size_t{1} << 20;
 
 /// An inflater that ends with its scope.
 class Inflater {
@@ -24,7 +24,7 @@ class Inflater {
     // zlib's interface is older than const.
     stream_.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
     stream_.avail_in = static_cast<uInt>(bytes.size());
-    ready_ = inflateInit2(&stream_, kGzipWindow) == Z_OK;
+    ready_ = inflateInit2(&stream_, kAnyGzipWindow) == Z_OK;
   }
   Inflater(const Inflater&) = delete;
   Inflater& operator=(const Inflater&) = delete;
@@ -88,7 +88,7 @@ Result<std::string> gunzip(Context& context, std::string_view bytes, TableMemory
       if (Status status = memory.resize(context, text, next); !status) return status;
     }
     std::size_t written = 0;
-    const std::size_t room = std::min(text.size() - size, kBytesPerPoll);
+    const std::size_t room = std::min(text.size() - size, kTextBytesPerPoll);
     code = inflater.fill(&text[size], room, written);
     size += written;
     if (code == Z_STREAM_END && inflater.next_member()) code = Z_OK;

@@ -16,7 +16,7 @@ constexpr std::uint16_t kFirstDate = 0x21;  // 1 January 1980
 constexpr std::size_t kMost16 = std::numeric_limits<std::uint16_t>::max();
 constexpr std::size_t kMost32 = std::numeric_limits<std::uint32_t>::max();
 /// Between them the cancel flag is looked at.
-constexpr std::size_t kBytesPerPoll = std::size_t{1} << 20;
+constexpr std::size_t kPartBytesPerPoll = std::size_t{1} << 20;
 
 void put16(OutputBuffer& file, std::uint32_t value) {
   file.push_back(static_cast<std::uint8_t>(value));
@@ -38,7 +38,7 @@ std::uint32_t ZipWriter::crc_of(std::span<const std::span<const std::uint8_t>> p
         file_.fail(context_.cancel_status());
         return 0;
       }
-      const std::size_t taken = std::min(kBytesPerPoll, part.size());
+      const std::size_t taken = std::min(kPartBytesPerPoll, part.size());
       crc = crc32(crc, part.data(), static_cast<uInt>(taken));
       part = part.subspan(taken);
     }

@@ -13,7 +13,7 @@ namespace sfumato::solve {
 namespace {
 
 /// Nodes around a vertex or on an edge are of the part whose triangle comes to them first.
-constexpr std::uint32_t kTrianglesPerPart = 2048;
+constexpr std::uint32_t kTrianglesPerRun = 2048;
 
 /// The nodes of some triangles, whose numbers begin at 0.
 struct Part {
@@ -74,7 +74,7 @@ class FirstLayout {
  private:
   Status make_tables() {
     const std::size_t triangles = mesh_.triangle_count();
-    const std::size_t parts = (triangles + kTrianglesPerPart - 1) / kTrianglesPerPart;
+    const std::size_t parts = (triangles + kTrianglesPerRun - 1) / kTrianglesPerRun;
     Status status = make_table(layout_.triangle_node, kNodesPerTriangle, triangles, spare_);
     if (status) status = make_table(layout_.edge_is_curve, 3, triangles, spare_);
     if (status) status = scratch_.reserve(context_, parts_, parts);
@@ -107,7 +107,7 @@ class FirstLayout {
 
   /// Which part is the first that lacks memory depends on the threads: the error does not say it.
   Status place_parts() {
-    Status status = try_parallel_for(context_, mesh_.triangle_count(), kTrianglesPerPart,
+    Status status = try_parallel_for(context_, mesh_.triangle_count(), kTrianglesPerRun,
                                      [&](std::size_t begin, std::size_t end) {
                                        return place_part(static_cast<std::uint32_t>(begin),
                                                          static_cast<std::uint32_t>(end));
@@ -117,7 +117,7 @@ class FirstLayout {
   }
 
   Status place_part(std::uint32_t begin, std::uint32_t end) {
-    Part& part = parts_[begin / kTrianglesPerPart];
+    Part& part = parts_[begin / kTrianglesPerRun];
     Status status = part.memory.reserve(context_, part.position, 5 * (end - begin));
     std::size_t known = capacity_bytes(part.position);
     NewNodes table(layout_, part.position);
@@ -150,8 +150,8 @@ class FirstLayout {
       Part& part = parts_[i];
       std::ranges::copy(part.position, layout_.position.begin() + part.first_node);
       part.memory.free(part.position);
-      const auto begin = static_cast<std::uint32_t>(i) * kTrianglesPerPart;
-      const std::uint32_t end = std::min(mesh_.triangle_count(), begin + kTrianglesPerPart);
+      const auto begin = static_cast<std::uint32_t>(i) * kTrianglesPerRun;
+      const std::uint32_t end = std::min(mesh_.triangle_count(), begin + kTrianglesPerRun);
       for (std::uint32_t t = begin; t < end; ++t) number_triangle(t);
     });
   }
@@ -171,7 +171,7 @@ class FirstLayout {
   }
 
   std::uint32_t first_node_at(std::uint32_t half_edge) const {
-    return parts_[half_edge / 3 / kTrianglesPerPart].first_node;
+    return parts_[half_edge / 3 / kTrianglesPerRun].first_node;
   }
 
   Status set_fixed_values() {

@@ -21,7 +21,7 @@ namespace {
 using enum TokenType;
 
 /// No name is as long as this, escapes included: what is longer need not be copied.
-constexpr std::size_t kLongestName = 256;
+constexpr std::size_t kLongestColor = 256;
 
 Status no_color(std::string_view text, std::string_view hint = {}) {
   return make_error(StatusCode::bad_input,
@@ -187,7 +187,7 @@ std::optional<Color> from_function(Tokenizer& tokens, std::string_view name) {
 /// The colour whose first token was taken.
 std::optional<Color> take_color(Tokenizer& tokens, const Token& first) {
   if (first.is(function)) return from_function(tokens, first.value);
-  if (first.value.size() > kLongestName) return std::nullopt;
+  if (first.value.size() > kLongestColor) return std::nullopt;
   const std::string name = ascii_lower(unescaped(first.value));
   if (first.is(hash)) return from_hex(name);
   return first.is(ident) ? from_name(name) : std::nullopt;
@@ -221,7 +221,7 @@ Result<Color> parse_color(std::string_view text, TextPoll& poll) {
                       "currentColor depends on where it stands; expected the colour itself");
   }
   const std::string_view written = ascii_trimmed(text);
-  const bool is_name = first.is(ident) && first.text == written && written.size() <= kLongestName;
+  const bool is_name = first.is(ident) && first.text == written && written.size() <= kLongestColor;
   return no_color(written, is_name ? did_you_mean_color(ascii_lower(written)) : std::string());
 }
 
