@@ -25,7 +25,7 @@ _sfumato() {
     --order) options='linear quadratic cubic' ;;
     --depth) options='8 16' ;;
     --max-error | --max-time) options='off' ;;
-    --format) options='png jpg webp html pdf eps svg glb sfv npz ply json' ;;
+    --format) options='png jpg webp html pdf eps svg glb sfv npz ply json rgb24 rgba rgb48le rgba64le' ;;
     --svg) options='image vector' ;;
     --pdf-flatten) options='auto always never' ;;
     --device) options='cpu gpu' ;;

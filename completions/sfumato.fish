@@ -21,7 +21,7 @@ complete -c sfumato -n '__fish_seen_subcommand_from render' -s o -l output -r -F
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l out-dir -x -a '(__fish_complete_directories)' -d 'Every picture into this folder'
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l shard -x -d 'Part I/N of the drawings'
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l newer-only -d 'No drawings whose pictures are not older'
-complete -c sfumato -n '__fish_seen_subcommand_from render' -l format -x -a 'png jpg webp html pdf eps svg glb sfv npz ply json' -d 'What is written'
+complete -c sfumato -n '__fish_seen_subcommand_from render' -l format -x -a 'png jpg webp html pdf eps svg glb sfv npz ply json rgb24 rgba rgb48le rgba64le' -d 'What is written'
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l allow-files -x -a '(__fish_complete_directories)' -d 'Read textures from this folder too'
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l viewport -x -d 'The part to draw'
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l width -x -d 'Width in pixels'

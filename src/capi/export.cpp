@@ -56,8 +56,7 @@ std::optional<Rgb> background_of(const options::Settings& settings, OutputKind k
   std::optional<Rgb> background = picture.background;
   if (settings.raster.background) background = settings.raster.background;
   if (settings.no_background) background.reset();
-  const bool knows_no_alpha = kind == OutputKind::jpeg || kind == OutputKind::eps;
-  return knows_no_alpha && !background ? Rgb{1, 1, 1} : background;
+  return !options::knows_alpha(kind) && !background ? Rgb{1, 1, 1} : background;
 }
 
 Result<Bytes> make_image(Context& context, const sfumato_picture& handle, OutputKind kind,
@@ -69,7 +68,7 @@ Result<Bytes> make_image(Context& context, const sfumato_picture& handle, Output
       context.limits, settings.size, viewport, handle.own_scale, settings.window.has_value());
   if (!size) return size.status();
   RasterOptions options = settings.raster;
-  if (!background) options.format = output::with_alpha(options.format);
+  options.format = output::drawn_format(options.format, kind, background.has_value());
   options.viewport = viewport;
   output::set_size(*size, settings.window, options);
   Result<Image> image = raster::rasterize_on(context, picture, options, background);

@@ -1,27 +1,71 @@
 #include "cli/drawing_jobs.hpp"
 
+#include <optional>
+
 #include "base/stopwatch.hpp"
 #include "cli/command_context.hpp"
+#include "cli/film.hpp"
 #include "cli/texture_uses.hpp"
 #include "sfumato/base/native/file.hpp"
 
 namespace sfumato::cli {
 namespace {
 
+/// Makes what jobs ask for, and puts it where it belongs.
+class DrawingJobs {
+ public:
+  DrawingJobs(Context& context, const DocumentArguments& documents, const JobArguments& jobs,
+              ProgressBar* bar, MakeFile make)
+      : context_(context), documents_(documents), jobs_(jobs), bar_(bar), make_(make) {
+    if (jobs.film) film_.emplace(documents.outputs.front(), *jobs.film, !documents.quiet);
+  }
+
+  int run(const JobWords& words);
+
+ private:
+  Status make_and_write(const Job& job, RenderStats& stats);
+  Status write(const Job& job, const std::vector<std::uint8_t>& file, const RenderStats& stats);
+
+  Context& context_;
+  const DocumentArguments& documents_;
+  const JobArguments& jobs_;
+  ProgressBar* bar_;
+  MakeFile make_;
+  std::optional<Film> film_;
+};
+
+Status DrawingJobs::write(const Job& job, const std::vector<std::uint8_t>& file,
+                          const RenderStats& stats) {
+  if (!film_) return write_file(job.output, file, &context_);
+  if (bar_) bar_->erase();
+  return film_->add(context_, job, file, stats);
+}
+
 /// `total` runs since the start of the job.
-Status make_and_write(Context& context, const options::Resources& resources, const Job& job,
-                      MakeFile make, RenderStats& stats) {
+Status DrawingJobs::make_and_write(const Job& job, RenderStats& stats) {
   const Stopwatch total;
-  context.deadline = deadline_of(resources);
-  stats.threads = context.thread_count();
-  const auto file = make(context, job.input, stats);
+  context_.deadline = deadline_of(documents_.resources);
+  stats.threads = context_.thread_count();
+  const auto file = make_(context_, job.input, stats);
   if (!file) return file.status();
-  if (context.cancelled()) return context.cancel_status();
+  if (context_.cancelled()) return context_.cancel_status();
   const Stopwatch write_watch;
-  const Status written = write_file(job.output, *file, &context);
+  const Status written = write(job, *file, stats);
   stats.write_seconds += write_watch.seconds();
   stats.total_seconds = total.seconds();
   return written;
+}
+
+int DrawingJobs::run(const JobWords& words) {
+  const int code = run_jobs(context_, jobs_, words, bar_, [&](const Job& job, std::string& line) {
+    RenderStats stats;
+    Status status = make_and_write(job, stats);
+    line = to_json(stats, jobs_.many ? job.input : std::string());
+    return status;
+  });
+  if (!film_ || code != kDone) return code;
+  const Status closed = film_->close(context_);
+  return closed ? code : fail(closed);
 }
 
 }  // namespace
@@ -38,12 +82,7 @@ int run_drawing_jobs(const DocumentArguments& documents, const JobArguments& job
   }
   const Status writable = prepare_outputs(jobs);
   if (!writable) return fail(writable);
-  return run_jobs(context, jobs, words, work.bar(), [&](const Job& job, std::string& line) {
-    RenderStats stats;
-    Status status = make_and_write(context, documents.resources, job, make, stats);
-    line = to_json(stats, jobs.many ? job.input : std::string());
-    return status;
-  });
+  return DrawingJobs(context, documents, jobs, work.bar(), make).run(words);
 }
 
 }  // namespace sfumato::cli

@@ -13,9 +13,12 @@ namespace {
 namespace fs = std::filesystem;
 
 std::vector<Job> jobs_of(const JobChoices& choices, const std::string& extension) {
-  if (choices.output_folder.empty()) return {{choices.inputs.front(), choices.output}};
   std::vector<Job> jobs;
   for (const std::string& input : choices.inputs) {
+    if (choices.output_folder.empty()) {
+      jobs.push_back({input, choices.output});
+      continue;
+    }
     // "drawing.svg.gz" and "drawing.svgz" both become "drawing".
     fs::path name = fs::path(input).filename();
     if (name.extension() == ".gz") name = name.stem();
@@ -31,10 +34,12 @@ void settle_file_uses(const JobArguments& arguments, const JobWords& words,
   std::vector<OutputFile> outputs;
   for (const Job& job : arguments.jobs) {
     inputs.push_back({job.input, std::string("the ") + words.input});
+    if (arguments.film && !outputs.empty()) continue;
     outputs.push_back({job.output, std::string("the ") + words.output, in_quotes(job.input)});
   }
   std::string complaint = complaint_about(inputs, outputs);
-  expect(complaint.empty(), arguments.many ? "--out-dir" : "--output", complaint);
+  const bool has_folder = !arguments.output_folder.empty();
+  expect(complaint.empty(), has_folder ? "--out-dir" : "--output", complaint);
   if (!arguments.stats.empty()) outputs.push_back({arguments.stats, "the figures", "--stats"});
   complaint = complaint_about(inputs, outputs);
   expect(complaint.empty(), "--stats", complaint);
@@ -49,14 +54,22 @@ bool is_up_to_date(const Job& job) {
   return !no_input && !no_output && output >= input;
 }
 
-/// The jobs that this call is to do.
-std::vector<Job> chosen_jobs(const JobChoices& choices, const std::vector<Job>& jobs) {
-  const Shard shard = choices.shard.value_or(Shard{});
+/// Those of a shard: a run of them, or every so many.
+std::vector<Job> jobs_of_shard(Shard shard, bool is_run, const std::vector<Job>& jobs) {
+  const auto index = static_cast<std::size_t>(shard.index),
+             count = static_cast<std::size_t>(shard.count);
   std::vector<Job> chosen;
-  for (std::size_t i = static_cast<std::size_t>(shard.index); i < jobs.size();
-       i += static_cast<std::size_t>(shard.count)) {
-    if (!choices.newer_only || !is_up_to_date(jobs[i])) chosen.push_back(jobs[i]);
-  }
+  const std::size_t begin = is_run ? jobs.size() * index / count : index;
+  const std::size_t end = is_run ? jobs.size() * (index + 1) / count : jobs.size();
+  for (std::size_t i = begin; i < end; i += is_run ? 1 : count) chosen.push_back(jobs[i]);
+  return chosen;
+}
+
+/// The jobs that this call is to do. Shards of a film are the film, one behind the other.
+std::vector<Job> chosen_jobs(const JobChoices& choices, bool is_film,
+                             const std::vector<Job>& jobs) {
+  std::vector<Job> chosen = jobs_of_shard(choices.shard.value_or(Shard{}), is_film, jobs);
+  if (choices.newer_only) std::erase_if(chosen, is_up_to_date);
   return chosen;
 }
 
@@ -65,21 +78,22 @@ std::vector<Job> chosen_jobs(const JobChoices& choices, const std::vector<Job>& 
 void settle_jobs(const JobChoices& choices, const std::string& extension, const JobWords& words,
                  const std::vector<InputFile>& other_inputs, JobArguments& arguments,
                  std::vector<std::string>& outputs) {
-  arguments.many = !choices.output_folder.empty();
+  const bool has_folder = !choices.output_folder.empty(), is_film = arguments.film.has_value();
+  arguments.many = has_folder || is_film;
   arguments.output_folder = choices.output_folder;
-  expect(arguments.many || !choices.output.empty(), "--output", "expected, or --out-dir");
+  expect(has_folder || !choices.output.empty(), "--output", "expected, or --out-dir");
   expect(arguments.many || choices.inputs.size() == 1, "IN",
          std::string("several ") + words.input + "s given, expected --out-dir for their " +
              words.output + 's');
   const bool reads_stdin = std::count(choices.inputs.begin(), choices.inputs.end(), "-") > 0;
-  expect(!arguments.many || !reads_stdin, "--out-dir", "stdin has no name, expected -o");
+  expect(!has_folder || !reads_stdin, "--out-dir", "stdin has no name, expected -o");
   arguments.jobs = jobs_of(choices, extension);
   expect(choices.output != "-" || arguments.stats != "-", "--stats",
          std::string("stdout is taken by the ") + words.output + ", expected a file name");
   settle_file_uses(arguments, words, other_inputs, outputs);
   expect(arguments.many || !choices.shard, "--shard", "expected with --out-dir only");
-  expect(arguments.many || !choices.newer_only, "--newer-only", "expected with --out-dir only");
-  arguments.jobs = chosen_jobs(choices, arguments.jobs);
+  expect(has_folder || !choices.newer_only, "--newer-only", "expected with --out-dir only");
+  arguments.jobs = chosen_jobs(choices, is_film, arguments.jobs);
 }
 
 }  // namespace sfumato::cli

@@ -21,6 +21,8 @@ class JobRun {
  private:
   void run_job(std::size_t index, DoJob do_job);
   void report_failure(const Status& status);
+  void report_end() const;
+  bool has_ended() const { return is_cancelled_ || (arguments_.film && failed_ > 0); }
   /// By a signal; one job that takes too long does not end the others.
   bool interrupted() const { return context_.cancel.load(); }
 
@@ -30,7 +32,7 @@ class JobRun {
   ProgressBar* bar_;
   std::string stats_;
   int exit_code_ = kDone;
-  std::size_t failed_ = 0;
+  std::size_t done_ = 0, failed_ = 0;
   bool is_cancelled_ = false;  ///< and that was reported
 };
 
@@ -52,11 +54,12 @@ void JobRun::run_job(std::size_t index, DoJob do_job) {
   if (bar_ && !status) bar_->erase();
   if (!status && status.where.file.empty()) status.where.file = display_name(job.input);
   if (!status) return report_failure(status);
+  ++done_;
   stats_ += stats;
 }
 
 int JobRun::run(DoJob do_job) {
-  for (std::size_t i = 0; i < arguments_.jobs.size() && !is_cancelled_; ++i) {
+  for (std::size_t i = 0; i < arguments_.jobs.size() && !has_ended(); ++i) {
     // Also where the signal came between two jobs, or before the first.
     interrupted() ? report_failure(context_.cancel_status()) : run_job(i, do_job);
   }
@@ -67,17 +70,25 @@ int JobRun::run(DoJob do_job) {
         &context_);
     if (!written) report_failure(written);
   }
-  if (arguments_.many && failed_ > 0 && !is_cancelled_) {
+  report_end();
+  return exit_code_;
+}
+
+void JobRun::report_end() const {
+  if (!arguments_.many || failed_ == 0 || is_cancelled_) return;
+  if (arguments_.film) {
+    std::fprintf(stderr, "sfumato: the film ends after %zu of %zu frames\n", done_,
+                 arguments_.jobs.size());
+  } else {
     std::fprintf(stderr, "sfumato: %zu of %zu %ss failed\n", failed_, arguments_.jobs.size(),
                  words_.input);
   }
-  return exit_code_;
 }
 
 }  // namespace
 
 Status prepare_outputs(const JobArguments& arguments) {
-  if (arguments.many) {
+  if (!arguments.output_folder.empty()) {
     const Status made = make_folder(arguments.output_folder);
     if (!made) return made;
   }

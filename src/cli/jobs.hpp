@@ -6,6 +6,7 @@
 
 #include "cli/file_uses.hpp"
 #include "cli/progress_bar.hpp"
+#include "options/output_kind.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/function_ref.hpp"
 #include "sfumato/base/status.hpp"
@@ -20,6 +21,7 @@ struct Job {
   std::string output;
 };
 
+using options::OutputKind;
 using tiles::Shard;
 
 /// What such commands are given.
@@ -27,14 +29,15 @@ struct JobChoices {
   std::vector<std::string> inputs;
   std::string output;          ///< of a single input
   std::string output_folder;   ///< --out-dir
-  std::optional<Shard> shard;  ///< of the jobs, with --out-dir
+  std::optional<Shard> shard;  ///< of the jobs, with --out-dir or for a film
   bool newer_only = false;     ///< leave out inputs whose outputs are there and not older
 };
 
 /// What such a command does.
 struct JobArguments {
   std::vector<Job> jobs;
-  bool many = false;  ///< --out-dir was given
+  bool many = false;               ///< --out-dir was given, or this is a film
+  std::optional<OutputKind> film;  ///< all jobs write raw frames of this kind into one output
   std::string output_folder;
   std::string stats;  ///< where the JSON goes; empty: nowhere
 };
@@ -48,11 +51,12 @@ inline constexpr JobWords kRenderWords{"drawing", "picture"};
 inline constexpr JobWords kSolveWords{"drawing", "solved picture"};
 inline constexpr JobWords kTraceWords{"picture", "drawing"};
 
-/// The jobs of the choices: either a single input becomes `output`, or each input becomes a file in
-/// `output_folder` under its own name with another extension. Throws CLI::ValidationError where not
-/// exactly one of the two is given, or where an output would replace an input or another output.
+/// The jobs of the choices: either a single input becomes `output`, or of a film all of them, or
+/// each input becomes a file in `output_folder` under its own name with another extension. Throws
+/// CLI::ValidationError where not exactly one of the two is given, or where an output would replace
+/// an input or another output.
 ///
-/// arguments  `stats` is set, and jobs, many and output_folder will be
+/// arguments  `stats` and `film` are set, and jobs, many and output_folder will be
 /// outputs    files that the call writes are appended
 void settle_jobs(const JobChoices& choices, const std::string& extension, const JobWords& words,
                  const std::vector<InputFile>& other_inputs, JobArguments& arguments,
@@ -65,7 +69,7 @@ Status prepare_outputs(const JobArguments& arguments);
 using DoJob = FunctionRef<Status(const Job& job, std::string& stats)>;
 
 /// Does the jobs of one call, one after another, and writes the JSON. A job that fails is reported
-/// and ends no other; a signal ends all.
+/// and ends no other, except in a film, where others would come at a wrong time; a signal ends all.
 ///
 /// bar    null: there is none
 /// Returns the exit code: of the first job that failed.

@@ -32,6 +32,10 @@ std::vector<std::string_view> extensions_of(const OutputNames& names) {
     if (!names.only || known.kind == *names.only) extensions.push_back(known.extension);
   }
   if (names.takes_packed) extensions.push_back(kPackedExtension);
+  if (names.takes_frames) {
+    for (const options::KnownOutput& known : options::known_frames())
+      extensions.push_back(known.extension);
+  }
   return extensions;
 }
 
@@ -52,11 +56,16 @@ Status cannot_write(const std::string& path, const std::string& why) {
 }  // namespace
 
 std::optional<OutputKind> output_kind(const std::string& path) {
-  return options::kind_of_extension(extension_of(path));
+  return kind_of_format(extension_of(path));
 }
 
-std::vector<std::string> known_extensions() {
-  const std::vector<std::string_view> extensions = extensions_of({});
+std::optional<OutputKind> kind_of_format(const std::string& extension) {
+  const std::optional<OutputKind> kind = options::kind_of_extension(extension);
+  return kind ? kind : options::frame_of_extension(extension);
+}
+
+std::vector<std::string> known_formats() {
+  const std::vector<std::string_view> extensions = extensions_of({.takes_frames = true});
   return {extensions.begin(), extensions.end()};
 }
 
@@ -70,7 +79,8 @@ std::string complaint_about_output(const std::string& name, const OutputNames& n
   const bool has_solved_name = ascii_lower(extension_of(name)) == kSolvedExtension;
   if (names.is_solved && has_solved_name) return {};
   const std::optional<OutputKind> kind = output_kind(name);
-  if (!names.is_solved && kind && (!names.only || kind == names.only)) return {};
+  const bool is_allowed = kind && (!options::is_frame(*kind) || names.takes_frames);
+  if (!names.is_solved && is_allowed && (!names.only || kind == names.only)) return {};
   const std::string_view meant =
       text::nearest(ascii_lower(extension_of(name)), extensions_of(names));
   std::string text = "\"" + name + "\" given, expected " + expected_name(names);

@@ -16,8 +16,11 @@ using options::OutputKind;
 /// The kind for the extension of `path` (in any case); no value for "-".
 std::optional<OutputKind> output_kind(const std::string& path);
 
-/// The extensions that output_kind knows, without their dots.
-std::vector<std::string> known_extensions();
+/// The kind for an extension without its dot, in any case.
+std::optional<OutputKind> kind_of_format(const std::string& extension);
+
+/// The extensions that kind_of_format knows.
+std::vector<std::string> known_formats();
 
 /// The allowed endings of output names.
 struct OutputNames {
@@ -25,6 +28,7 @@ struct OutputNames {
   bool is_solved = false;            ///< .sfp alone, instead of a kind
   bool takes_dash = true;            ///< for standard output
   bool takes_packed = false;         ///< .svgz as well
+  bool takes_frames = false;         ///< raw frames as well
 };
 
 /// Whether the name is that of an SVG packed by gzip: .svgz.

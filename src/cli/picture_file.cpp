@@ -69,9 +69,7 @@ class PictureMaker {
 void PictureMaker::choose_background(std::optional<Rgb>& background) const {
   if (settings_.raster.background) background = settings_.raster.background;
   if (settings_.no_background) background.reset();
-  const OutputKind kind = arguments_.kind;
-  const bool knows_no_alpha = kind == OutputKind::jpeg || kind == OutputKind::eps;
-  if (knows_no_alpha && !background) background = Rgb{1, 1, 1};
+  if (!options::knows_alpha(arguments_.kind) && !background) background = Rgb{1, 1, 1};
 }
 
 /// shown: where no other part was asked for.
@@ -89,7 +87,7 @@ Status PictureMaker::choose_options(const Box& shown, Vec2 own_scale, bool has_b
   if (!size) return size.status();
   diffuse_.pixels_per_unit = size->pixels_per_unit;
   raster_ = settings_.raster;
-  if (!has_background) raster_.format = output::with_alpha(raster_.format);
+  raster_.format = output::drawn_format(raster_.format, arguments_.kind, has_background);
   raster_.viewport = viewport;
   output::set_size(*size, settings_.window, raster_);
   return ok_status();
@@ -167,11 +165,13 @@ Result<Bytes> PictureMaker::make_image(const Picture& picture) {
 
 Result<Bytes> PictureMaker::encode(Result<Image> image) {
   if (!image) return image.status();
+  stats_.width = image->width;
+  stats_.height = image->height;
   charge_ = {};
   Status status = charge_.add(context_, capacity_bytes(image->bytes), "the image");
   if (!status) return status;
   const Stopwatch watch;
-  if (!settings_.no_background) {
+  if (!settings_.no_background && !options::has_alpha(arguments_.kind)) {
     if (status = output::drop_opaque_alpha(context_, *image); !status) return status;
   }
   Result<Bytes> file = output::encode_image(context_, *image, arguments_.kind, settings_.output);

@@ -16,6 +16,8 @@ constexpr const char* kRenderFooter =
     "  sfumato render lady_bug.xml -o lady_bug.pdf --title \"Lady bug\"\n"
     "  sfumato render lady_bug.sfp -o lady_bug.webp\n"
     "  sfumato render *.svg --out-dir pictures --format webp\n"
+    "  sfumato render frames/*.svg -o - --format rgb24 | ffmpeg -f rawvideo -pixel_format rgb24\\\n"
+    "      -video_size 1280x720 -framerate 24 -i - film.mp4\n"
     "  sfumato render - -o - <lady_bug.xml >lady_bug.png";
 
 void add_files(CLI::App& app, RenderArguments& arguments, RenderChoices& choices) {
@@ -24,22 +26,26 @@ void add_files(CLI::App& app, RenderArguments& arguments, RenderChoices& choices
                  "stdin; several with --out-dir")
       ->required()
       ->type_name("");
-  add_output(app, choices.output, {}, "OUT",
-             "The picture, made as its extension says; '-': to\nstdout, as --format says");
+  add_output(app, choices.output, {.takes_frames = true}, "OUT",
+             "The picture, made as its extension says; '-': to\nstdout, as --format says; raw "
+             "frames of several drawings,\none behind the other");
   app.add_option("--out-dir", choices.output_folder,
                  "Instead: every picture into this folder, named as its\ndrawing; made where it "
                  "is not there")
       ->type_name("DIR")
       ->excludes("--output");
   add_value(app, "--shard", kShardText,
-            "With --out-dir: every Nth drawing, from the Ith on, which\nis counted from 0 [0/1]",
+            "With --out-dir: every Nth drawing, from the Ith on, which\nis counted from 0; with "
+            "raw frames: the Ith of N runs of them\n[0/1]",
             into(choices.shard, parse_shard));
   app.add_flag("--newer-only", choices.newer_only,
                "With --out-dir: no drawings whose pictures are there and\nnot older");
-  add_value(app, "--format", one_of(known_extensions(), "EXTENSION"),
-            "What --out-dir and '-o -' write [png]", [&choices](const std::string& text) {
+  add_value(app, "--format", one_of(known_formats(), "EXTENSION"),
+            "What --out-dir and '-o -' write; for ffmpeg raw frames:\nrgb24, rgba, rgb48le, "
+            "rgba64le [png]",
+            [&choices](const std::string& text) {
               choices.extension = text;
-              choices.format = options::kind_of_extension(text);
+              choices.format = kind_of_format(text);
               return choices.format.has_value();
             });
   add_allowed_folders(app, arguments);

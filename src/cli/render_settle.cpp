@@ -5,13 +5,19 @@
 namespace sfumato::cli {
 namespace {
 
+/// Whether the name of an output does not say what it is.
+bool takes_format(const RenderChoices& choices) {
+  return choices.output.empty() || choices.output == "-";
+}
+
 void settle_files(RenderArguments& arguments, const RenderChoices& choices) {
-  const bool many = !choices.output_folder.empty();
+  arguments.kind = takes_format(choices) ? choices.format.value_or(OutputKind::png)
+                                         : *output_kind(choices.output);
+  const bool is_film = !choices.output.empty() && options::is_frame(arguments.kind);
+  if (is_film) arguments.film = arguments.kind;
   settle_jobs(choices, choices.extension, kRenderWords, {}, arguments, arguments.outputs);
-  expect(!choices.format || many || choices.output == "-", "--format",
+  expect(!choices.format || takes_format(choices), "--format",
          "expected with --out-dir or '-o -' only: a file's extension says it");
-  arguments.kind = many || choices.output == "-" ? choices.format.value_or(OutputKind::png)
-                                                 : *output_kind(choices.output);
 }
 
 }  // namespace

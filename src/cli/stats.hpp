@@ -10,6 +10,7 @@ namespace sfumato::cli {
 /// Sizes and times of one `sfumato render`, as --stats reports them.
 struct RenderStats {
   DiffuseStats diffuse;
+  int width = 0, height = 0;  ///< of an image: pixels
   int threads = 1;
   double read_seconds = 0;       ///< reading and parsing the input
   double rasterise_seconds = 0;  ///< picture to pixels

@@ -46,8 +46,10 @@ void TextureUses::look_at_texture(const std::string& drawing, const std::string&
   const auto output = identity ? outputs_.find(*identity) : outputs_.end();
   if (output == outputs_.end()) return;
   const bool is_stats = output->second == jobs_.stats;
-  complaint_ = std::string(is_stats ? "--stats" : "--out-dir") + ": " +
-               (is_stats ? "the figures " : "the picture ") + in_quotes(output->second) +
+  complaint_ = std::string(is_stats     ? "--stats"
+                           : jobs_.film ? "--output"
+                                        : "--out-dir") +
+               ": " + (is_stats ? "the figures " : "the picture ") + in_quotes(output->second) +
                " would replace the texture " + in_quotes(name) + " of " + in_quotes(drawing);
 }
 
@@ -68,7 +70,8 @@ void TextureUses::look_at(const std::string& drawing) {
 
 std::string complaint_about_textures(Context& context, const DocumentArguments& arguments,
                                      const JobArguments& jobs) {
-  if (!jobs.many) return {};
+  const bool writes_no_file = jobs.film && jobs.stats.empty() && arguments.outputs.front() == "-";
+  if (!jobs.many || writes_no_file) return {};
   TextureUses uses(context, arguments, jobs);
   for (const Job& job : jobs.jobs) {
     uses.look_at(job.input);

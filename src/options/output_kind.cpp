@@ -14,17 +14,37 @@ constexpr KnownOutput kKnownOutputs[] = {
     {"sfv", OutputKind::sfv},   {"npz", OutputKind::npz},   {"ply", OutputKind::ply},
     {"json", OutputKind::json}};
 
+constexpr KnownOutput kKnownFrames[] = {{"rgb24", OutputKind::rgb24},
+                                        {"rgba", OutputKind::rgba},
+                                        {"rgb48le", OutputKind::rgb48le},
+                                        {"rgba64le", OutputKind::rgba64le}};
+
+std::optional<OutputKind> find(std::span<const KnownOutput> outputs, std::string_view extension) {
+  const auto known = std::ranges::find(outputs, ascii_lower(extension), &KnownOutput::extension);
+  if (known == outputs.end()) return std::nullopt;
+  return known->kind;
+}
+
 }  // namespace
 
 std::span<const KnownOutput> known_outputs() {
   return kKnownOutputs;
 }
 
+std::span<const KnownOutput> known_frames() {
+  return kKnownFrames;
+}
+
 std::optional<OutputKind> kind_of_extension(std::string_view extension) {
-  const auto known =
-      std::ranges::find(kKnownOutputs, ascii_lower(extension), &KnownOutput::extension);
-  if (known == std::end(kKnownOutputs)) return std::nullopt;
-  return known->kind;
+  return find(kKnownOutputs, extension);
+}
+
+std::optional<OutputKind> frame_of_extension(std::string_view extension) {
+  return find(kKnownFrames, extension);
+}
+
+std::string_view name_of_frame(OutputKind kind) {
+  return std::ranges::find(kKnownFrames, kind, &KnownOutput::kind)->extension;
 }
 
 }  // namespace sfumato::options

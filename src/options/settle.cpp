@@ -48,22 +48,34 @@ Conflict conflict_with_drawing(const Settings& given) {
                             {"@height", "expected without @width: only images are stretched"}}}});
 }
 
+/// Of a channel. The names of raw frames say it.
+int bits(const Settings& given, OutputKind kind) {
+  return is_deep_frame(kind) ? 16 : given.depth;
+}
+
 /// What only some formats have.
 Conflict conflict_with_format(const Settings& given, OutputKind kind) {
   const OutputOptions& output = given.output;
   const bool is_svg = kind == OutputKind::svg, is_webp = kind == OutputKind::webp;
   const bool has_quality = kind == OutputKind::jpeg || (is_webp && !output.lossless);
-  return first_broken(std::array<Rule, 7>{
+  const bool takes_depth = kind == OutputKind::png || is_deep_frame(kind);
+  return first_broken(std::array<Rule, 8>{
       {{is_svg || !output.svg, {"@svg", "expected with SVG only"}},
        {!output.force || (is_svg && output.svg == SvgMode::vector),
         {"@force", "expected with @svg=vector only"}},
        {!output.lossless || is_webp, {"@lossless", "expected with WebP only"}},
        {!output.quality || has_quality, {"@quality", "expected with JPEG and lossy WebP only"}},
-       {given.depth == 8 || kind == OutputKind::png,
-        {"@depth", "16 bits given, expected with PNG only"}},
+       {given.depth == 8 || takes_depth,
+        {"@depth", is_frame(kind) ? "16 bits given, expected with PNG, rgb48le and rgba64le only"
+                                  : "16 bits given, expected with PNG only"}},
        {!given.no_background || kind != OutputKind::jpeg,
         {"@background", "none given, but JPEG has no alpha channel"}},
-       {!given.dither || given.depth == 8, {dither_key(given), "expected with @depth=8 only"}}}});
+       {!given.no_background || !is_frame(kind) || knows_alpha(kind),
+        {"@background",
+         "none given, but these frames have no alpha channel, expected rgba or "
+         "rgba64le"}},
+       {!given.dither || bits(given, kind) == 8,
+        {dither_key(given), "expected with @depth=8 only"}}}});
 }
 
 Conflict conflict_among(const Settings& given) {
@@ -104,6 +116,7 @@ void settle(Settings& settings, OutputKind kind) {
   output.detail = output.detail.value_or(*output.svg == SvgMode::vector || is_table(kind) ? 1 : 2);
   // A JPEG keeps too little of the noise to be worth its bytes.
   const bool is_jpeg = kind == OutputKind::jpeg;
+  settings.depth = bits(settings, kind);
   settings.raster.dither = settings.depth == 8 && settings.dither.value_or(!is_jpeg);
   settings.raster.format = settings.depth == 8 ? PixelFormat::rgb8 : PixelFormat::rgb16;
   // What is missed by a code value shows where there are 257 steps to one.

@@ -1,8 +1,11 @@
 #include "output/image_output.hpp"
 
 #include <array>
+#include <bit>
 #include <cstring>
+#include <utility>
 
+#include "base/table_memory.hpp"
 #include "sfumato/codecs/jpeg_encode.hpp"
 #include "sfumato/codecs/png.hpp"
 #include "sfumato/codecs/webp_encode.hpp"
@@ -50,10 +53,26 @@ Status drop_opaque_alpha_of(const Context& context, PixelFormat without, Image& 
   return ok_status();
 }
 
+/// The pixels alone, channels of 16 bits with their low byte first.
+Result<std::vector<std::uint8_t>> raw_frame(const Context& context, const Image& image) {
+  TableMemory memory("a raw frame");
+  std::vector<std::uint8_t> bytes;
+  Status status = memory.append(context, image.bytes, bytes);
+  if (!status) return status;
+  if (std::endian::native == std::endian::big && bytes_per_channel(image.format) == 2) {
+    for (std::size_t i = 0; i + 1 < bytes.size(); i += 2) std::swap(bytes[i], bytes[i + 1]);
+  }
+  return bytes;
+}
+
 }  // namespace
 
 PixelFormat with_alpha(PixelFormat format) {
   return bytes_per_channel(format) == 1 ? PixelFormat::rgba8 : PixelFormat::rgba16;
+}
+
+PixelFormat drawn_format(PixelFormat format, options::OutputKind kind, bool has_background) {
+  return options::has_alpha(kind) || !has_background ? with_alpha(format) : format;
 }
 
 Status drop_opaque_alpha(Context& context, Image& image) {
@@ -72,6 +91,11 @@ Result<std::vector<std::uint8_t>> encode_image(Context& context, const Image& im
     case options::OutputKind::webp:
       return encode_webp(context, image,
                          {.lossless = options.lossless, .quality = *options.quality});
+    case options::OutputKind::rgb24:
+    case options::OutputKind::rgba:
+    case options::OutputKind::rgb48le:
+    case options::OutputKind::rgba64le:
+      return raw_frame(context, image);
     default:
       return encode_png(context, image);
   }

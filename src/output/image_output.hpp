@@ -14,11 +14,15 @@ namespace sfumato::output {
 /// The format with alpha and the same number of bits.
 PixelFormat with_alpha(PixelFormat format);
 
+/// The format in which an output of this kind is drawn: with alpha where the kind always has it, or
+/// where there is no background. format: settled.
+PixelFormat drawn_format(PixelFormat format, options::OutputKind kind, bool has_background);
+
 /// Removes the alpha channel if the image is opaque everywhere. Errors: cancelled.
 Status drop_opaque_alpha(Context& context, Image& image);
 
-/// Encodes an image as a file of a pixel format. options: settled. Errors: limit, out_of_memory,
-/// cancelled.
+/// Encodes an image as a file of a pixel format, or as a raw frame. options: settled. Errors:
+/// limit, out_of_memory, cancelled.
 Result<std::vector<std::uint8_t>> encode_image(Context& context, const Image& image,
                                                options::OutputKind kind,
                                                const options::OutputOptions& options);

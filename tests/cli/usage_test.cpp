@@ -195,7 +195,7 @@ TEST(Usage, mistyped_extensions_get_a_suggestion_in_every_command) {
         message({command, "a.svg", "-o", "c/b.d.HMTL"}).ends_with("; did you mean c/b.d.html?"));
     EXPECT_TRUE(message({command, "a.svg", "-o", "b.jepg"}).ends_with("; did you mean b.jpg?"));
   }
-  EXPECT_TRUE(message({"render", "a.svg", "-o", "b.tiff"}).ends_with(".json, or -"));
+  EXPECT_TRUE(message({"render", "a.svg", "-o", "b.tiff"}).ends_with(".rgba64le, or -"));
   EXPECT_TRUE(message({"watch", "a.svg", "-o", "b"}).ends_with(".ply, .json"));
   EXPECT_EQ(
       message({"convert", "a.xml", "-o", "b.sgv"}),
@@ -209,7 +209,8 @@ TEST(Usage, mistyped_extensions_get_a_suggestion_in_every_command) {
       message({"compare", "a.png", "b.png", "-o", "c.npg"}).ends_with("; did you mean c.png?"));
   EXPECT_EQ(message({"render", "a.svg", "-o", "-", "--format", "ppng"}),
             "sfumato: error: --format: \"ppng\" given, expected one of "
-            "png|jpg|jpeg|webp|html|pdf|eps|svg|glb|sfv|npz|ply|json; did you mean png?");
+            "png|jpg|jpeg|webp|html|pdf|eps|svg|glb|sfv|npz|ply|json|rgb24|rgba|rgb48le|rgba64le; "
+            "did you mean png?");
 }
 
 TEST(Usage, unknown_extensions_list_the_known_ones) {

@@ -63,14 +63,6 @@ Status write_in_place(int descriptor, const std::string& path, std::span<const s
   return io_error(path, "cannot be written", errno, context);
 }
 
-/// Opened without blocking a FIFO is refused for as long as nobody reads it.
-FileDescriptor open_device(const std::string& path, bool is_fifo, const Context* context) {
-  while (true) {
-    FileDescriptor file(path, O_WRONLY | O_NOCTTY | O_NONBLOCK);
-    if (file.is_open() || !is_fifo || errno != ENXIO || !wait_a_moment(context)) return file;
-  }
-}
-
 Status write_device(const std::string& path, bool is_fifo, std::span<const std::uint8_t> bytes,
                     const Context* context) {
   FileDescriptor file = open_device(path, is_fifo, context);

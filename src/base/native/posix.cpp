@@ -75,6 +75,14 @@ bool FileDescriptor::close() {
   return ::close(release()) == 0 || errno == EINTR;
 }
 
+/// Opened without blocking a FIFO is refused for as long as nobody reads it.
+FileDescriptor open_device(const std::string& path, bool is_fifo, const Context* context) {
+  while (true) {
+    FileDescriptor file(path, O_WRONLY | O_NOCTTY | O_NONBLOCK);
+    if (file.is_open() || !is_fifo || errno != ENXIO || !wait_a_moment(context)) return file;
+  }
+}
+
 WriteSignalGuard::WriteSignalGuard() {
   sigset_t pending;
   ::sigpending(&pending);

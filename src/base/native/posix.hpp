@@ -34,6 +34,10 @@ class FileDescriptor {
   int number_ = -1;
 };
 
+/// Opens what is no regular file to be written, and waits for as long as nobody reads a FIFO. If it
+/// is not open, errno says why; ECANCELED: the context, if any, is cancelled.
+FileDescriptor open_device(const std::string& path, bool is_fifo, const Context* context);
+
 /// During its lifetime, writing to a closed pipe or past the process's file size limit is an error
 /// of write(2), not a signal that kills the process. Its destructor restores the thread's signal
 /// mask.
