@@ -65,7 +65,7 @@ _sfumato() {
       options='--output --out-dir --shard --newer-only --format --allow-files --viewport --width --height --scale
         --window --detail --method --rays --seed --tolerance --ends --no-blur --max-error --max-area
         --min-angle --order --mesh-overlay --background --depth --dither --no-dither --quality
-        --lossless --dpi --svg --force --pdf-flatten --title --device --no-antialias --threads
+        --lossless --dpi --svg --force --pdf-flatten --title --device --no-antialias --coherent --threads
         --stats --quiet
         --max-memory --max-time --limit --help'
       ;;

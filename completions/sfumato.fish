@@ -52,6 +52,7 @@ complete -c sfumato -n '__fish_seen_subcommand_from render' -l svg -x -a 'image 
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l force -d 'A vector SVG of any size'
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l title -x -d 'Of HTML, PDF and EPS'
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l device -x -a 'cpu gpu' -d 'What draws pixels'
+complete -c sfumato -n '__fish_seen_subcommand_from render' -l coherent -d 'Goes on with the mesh of the drawing before'
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l no-antialias -d 'Hard edges at curves'
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l threads -x -d 'Number of threads'
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l stats -r -F -d 'Sizes and times as JSON'

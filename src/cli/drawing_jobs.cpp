@@ -32,6 +32,7 @@ class DrawingJobs {
   ProgressBar* bar_;
   MakeFile make_;
   std::optional<Film> film_;
+  std::optional<Solution> kept_;
 };
 
 Status DrawingJobs::write(const Job& job, const std::vector<std::uint8_t>& file,
@@ -46,7 +47,7 @@ Status DrawingJobs::make_and_write(const Job& job, RenderStats& stats) {
   const Stopwatch total;
   context_.deadline = deadline_of(documents_.resources);
   stats.threads = context_.thread_count();
-  const auto file = make_(context_, job.input, stats);
+  const auto file = make_(context_, job.input, stats, kept_);
   if (!file) return file.status();
   if (context_.cancelled()) return context_.cancel_status();
   const Stopwatch write_watch;

@@ -65,10 +65,10 @@ std::vector<Job> jobs_of_shard(Shard shard, bool is_run, const std::vector<Job>&
   return chosen;
 }
 
-/// The jobs that this call is to do. Shards of a film are the film, one behind the other.
-std::vector<Job> chosen_jobs(const JobChoices& choices, bool is_film,
+/// The jobs that this call is to do.
+std::vector<Job> chosen_jobs(const JobChoices& choices, bool are_runs,
                              const std::vector<Job>& jobs) {
-  std::vector<Job> chosen = jobs_of_shard(choices.shard.value_or(Shard{}), is_film, jobs);
+  std::vector<Job> chosen = jobs_of_shard(choices.shard.value_or(Shard{}), are_runs, jobs);
   if (choices.newer_only) std::erase_if(chosen, is_up_to_date);
   return chosen;
 }
@@ -78,8 +78,8 @@ std::vector<Job> chosen_jobs(const JobChoices& choices, bool is_film,
 void settle_jobs(const JobChoices& choices, const std::string& extension, const JobWords& words,
                  const std::vector<InputFile>& other_inputs, JobArguments& arguments,
                  std::vector<std::string>& outputs) {
-  const bool has_folder = !choices.output_folder.empty(), is_film = arguments.film.has_value();
-  arguments.many = has_folder || is_film;
+  const bool has_folder = !choices.output_folder.empty();
+  arguments.many = has_folder || arguments.film;
   arguments.output_folder = choices.output_folder;
   expect(has_folder || !choices.output.empty(), "--output", "expected, or --out-dir");
   expect(arguments.many || choices.inputs.size() == 1, "IN",
@@ -93,7 +93,7 @@ void settle_jobs(const JobChoices& choices, const std::string& extension, const 
   settle_file_uses(arguments, words, other_inputs, outputs);
   expect(arguments.many || !choices.shard, "--shard", "expected with --out-dir only");
   expect(has_folder || !choices.newer_only, "--newer-only", "expected with --out-dir only");
-  arguments.jobs = chosen_jobs(choices, is_film, arguments.jobs);
+  arguments.jobs = chosen_jobs(choices, arguments.shards_are_runs, arguments.jobs);
 }
 
 }  // namespace sfumato::cli

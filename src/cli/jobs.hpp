@@ -37,6 +37,7 @@ struct JobChoices {
 struct JobArguments {
   std::vector<Job> jobs;
   bool many = false;               ///< --out-dir was given, or this is a film
+  bool shards_are_runs = false;    ///< not every so many jobs, but one behind the other
   std::optional<OutputKind> film;  ///< all jobs write raw frames of this kind into one output
   std::string output_folder;
   std::string stats;  ///< where the JSON goes; empty: nowhere
@@ -56,8 +57,8 @@ inline constexpr JobWords kTraceWords{"picture", "drawing"};
 /// CLI::ValidationError where not exactly one of the two is given, or where an output would replace
 /// an input or another output.
 ///
-/// arguments  `stats` and `film` are set, and jobs, many and output_folder will be
-/// outputs    files that the call writes are appended
+/// arguments  `stats`, `film` and `shards_are_runs` are set, and jobs, many and output_folder will
+/// be outputs    files that the call writes are appended
 void settle_jobs(const JobChoices& choices, const std::string& extension, const JobWords& words,
                  const std::vector<InputFile>& other_inputs, JobArguments& arguments,
                  std::vector<std::string>& outputs);

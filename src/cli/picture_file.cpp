@@ -144,7 +144,11 @@ Result<const Picture*> PictureMaker::solve_kept(Document document) {
     if (made) kept_->emplace(std::move(*made));
     status = made.status();
   }
-  if (status) status = (*kept_)->solve(context_, diffuse_, &stats_.diffuse);
+  if (status && settings_.coherent) {
+    status = (*kept_)->solve_next(context_, diffuse_, &stats_.layers.emplace(), &stats_.diffuse);
+  } else if (status) {
+    status = (*kept_)->solve(context_, diffuse_, &stats_.diffuse);
+  }
   if (!status) return status;
   return &(*kept_)->picture();
 }

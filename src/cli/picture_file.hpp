@@ -18,7 +18,8 @@ namespace sfumato::cli {
 /// format cannot represent is reported as warnings. document: its background may be changed, and it
 /// is freed as soon as the picture is solved. kept: unless null, a solution of an earlier state of
 /// the drawing, or none; it follows the document, and layers that did not change are not solved.
-/// Errors: those of diffuse, rasterize and the exporters.
+/// With Settings::coherent others go on with their meshes. Errors: those of diffuse, rasterize and
+/// the exporters.
 Result<std::vector<std::uint8_t>> make_picture_file(Context& context, Document& document,
                                                     const RenderArguments& arguments,
                                                     RenderStats& stats,

@@ -35,8 +35,8 @@ void add_files(CLI::App& app, RenderArguments& arguments, RenderChoices& choices
       ->type_name("DIR")
       ->excludes("--output");
   add_value(app, "--shard", kShardText,
-            "With --out-dir: every Nth drawing, from the Ith on, which\nis counted from 0; with "
-            "raw frames: the Ith of N runs of them\n[0/1]",
+            "With --out-dir: every Nth drawing, from the Ith on, which\nis counted from 0; of a "
+            "film: the Ith of N runs [0/1]",
             into(choices.shard, parse_shard));
   app.add_flag("--newer-only", choices.newer_only,
                "With --out-dir: no drawings whose pictures are there and\nnot older");
@@ -91,6 +91,7 @@ CLI::App* add_render(CLI::App& root, RenderArguments& arguments, RenderChoices& 
     add_group(*app, group, arguments.settings);
   }
   add_option_of(*app, "device", arguments.settings);
+  add_option_of(*app, "coherent", arguments.settings);
   add_running_options(*app, arguments.settings, arguments, arguments);
   add_resources(*app, arguments.resources);
   return app;

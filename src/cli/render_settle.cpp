@@ -15,9 +15,12 @@ void settle_files(RenderArguments& arguments, const RenderChoices& choices) {
                                          : *output_kind(choices.output);
   const bool is_film = !choices.output.empty() && options::is_frame(arguments.kind);
   if (is_film) arguments.film = arguments.kind;
+  arguments.shards_are_runs = is_film || arguments.settings.coherent;
   settle_jobs(choices, choices.extension, kRenderWords, {}, arguments, arguments.outputs);
   expect(!choices.format || takes_format(choices), "--format",
          "expected with --out-dir or '-o -' only: a file's extension says it");
+  expect(arguments.many || !arguments.settings.coherent, "--coherent",
+         "expected with --out-dir or raw frames only");
 }
 
 }  // namespace

@@ -52,7 +52,8 @@ Result<Bytes> make_file(Context& context, const SolveArguments& arguments, Rende
 int solve(const SolveArguments& arguments) {
   SolveArguments current = arguments;
   return run_drawing_jobs(arguments, arguments, arguments.settings.threads, kSolveWords,
-                          [&](Context& context, const std::string& input, RenderStats& stats) {
+                          [&](Context& context, const std::string& input, RenderStats& stats,
+                              std::optional<Solution>&) {
                             current.input = input;
                             return make_file(context, current, stats);
                           });

@@ -20,6 +20,14 @@ std::string to_json(const RenderStats& stats, std::string_view input) {
       .member("vertices", stats.diffuse.vertices)
       .member("nodes", stats.diffuse.nodes)
       .member("threads", stats.threads);
+  if (stats.layers) {
+    json.key("layers")
+        .begin_object()
+        .member("kept", stats.layers->kept)
+        .member("continued", stats.layers->continued)
+        .member("begun", stats.layers->begun)
+        .end_object();
+  }
   json.key("seconds")
       .begin_object()
       .member("read", to_nanosecond(stats.read_seconds))

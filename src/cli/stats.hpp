@@ -1,16 +1,19 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "sfumato/solve/diffuse.hpp"
+#include "sfumato/solve/solution.hpp"
 
 namespace sfumato::cli {
 
 /// Sizes and times of one `sfumato render`, as --stats reports them.
 struct RenderStats {
   DiffuseStats diffuse;
-  int width = 0, height = 0;  ///< of an image: pixels
+  int width = 0, height = 0;            ///< of an image: pixels
+  std::optional<FrameLayers> layers{};  ///< where frames are coherent
   int threads = 1;
   double read_seconds = 0;       ///< reading and parsing the input
   double rasterise_seconds = 0;  ///< picture to pixels

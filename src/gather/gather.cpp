@@ -25,6 +25,9 @@ struct Gatherer::State {
 
 namespace {
 
+/// To gather the nodes of a triangle takes longer than so many steps.
+constexpr std::size_t kStepsPerTriangle = 128;
+
 constexpr std::size_t kPointsPerTask = 1024;
 
 /// What is gathered where there is nothing to see.
@@ -220,7 +223,7 @@ Status Gatherer::mark_viewers(Context& context, const State& state, const PointL
   if (state.scene.watched.empty()) return ok_status();
   TableMemory memory("who sees a curve");
   const Result<std::vector<std::uint8_t>> triangle_sees =
-      find_viewers(context, state.scene, memory);
+      find_viewers(context, state.scene, memory, kStepsPerTriangle);
   if (!triangle_sees) return triangle_sees.status();
   const Result<LocatedPoints> located = state.locator->locate(context, points);
   if (!located) return located.status();

@@ -9,10 +9,6 @@
 namespace sfumato::gather {
 namespace {
 
-/// Windows through which several ways lead into the same triangles are followed on each way. On
-/// drawings they are a few percent of the triangles; from here on it is cheaper to mark all.
-constexpr std::size_t kStepsPerTriangle = 16;
-
 std::uint32_t next(std::uint32_t h) {
   return h % 3 == 2 ? h - 2 : h + 1;
 }
@@ -43,11 +39,12 @@ struct Window {
 
 class ViewerSearch {
  public:
-  ViewerSearch(const Scene& scene, std::span<std::uint8_t> sees) : scene_(scene), sees_(sees) {}
+  ViewerSearch(const Scene& scene, std::size_t steps_per_triangle, std::span<std::uint8_t> sees)
+      : scene_(scene), steps_per_triangle_(steps_per_triangle), sees_(sees) {}
 
   Status run(const Context& context) {
     RarePoll<1024> poll(context);
-    const std::size_t most = kStepsPerTriangle * scene_.triangle.size();
+    const std::size_t most = steps_per_triangle_ * scene_.triangle.size();
     std::size_t steps = 0;
     Status status = memory_.reserve(context, waiting_, 64);
     for (const std::uint32_t h : scene_.watched) {
@@ -129,6 +126,7 @@ class ViewerSearch {
   }
 
   const Scene& scene_;
+  std::size_t steps_per_triangle_;
   std::span<std::uint8_t> sees_;
   std::vector<Window> waiting_;
   TableMemory memory_{"who sees a curve"};
@@ -137,11 +135,12 @@ class ViewerSearch {
 }  // namespace
 
 Result<std::vector<std::uint8_t>> find_viewers(const Context& context, const Scene& scene,
-                                               TableMemory& memory) {
+                                               TableMemory& memory,
+                                               std::size_t steps_per_triangle) {
   std::vector<std::uint8_t> sees;
   Status status = memory.resize(context, sees, scene.triangle.size());
   if (!status) return status;
-  status = ViewerSearch(scene, sees).run(context);
+  status = ViewerSearch(scene, steps_per_triangle, sees).run(context);
   if (!status) return status;
   return sees;
 }

@@ -144,7 +144,9 @@ class Mesher {
   Result<TriangleMesh> copy_mesh(const Context& context, const TriangleMesh& mesh);
 
   /// The triangles of the last patch_mesh of `before`, of which this is a copy that was edited
-  /// since: the index of each in this one's last patch_mesh, or kNone where its corners changed.
+  /// since: the index of each in this one's last patch_mesh, or kNone where its corners changed. Or
+  /// both are copies of one mesher, edited since: what both have gained may then be taken for each
+  /// other, though its corners differ.
   /// The list is allocated from `memory`. Errors: limit (memory), cancelled.
   Result<std::vector<std::int32_t>> kept_triangles(const Context& context, const Mesher& before,
                                                    TableMemory& memory) const;

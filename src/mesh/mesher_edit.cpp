@@ -92,6 +92,7 @@ Result<std::vector<std::int32_t>> Mesher::kept_triangles(const Context& context,
   if (!status) return status;
   const State& s = *state_;
   for (std::size_t t = 0; t < kept.size(); ++t) {
+    if (static_cast<std::size_t>(patched[t].triangle) >= s.mesh.triangle.size()) continue;
     const Triangle& now = s.mesh.triangle[patched[t].triangle];
     if (now.stamp == patched[t].stamp) kept[t] = s.numbering.triangle[patched[t].triangle];
   }

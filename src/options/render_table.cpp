@@ -282,6 +282,12 @@ constexpr Option<Settings> kRenderOptions[] = {
       .help = "What draws pixels; gpu: by OpenGL ES, where there is\none [cpu]",
       .group = Group::running},
      [](Settings& s, const Value& v) { s.device = meaning<Device::cpu, Device::gpu>(v); }},
+    {{.key = "coherent",
+      .kind = ValueKind::flag,
+      .help = "Drawings are frames of a film: each goes on with the mesh\nof the one before, so "
+              "that nothing flickers",
+      .group = Group::running},
+     [](Settings& s, const Value&) { s.coherent = true; }},
     {{.key = "threads",
       .kind = ValueKind::whole,
       .wholes = {1, limits::kThreads},

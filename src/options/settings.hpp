@@ -69,7 +69,8 @@ struct Settings {
   std::optional<bool> dither{};  ///< settle() decides for RasterOptions::dither
   bool no_background = false;    ///< not even the drawing's own, always alpha
   OutputOptions output;
-  int threads = 0;  ///< 0: all cores
+  bool coherent = false;  ///< each of many drawings goes on with the mesh of the one before
+  int threads = 0;        ///< 0: all cores
 };
 
 /// Of a context that is made from options.

@@ -69,10 +69,10 @@ Status FieldSolver::follow(Context& context, const mesh::TriangleMesh& mesh,
   return ok_status();
 }
 
-Status FieldSolver::copy_values(const Context& context, const FieldSolver& before,
+Status FieldSolver::copy_values(const Context& context, const KnownNodes& before,
                                 std::span<const std::int32_t> kept, std::span<std::uint8_t> asks,
                                 TableMemory& memory, std::vector<std::uint32_t>& carried) {
-  const NodeLayout& old = before.layout_;
+  const NodeLayout& old = before.layout;
   const auto channels = static_cast<std::size_t>(layout_.channel_count);
   Status status = memory.reserve(context, carried, layout_.node_count());
   if (!status) return status;
@@ -89,7 +89,7 @@ Status FieldSolver::copy_values(const Context& context, const FieldSolver& befor
       }
       std::copy_n(old.value.begin() + static_cast<std::ptrdiff_t>(channels * from), channels,
                   layout_.value.begin() + static_cast<std::ptrdiff_t>(channels * node));
-      node_hit_[node] = before.node_hit_[from];
+      node_hit_[node] = before.node_hit[from];
       asks[node] = 0;
       carried.push_back(node);
     }
@@ -106,10 +106,25 @@ Result<std::vector<std::uint8_t>> FieldSolver::asked_nodes(const Context& contex
   return asks;
 }
 
-Status FieldSolver::carry_over(Context& context, const FieldSolver& before,
+Status FieldSolver::clear_asked(const Context& context, std::span<std::uint8_t> is_known) const {
+  TableMemory scratch("patches");
+  const Result<std::vector<std::uint8_t>> asks = asked_nodes(context, scratch);
+  if (!asks) return asks.status();
+  RarePoll<16384> poll(context);
+  for (std::size_t t = 0; t < is_known.size(); ++t) {
+    if (poll.cancelled()) return context.cancel_status();
+    const std::span<const std::uint32_t> nodes =
+        std::span(layout_.triangle_node).subspan(kNodes * t, kNodes);
+    if (std::ranges::any_of(nodes, [&](std::uint32_t node) { return (*asks)[node] != 0; }))
+      is_known[t] = 0;
+  }
+  return ok_status();
+}
+
+Status FieldSolver::carry_over(Context& context, const KnownNodes& before,
                                std::span<const std::int32_t> kept,
                                const gather::ShareBound* bound) {
-  if (!has_channels_of(before)) return ok_status();
+  if (!has_channels_of(before.field)) return ok_status();
   TableMemory scratch("patches");
   Result<std::vector<std::uint8_t>> asks = asked_nodes(context, scratch);
   if (!asks) return asks.status();
@@ -121,7 +136,7 @@ Status FieldSolver::carry_over(Context& context, const FieldSolver& before,
     inserted.emplace(gather::InsertedShare{*bound, node_hit_});
   }
   if (status) {
-    status = field_.gatherer.find_changes(context, before.field_.gatherer, points, *asks,
+    status = field_.gatherer.find_changes(context, before.field.gatherer, points, *asks,
                                           inserted ? &*inserted : nullptr);
   }
   if (!status) return status;
@@ -129,9 +144,9 @@ Status FieldSolver::carry_over(Context& context, const FieldSolver& before,
   return ok_status();
 }
 
-bool FieldSolver::has_channels_of(const FieldSolver& other) const {
-  return field_.attributes.shader == other.field_.attributes.shader &&
-         field_.attributes.base_channels == other.field_.attributes.base_channels;
+bool FieldSolver::has_channels_of(const PreparedField& other) const {
+  return field_.attributes.shader == other.attributes.shader &&
+         field_.attributes.base_channels == other.attributes.base_channels;
 }
 
 std::size_t FieldSolver::bytes_of_nodes() const {

@@ -69,6 +69,13 @@ struct FrameLimit {
   const gather::ShareBound& share;  ///< of the curve that is inserted
 };
 
+/// The nodes of a field on another mesh, from which this one was edited.
+struct KnownNodes {
+  const NodeLayout& layout;
+  std::span<const std::uint8_t> node_hit;  ///< as FieldSolver's
+  const PreparedField& field;
+};
+
 /// Solves one attribute, or colour and opacity as one, on the patch mesh of its layer, which
 /// LayerSolver refines. Keeps the node values up to date with the mesh from round to round, and
 /// finds the patches' errors.
@@ -99,8 +106,13 @@ class FieldSolver {
   /// kept     per triangle of the mesh of `before`: which of this mesh it is, or mesh::kNone
   /// bound    of what was inserted, or null: nodes at which it holds keep their values
   /// Errors   limit (memory), cancelled
-  Status carry_over(Context& context, const FieldSolver& before, std::span<const std::int32_t> kept,
+  Status carry_over(Context& context, const KnownNodes& before, std::span<const std::int32_t> kept,
                     const gather::ShareBound* bound);
+  KnownNodes known() const { return {layout_, node_hit_, field_}; }
+
+  /// Clears is_known[t] where a node of the triangle is listed to be gathered. Errors: limit
+  /// (memory), cancelled.
+  Status clear_asked(const Context& context, std::span<std::uint8_t> is_known) const;
 
   /// In place of start(): on a copy of the mesh of `before`, which has been laid out. Errors: limit
   /// (memory), cancelled.
@@ -200,7 +212,7 @@ class FieldSolver {
                    int base_channels);
 
   /// Whether another's layout can be taken over.
-  bool has_channels_of(const FieldSolver& other) const;
+  bool has_channels_of(const FieldSolver& other) const { return has_channels_of(other.field_); }
 
   /// Numbers the nodes as lay_out would now. Call once, after the last `follow`.
   Status put_in_order(Context& context, const mesh::TriangleMesh& mesh);
@@ -304,7 +316,8 @@ class FieldSolver {
                         std::vector<std::uint32_t>& listed);
   /// Copies values of nodes of `before` that are at the same place, free in both, lists these in
   /// `carried` and clears asks[node]. Errors: limit (memory), cancelled.
-  Status copy_values(const Context& context, const FieldSolver& before,
+  bool has_channels_of(const PreparedField& other) const;
+  Status copy_values(const Context& context, const KnownNodes& before,
                      std::span<const std::int32_t> kept, std::span<std::uint8_t> asks,
                      TableMemory& memory, std::vector<std::uint32_t>& carried);
 

@@ -2,13 +2,36 @@
 #include <functional>
 #include <utility>
 
+#include "base/limit_error.hpp"
+#include "base/no_throw.hpp"
 #include "base/poll.hpp"
+#include "base/stopwatch.hpp"
 #include "base/table_memory.hpp"
 #include "solve/fan.hpp"
 #include "solve/layer_solver.hpp"
 
 /// LayerSolver where a layer is edited, as in the frames of a drag.
 namespace sfumato::solve {
+namespace {
+
+/// Marks triangles whose nodes stand where those of a triangle of another layout stand.
+/// same   per triangle of the other: which one that may be, or mesh::kNone
+void mark_same(const NodeLayout& other, const NodeLayout& layout,
+               std::span<const std::int32_t> same, std::span<std::uint8_t> marks) {
+  const auto node = [](const NodeLayout& of, std::size_t t, std::size_t place) {
+    return of.position[of.triangle_node[kNodesPerTriangle * t + place]];
+  };
+  for (std::size_t t = 0; t < same.size(); ++t) {
+    if (same[t] == mesh::kNone) continue;
+    const auto now = static_cast<std::size_t>(same[t]);
+    bool is_same = true;
+    for (std::size_t i = 0; i < kNodesPerTriangle && is_same; ++i)
+      is_same = node(other, t, i) == node(layout, now, i);
+    marks[now] = is_same;
+  }
+}
+
+}  // namespace
 
 /// Lays out all anew, after any edit of a copy of the mesher of `before`. Nodes keep the values
 /// that they have there unless the edit may change them: by more than the bound, if there is one.
@@ -22,11 +45,75 @@ Status LayerSolver::continue_from(const LayerSolver& before, const gather::Share
   const Result<std::vector<std::int32_t>> kept =
       mesher_.kept_triangles(context_, before.mesher_, scratch);
   if (!kept) return kept.status();
-  status = color_.carry_over(context_, before.color_, *kept, bound);
+  status = color_.carry_over(context_, before.color_.known(), *kept, bound);
   if (status && opacity_ && before.opacity_) {
-    status = opacity_->carry_over(context_, *before.opacity_, *kept, bound);
+    status = opacity_->carry_over(context_, before.opacity_->known(), *kept, bound);
   }
   if (status) status = gather(gather::GatherOptions{}, false);
+  return status;
+}
+
+Result<PatchLayer> LayerSolver::solve_next(const FilmFrame* before, const StillMesh* still,
+                                           std::optional<FilmNodes>& kept) {
+  kept.reset();
+  if (options_.gather.method != gather::Method::exact) return solve();
+  Status status = refine(before, still);
+  if (status) status = put_in_order();
+  if (!status) return status;
+  std::optional<RefinedNodes> copies;
+  if (has_spare_memory()) {
+    Result<RefinedNodes> nodes = no_throw([&] { return copy_nodes(); });
+    if (!nodes && !is_lack_of_memory(nodes.status())) return nodes.status();
+    if (nodes) copies.emplace(std::move(*nodes));
+  }
+  Result<PatchLayer> layer = take();
+  if (!layer || !copies) return layer;
+  kept.emplace(FilmNodes{std::move(*copies), {color_.release_field(), {}}});
+  if (opacity_) kept->fields.opacity.emplace(opacity_->release_field());
+  return layer;
+}
+
+/// After lay_out(): nodes keep the values that they had in the frame before unless what changed may
+/// change them, and triangles that kept all of them need not be probed again.
+Status LayerSolver::take_known(const FilmFrame& before) {
+  const auto& [mesher, nodes, fields] = before;
+  if (opacity_.has_value() != nodes.opacity.has_value()) return ok_status();
+  const Stopwatch watch;
+  TableMemory scratch("patches");
+  const Result<std::vector<std::int32_t>> kept = mesher_.kept_triangles(context_, mesher, scratch);
+  if (!kept) return kept.status();
+  const auto carry_over = [&](FieldSolver& field, const RefinedField& known,
+                              const PreparedField& with) {
+    return field.carry_over(context_, {known.layout, known.node_hit, with}, *kept, nullptr);
+  };
+  Status status = carry_over(color_, nodes.color, fields.color);
+  if (status && opacity_) status = carry_over(*opacity_, *nodes.opacity, *fields.opacity);
+  std::vector<std::uint8_t> is_known;
+  if (status) status = scratch.resize(context_, is_known, mesh_->triangle_count());
+  if (!status) return status;
+  mark_same(nodes.color.layout, color_.layout(), *kept, is_known);
+  status = for_each_field([&](FieldSolver& f) { return f.clear_asked(context_, is_known); });
+  std::erase_if(changed_, [&](std::uint32_t t) { return is_known[t] != 0; });
+  if (stats_) stats_->gather_seconds += watch.seconds();
+  return status;
+}
+
+/// Lists those of its triangles that are among these, which missed.
+Status LayerSolver::list_still(const StillMesh& still,
+                               std::span<const std::uint32_t> missed) const {
+  TableMemory scratch("patches");
+  std::vector<std::uint8_t> is_missed;
+  Status status = scratch.resize(context_, is_missed, mesh_->triangle_count());
+  if (!status) return status;
+  for (const std::uint32_t t : missed) is_missed[t] = 1;
+  const Result<std::vector<std::int32_t>> kept =
+      mesher_.kept_triangles(context_, still.mesher, scratch);
+  if (!kept) return kept.status();
+  for (std::uint32_t t = 0; t < kept->size() && status; ++t) {
+    const std::int32_t now = (*kept)[t];
+    if (now == mesh::kNone || !is_missed[static_cast<std::size_t>(now)]) continue;
+    status = still.memory.push_back(context_, still.missed, t);
+  }
   return status;
 }
 

@@ -164,7 +164,7 @@ Result<RefinedLayer> LayerSolver::refine_only() {
 
 /// Afterwards the mesh is as fine as it has to be, and its nodes have their values. The exact
 /// gather decides where to refine; rays are shot once, on the mesh that comes of it.
-Status LayerSolver::refine() {
+Status LayerSolver::refine(const FilmFrame* before, const StillMesh* still) {
   const Stopwatch watch;
   if (!is_mesh_refined_) {
     if (Status status = mesher_.refine(context_); !status) return status;
@@ -175,12 +175,14 @@ Status LayerSolver::refine() {
   if (status && is_blurred_) status = list_all_triangles();
   if (status && is_blurred_) status = follow_blur();
   if (status) status = lay_out();
+  if (status && before) status = take_known(*before);
   std::vector<std::uint32_t> missed;
   for (int round = 0; status; ++round) {
     if (way_.progress) (*way_.progress)(round / double{kMaxRounds});
     status = gather(is_led ? gather::GatherOptions{} : options_.gather, false);
     if (!status || !is_led || round == kMaxRounds) break;
     status = find_misses(missed);
+    if (status && still && round == 0) status = list_still(*still, missed);
     if (!status || missed.empty()) break;
     status = make_smaller(missed);
     if (status) status = update_mesh();

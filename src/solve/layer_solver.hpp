@@ -45,6 +45,27 @@ struct RefinedLayer {
   bool is_all_shown = false;
 };
 
+/// What the next frame of a film asks of a layer as a frame shows it.
+struct FilmNodes {
+  RefinedNodes nodes;  ///< without seams
+  PreparedFields fields;
+};
+
+/// The frame before.
+struct FilmFrame {
+  const mesh::Mesher& mesher;  ///< it and the solver's come of copies of one, edited since
+  const RefinedNodes& nodes;
+  const PreparedFields&
+      fields;  ///< these watch what is not there any more, this frame's what was not
+};
+
+/// The mesh without what moves, of which the solver's is a copy into which that was inserted.
+struct StillMesh {
+  const mesh::Mesher& mesher;
+  std::vector<std::uint32_t>& missed;  ///< out: of its triangles, those whose patches miss
+  TableMemory& memory;                 ///< of the list
+};
+
 /// A layer's tables as a frame of a drag left them: those of the layer that it began from, but for
 /// what the frame changed, which the next frame takes back.
 struct FrameTables {
@@ -128,6 +149,14 @@ class LayerSolver {
   /// gathered. A layer whose fields were one may have two here. Errors: limit, cancelled.
   Status answer(const RefinedNodes& known);
 
+  /// In place of solve(), for a frame of a film.
+  /// before   or null: there is none whose nodes are known
+  /// still    or null: there is none
+  /// kept     gets the nodes of this one, unless memory is lacking for them or they have not their
+  ///          exact values
+  Result<PatchLayer> solve_next(const FilmFrame* before, const StillMesh* still,
+                                std::optional<FilmNodes>& kept);
+
   /// Moves the mesher out. Call last.
   mesh::Mesher release_mesher() { return std::move(mesher_); }
 
@@ -146,7 +175,10 @@ class LayerSolver {
   const PreparedField* opacity() const { return opacity_ ? &opacity_->field() : nullptr; }
 
  private:
-  Status refine();
+  /// before, still   as solve_next()
+  Status refine(const FilmFrame* before = nullptr, const StillMesh* still = nullptr);
+  Status take_known(const FilmFrame& before);
+  Status list_still(const StillMesh& still, std::span<const std::uint32_t> missed) const;
   Status continue_from(const LayerSolver& before, const gather::ShareBound* bound);
   Status prepare_to_be_edited();
   bool has_spare_memory() const;

@@ -107,6 +107,7 @@ void Solution::State::carry_over(const Document& old, std::vector<LayerState> ne
   for (std::size_t i = 0; is_alike && i < next.size(); ++i) {
     if (const auto same = find_same(old, i)) next[i] = std::exchange(layers[*same], {});
   }
+  if (next.size() != layers.size()) films.clear();
   layers = std::move(next);
   // By their places: where layers came or went, others may be kept for drags until the next one.
   last_drag.resize(layers.size());
@@ -143,7 +144,7 @@ Result<std::vector<LayerTask>> Solution::State::tasks(const Context& context, co
 }
 
 Status Solution::State::solve(Context& context, const DiffuseOptions& wanted, SolveGoal goal,
-                              DiffuseStats* stats) {
+                              DiffuseStats* stats, FrameLayers* counts) {
   const SpareRelease release(*this);
   coloring.reset();
   if (Status status = solve::validate(wanted); !status) return status;
@@ -155,7 +156,10 @@ Status Solution::State::solve(Context& context, const DiffuseOptions& wanted, So
   const Box viewport = wanted.viewport.value_or(document.artboard);
   const auto run = [&](bool keeps) { return solve_layers(context, viewport, goal, stats, keeps); };
   const bool keeps = goal == SolveGoal::exact && most_kept && &context.budget == budget;
-  Status status = run_with_all_memory(run, keeps);
+  FrameLayers uncounted;
+  Status status = goal == SolveGoal::next
+                      ? solve_films(context, viewport, stats, counts ? *counts : uncounted)
+                      : run_with_all_memory(run, keeps);
   const bool is_shown = std::ranges::all_of(
       layers, [](const LayerState& layer) { return layer.in_picture.has_value(); });
   if (!status || (is_shown && !frame_changed)) return status;
@@ -168,7 +172,7 @@ Status Solution::State::solve_layers(Context& context, const Box& viewport, Solv
   Result<std::vector<LayerTask>> to_solve = tasks(context, viewport, goal);
   if (!to_solve || to_solve->empty()) return to_solve.status();
   for (const LayerTask& task : *to_solve) layers[task.layer].refined.reset();
-  const DiffuseOptions how = goal == SolveGoal::exact ? *options : solve::roughly(*options);
+  const DiffuseOptions how = goal == SolveGoal::rough ? solve::roughly(*options) : *options;
   solve::LayerRuns runs(context, document, *to_solve, how, keeps ? most_kept : std::nullopt);
   Status status = runs.run();
   if (stats) runs.add_to(*stats);
@@ -217,9 +221,13 @@ void Solution::State::give_up_beyond() {
     layers[i].refined.reset();
 }
 
-/// What is kept for drags, or for their next frames. Returns whether there was any.
+/// What is kept for drags, or for next frames. Returns whether there was any.
 bool Solution::State::drop_refined() {
   bool any = drag && drag->forget_frames();
+  for (std::optional<solve::LayerFilm>& film : films) {
+    any |= film.has_value();
+    film.reset();
+  }
   for (LayerState& layer : layers) {
     any |= layer.refined.has_value();
     layer.refined.reset();
@@ -230,6 +238,7 @@ bool Solution::State::drop_refined() {
 /// Nothing that was solved with other options counts.
 void Solution::State::forget(const DiffuseOptions& wanted) {
   for (LayerState& layer : layers) layer = {};
+  films.clear();
   frame_changed = true;
   options = wanted;
   release_spare();
@@ -327,6 +336,13 @@ Status Solution::solve_roughly(Context& context, const DiffuseOptions& options,
                                DiffuseStats* stats) {
   return public_verb(
       context, [&] { return state_->solve(context, options, State::SolveGoal::rough, stats); });
+}
+
+Status Solution::solve_next(Context& context, const DiffuseOptions& options, FrameLayers* layers,
+                            DiffuseStats* stats) {
+  return public_verb(context, [&] {
+    return state_->solve(context, options, State::SolveGoal::next, stats, layers);
+  });
 }
 
 void Solution::expect_drags(std::size_t most_triangles) {

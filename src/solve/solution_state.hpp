@@ -15,15 +15,16 @@
 #include "sfumato/solve/solution.hpp"
 #include "solve/color_drag.hpp"
 #include "solve/dragged_curve.hpp"
+#include "solve/layer_film.hpp"
 #include "solve/layer_runs.hpp"
 
 namespace sfumato {
 
 /// What a Solution holds. solution.cpp solves layers; solution_drag.cpp drags curves and changes
-/// colours.
+/// colours; solution_film.cpp makes frames of films.
 struct Solution::State {
   /// What layers are to be that are not solved.
-  enum class SolveGoal : std::uint8_t { exact, rough };
+  enum class SolveGoal : std::uint8_t { exact, rough, next };
 
   using Drag = solve::DraggedCurve;
 
@@ -59,7 +60,9 @@ struct Solution::State {
   /// Comes first: charges the document.
   Status start(const Context& context) { return hold(context, document); }
   Result<Change> apply(Context& context, Change change);
-  Status solve(Context& context, const DiffuseOptions& wanted, SolveGoal goal, DiffuseStats* stats);
+  /// counts   of SolveGoal::next: added to, or null
+  Status solve(Context& context, const DiffuseOptions& wanted, SolveGoal goal, DiffuseStats* stats,
+               FrameLayers* counts = nullptr);
   Status begin_drag(Context& context, std::uint32_t layer, std::uint32_t curve);
   Status drag_to(Context& context, Curve curve, const solve::FrameTime& time, DiffuseStats* stats);
   Status drag_more(Context& context, const solve::FrameTime& time, DiffuseStats* stats);
@@ -102,6 +105,12 @@ struct Solution::State {
   Status run_with_all_memory(const Work& work, bool keeps = false);
   Status solve_layers(Context& context, const Box& viewport, SolveGoal goal, DiffuseStats* stats,
                       bool keeps);
+  Status solve_films(Context& context, const Box& viewport, DiffuseStats* stats,
+                     FrameLayers& counts);
+  Status solve_film(Context& context, const solve::LayerTask& task, DiffuseStats* stats,
+                    FrameLayers& counts);
+  Result<PatchLayer> solve_frame(Context& context, const solve::LayerTask& task,
+                                 DiffuseStats* stats, FrameLayers& counts);
   Status refine(Context& context, std::uint32_t layer);
   std::uint64_t drag_of(std::uint32_t layer) const;
   void note_drag(std::uint32_t layer);
@@ -150,7 +159,8 @@ struct Solution::State {
   }
 
   std::vector<LayerState> layers;
-  std::vector<std::uint64_t> last_drag;  ///< of each layer: KeptLayer
+  std::vector<std::optional<solve::LayerFilm>> films;  ///< of layers, by their places; or none
+  std::vector<std::uint64_t> last_drag;                ///< of each layer: KeptLayer
   std::uint64_t drag_count = 0;
   std::optional<DiffuseOptions> options;  ///< that the layers were solved with
   bool frame_changed = true;              ///< since the picture was made

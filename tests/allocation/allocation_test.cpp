@@ -133,6 +133,35 @@ TEST_P(Allocation, diffuse) {
   check("diffuse", [&](Context& context) { return diffuse(context, document, {}); });
 }
 
+/// Two frames of a film, the second of which has another curve. Where memory is lacking for what a
+/// film keeps its frames have another mesh.
+TEST_P(Allocation, film) {
+  const Document document = document_of(GetParam().text);
+  const auto make = [&](Context& context) -> Result<Solution> {
+    Result<Solution> solution = Solution::create(context, document);
+    if (!solution) return solution;
+    const bool has_curves = !document.layers.empty() && !document.layers[0].curves.empty();
+    Status status;
+    Curve curve;
+    if (has_curves) {
+      curve = document.layers[0].curves[0];
+      for (Vec2& point : curve.control_points) point = point + Vec2{1, 2};
+      status = solution->apply(context, InsertCurve{0, 0, curve}).status();
+    }
+    if (status) status = solution->solve_next(context, {});
+    for (Vec2& point : curve.control_points) point = point + Vec2{2, 1};
+    if (status && has_curves) {
+      status = solution->apply(context, ReplaceCurve{0, 0, std::move(curve)}).status();
+    }
+    if (status) status = solution->solve_next(context, {});
+    return status ? std::move(solution) : Result<Solution>(std::move(status));
+  };
+  expect_every_refusal_is_survived(
+      "film", [&](Context& context) { return no_throw([&] { return make(context); }); },
+      [](const Solution& film) { return std::to_string(film.picture().layers.size()); },
+      {.every = 5});
+}
+
 /// Solved, changed, and solved again.
 TEST_P(Allocation, solution) {
   const Document document = document_of(GetParam().text);

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 
 #include "cli/run_command.hpp"
@@ -13,6 +15,15 @@ using Arguments = std::vector<std::string>;
 
 bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
+}
+
+Arguments names_in(const std::string& folder) {
+  Arguments names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    names.push_back(entry.path().filename().string());
+  }
+  std::ranges::sort(names);
+  return names;
 }
 
 /// A canvas of 64 × 48 with a curve whose colours are these.
@@ -199,6 +210,116 @@ TEST_F(Films, in_a_folder_each_frame_is_a_file) {
   const std::string all =
       read_whole(out + "/d0.rgba") + read_whole(out + "/d1.rgba") + read_whole(out + "/d2.rgba");
   EXPECT_EQ(all, render({"-o", "-", "--format", "rgba"}).out);
+}
+
+/// A circle that moves above a house that does not, with a pond that is closed off.
+std::string moving_scene(int frame) {
+  const std::string x = std::to_string(10 + 4 * frame);
+  return R"(<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1" viewBox="0 0 64 48"
+ sf:version="1"><g sf:diffuse="true"><rect x="1" y="1" width="62" height="46" sf:left="#246"
+ sf:right="#fda"/><circle cx="20" cy="32" r="9" sf:left="#264" sf:right="#28c, #8df, #28c"/>
+<circle cx=")" +
+         x + R"(" cy="12" r="5" sf:left="#fff" sf:right="#f80" sf:blur="1"/></g></svg>)";
+}
+
+class CoherentFilms : public Films {
+ protected:
+  CoherentFilms() {
+    drawings_.clear();
+    for (int i = 0; i < 6; ++i) {
+      drawings_.push_back(folder_.add("f" + std::to_string(i) + ".svg", moving_scene(i)));
+    }
+  }
+  /// How the layers of the frames were made, as the figures say it.
+  Arguments layers(const Arguments& options) const {
+    const std::string stats = folder_.path("stats.json");
+    Arguments given = options;
+    given.insert(given.end(), {"--coherent", "--stats", stats, "--quiet"});
+    const CommandResult result = render(given);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    Arguments found;
+    const std::string text = read_whole(stats), key = "\"layers\":";
+    for (std::size_t at = 0; (at = text.find(key, at)) != std::string::npos;) {
+      at += key.size();
+      found.push_back(text.substr(at, text.find('}', at) + 1 - at));
+    }
+    return found;
+  }
+};
+
+constexpr const char* kBegun = R"({"kept":0,"continued":0,"begun":1})";
+constexpr const char* kContinued = R"({"kept":0,"continued":1,"begun":0})";
+constexpr const char* kKept = R"({"kept":1,"continued":0,"begun":0})";
+
+TEST_F(CoherentFilms, keep_the_pixels_of_what_does_not_move) {
+  const std::string file = folder_.path("film.rgb24");
+  EXPECT_EQ(layers({"-o", file}),
+            (Arguments{kBegun, kContinued, kContinued, kContinued, kContinued, kContinued}));
+  const std::string film = read_whole(file);
+  const std::size_t frame = 64 * 48 * 3;
+  ASSERT_EQ(film.size(), 6 * frame);
+  for (std::size_t f = 1; f < 6; ++f) {
+    int within = 0, anywhere = 0;
+    for (std::size_t i = 0; i < frame; ++i) {
+      const int difference = std::abs(static_cast<unsigned char>(film[f * frame + i]) -
+                                      static_cast<unsigned char>(film[i]));
+      const double x = static_cast<double>(i / 3 % 64) + 0.5 - 20,
+                   y = static_cast<double>(i / 3 / 64) + 0.5 - 32;
+      anywhere = std::max(anywhere, difference);
+      if (x * x + y * y < 8 * 8) within = std::max(within, difference);
+    }
+    EXPECT_LE(within, 1) << f;
+    EXPECT_GT(anywhere, 20) << f;
+  }
+}
+
+TEST_F(CoherentFilms, of_files_have_the_same_pixels_and_shards_are_runs) {
+  const std::string out = folder_.path("out"), film = folder_.path("film.rgba");
+  layers({"-o", film});
+  EXPECT_EQ(layers({"--out-dir", out, "--format", "rgba"}).size(), 6u);
+  std::string all;
+  for (int i = 0; i < 6; ++i) all += read_whole(out + "/f" + std::to_string(i) + ".rgba");
+  EXPECT_EQ(all, read_whole(film));
+  EXPECT_EQ(layers({"--out-dir", folder_.path("part"), "--shard", "1/2"}),
+            (Arguments{kBegun, kContinued, kContinued}));
+  EXPECT_EQ(names_in(folder_.path("part")), (Arguments{"f3.png", "f4.png", "f5.png"}));
+}
+
+TEST_F(CoherentFilms, begin_anew_where_a_drawing_has_other_curves) {
+  drawings_[1] = drawings_[0] + ".copy.svg";
+  folder_.add("f0.svg.copy.svg", moving_scene(0));
+  folder_.add("f3.svg", R"(<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1"
+ viewBox="0 0 64 48" sf:version="1"><g sf:diffuse="true"><circle cx="20" cy="32" r="9"
+ sf:left="#264" sf:right="#28c"/></g></svg>)");
+  EXPECT_EQ(layers({"-o", folder_.path("film.rgb24")}),
+            (Arguments{kBegun, kKept, kContinued, kBegun, kBegun, kContinued}));
+}
+
+TEST_F(CoherentFilms, that_fail_in_the_middle_go_on_after_that) {
+  folder_.add("f2.svg", "<svg");
+  const std::string stats = folder_.path("stats.json"), out = folder_.path("out");
+  const CommandResult result = render({"--out-dir", out, "--coherent", "--stats", stats});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_TRUE(contains(result.err, "sfumato: 1 of 6 drawings failed")) << result.err;
+  EXPECT_TRUE(std::filesystem::exists(out + "/f5.png"));
+}
+
+TEST_F(CoherentFilms, need_many_drawings_and_a_mesh) {
+  const std::pair<Arguments, const char*> cases[] = {
+      {{"-o", folder_.path("a.png")}, "--out-dir"},
+      {{"-o", folder_.path("a.rgba"), "--method", "pixels"}, "--coherent: expected with"},
+      {{"-o", folder_.path("a.rgba"), "--method", "rays"}, "--coherent: expected with"},
+  };
+  for (const auto& [options, expected] : cases) {
+    Arguments given = options;
+    given.push_back("--coherent");
+    const CommandResult result = render(given);
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_TRUE(contains(result.err, expected)) << result.err;
+  }
+  EXPECT_EQ(
+      run_sfumato({"render", drawings_[0], "-o", folder_.path("a.png"), "--coherent"}).exit_code,
+      2);
 }
 
 }  // namespace

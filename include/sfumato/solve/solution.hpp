@@ -41,6 +41,13 @@ struct PictureDelta {
   bool empty() const { return !frame && layers.empty(); }
 };
 
+/// How the layers of a frame were made by Solution::solve_next().
+struct FrameLayers {
+  std::size_t kept = 0;       ///< nothing of them changed
+  std::size_t continued = 0;  ///< on the mesh of the frame before
+  std::size_t begun = 0;      ///< on new meshes
+};
+
 /// A document that is being solved: it takes changes, and solves anew only the layers that these
 /// touched. Its picture is the one that diffuse() makes of the document, to the bit.
 ///
@@ -90,6 +97,24 @@ class Solution {
   /// solve().
   Status solve_roughly(Context& context, const DiffuseOptions& options,
                        DiffuseStats* stats = nullptr);
+
+  /// The same for the next frame of a film: no node and no triangle changes where nothing does. A
+  /// layer some of whose curves changed since the last call goes on with its mesh, in which only
+  /// these curves are placed anew; nodes that see them are gathered, and the bound on the error
+  /// holds as after solve(). What one frame refines the next ones keep, where no curve moves, until
+  /// that is half as much as the whole mesh was.
+  ///
+  /// A layer is begun anew where its number of curves, the options, the artboard or what is seen of
+  /// it changed, where more than half of its curves did, or where a curve has gone farther beyond
+  /// the picture than that is large, or lies on others in another order than they were drawn in. So
+  /// it is in each call whose Context is not that of create(), which is charged for the meshes, and
+  /// where memory is scarce.
+  ///
+  /// `layers` and `stats`, unless null, are added to. Errors: as solve(). Cost: about half of that
+  /// of solve(), where few nodes see what changed; what is kept takes six times as much memory as
+  /// the picture.
+  Status solve_next(Context& context, const DiffuseOptions& options, FrameLayers* layers = nullptr,
+                    DiffuseStats* stats = nullptr);
 
   /// From here on solve() keeps the meshes, fields and nodes that drags begin from, where it is
   /// given the Context of create(), which is charged for them: four to five times as much as for
@@ -191,7 +216,7 @@ class Solution {
   /// is.
   void end_drag();
 
-  /// The last picture that solve(), solve_roughly(), drag() or color() finished.
+  /// The last picture that solve(), solve_roughly(), solve_next(), drag() or color() finished.
   const Picture& picture() const;
 
   /// What of picture() is new since the last call of this function. The first call after the first
