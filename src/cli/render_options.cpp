@@ -16,14 +16,15 @@ constexpr const char* kRenderFooter =
     "  sfumato render lady_bug.xml -o lady_bug.pdf --title \"Lady bug\"\n"
     "  sfumato render lady_bug.sfp -o lady_bug.webp\n"
     "  sfumato render *.svg --out-dir pictures --format webp\n"
-    "  sfumato render frames/*.svg -o - --format rgb24 | ffmpeg -f rawvideo -pixel_format rgb24\\\n"
+    "  sfumato render frames/*.svg -o - --format rgb24 | ffmpeg -f rawvideo -pixel_format rgb24 "
+    "\\\n"
     "      -video_size 1280x720 -framerate 24 -i - film.mp4\n"
     "  sfumato render - -o - <lady_bug.xml >lady_bug.png";
 
 void add_files(CLI::App& app, RenderArguments& arguments, RenderChoices& choices) {
   app.add_option("IN", choices.inputs,
                  "Diffusion curves (SVG or Orzan XML) or a solved picture\n(.sfp); '-': from "
-                 "stdin; several with --out-dir")
+                 "stdin; several with --out-dir, or as raw frames")
       ->required()
       ->type_name("");
   add_output(app, choices.output, {.takes_frames = true}, "OUT",
