@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <optional>
+#include <random>
 #include <span>
 #include <string>
 #include <vector>
@@ -17,6 +18,7 @@
 #include "solve/solved.hpp"
 #include "support/cancel_at.hpp"
 #include "support/drawing.hpp"
+#include "support/random_document.hpp"
 #include "support/same_picture.hpp"
 #include "support/sanitizers.hpp"
 
@@ -336,6 +338,38 @@ TEST(Films, that_are_cancelled_keep_the_last_frame) {
   }
   EXPECT_GT(cancelled, 3);
   EXPECT_LT(mean_difference(film.picture(), diffused(document, kOptions), kSide), 0.1);
+}
+
+/// Moves a random curve of a layer that has others.
+void move_a_curve(std::mt19937& random, Document& document) {
+  std::vector<std::uint32_t> choices;
+  for (std::uint32_t i = 0; i < document.layers.size(); ++i) {
+    if (document.layers[i].curves.size() > 1) choices.push_back(i);
+  }
+  if (choices.empty()) return;
+  std::vector<Curve>& curves = document.layers[choices[random() % choices.size()]].curves;
+  const Vec2 by{static_cast<double>(random() % 9) - 4, static_cast<double>(random() % 9) - 4};
+  for (Vec2& point : curves[random() % curves.size()].control_points) point = point + by;
+}
+
+/// Of everything that drawings have.
+TEST(Films, of_random_documents_are_those_of_the_drawings) {
+  constexpr std::uint32_t kDocuments = SFUMATO_HAS_SANITIZER ? 3 : 10;
+  std::size_t continued = 0;
+  for (std::uint32_t seed = 0; seed < kDocuments; ++seed) {
+    std::mt19937 random(seed);
+    Document document = test::random_document(4000 + seed);
+    Film film;
+    film.show(document);
+    for (int step = 0; step < 3; ++step) {
+      move_a_curve(random, document);
+      continued += film.show(document).continued;
+      const Picture alone = diffused(document, kOptions);
+      const double missed = mean_difference(film.picture(), alone, 96);
+      EXPECT_LT(missed, 0.15) << seed << ", " << step;
+    }
+  }
+  EXPECT_GT(continued, kDocuments);
 }
 
 }  // namespace
