@@ -12,7 +12,7 @@ namespace sfumato::gather {
 namespace {
 
 /// A frame of a drag has little time: from here on its nodes had better wait to be gathered.
-constexpr std::size_t kStepsPerTriangle = 16;
+constexpr std::size_t kStepsOfChange = 16;
 
 EndBox box_of(const SceneTriangle& t) {
   return {std::min(std::min(t.x[0], t.x[1]), t.x[2]), std::min(std::min(t.y[0], t.y[1]), t.y[2]),
@@ -39,7 +39,7 @@ Result<ChangedEnds> changed_ends(Context& context, const FreeEnds& before, const
 
 Status ChangeSearch::run(TableMemory& memory, std::vector<std::uint32_t>& changed) {
   Result<std::vector<std::uint8_t>> sees =
-      find_viewers(context_, now_.scene, memory_, kStepsPerTriangle);
+      find_viewers(context_, now_.scene, memory_, kStepsOfChange);
   if (!sees) return sees.status();
   sees_ = std::move(*sees);
   Status status = list_known(memory, changed);

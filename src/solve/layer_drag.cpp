@@ -20,9 +20,6 @@
 namespace sfumato::solve {
 namespace {
 
-/// The curve may be dragged this far beyond what is shown, in widths and heights of it.
-constexpr double kRoom = 1;
-
 /// Of the bound that orders nodes: it is asked at each of them.
 constexpr std::size_t kMostRuns = 16;
 
@@ -31,11 +28,6 @@ constexpr std::size_t kMostRuns = 16;
 /// to solve such a layer even roughly takes longer than they do.
 constexpr std::size_t kManyHalfEdges = 100;
 constexpr double kManyPerTriangle = 0.01;
-
-Box with_room_around(const Box& box) {
-  const Vec2 more{kRoom * box.width(), kRoom * box.height()};
-  return {box.min - more, box.max + more};
-}
 
 /// Per vertex: 1 for those in [begin, end).
 Result<std::vector<std::uint8_t>> marked(const Context& context, std::size_t count,
@@ -203,7 +195,7 @@ Result<RefinedLayer> LayerDrag::State::solve(Context& context) const {
   Status status = polyline_charge.add(context, curves::bytes_of(*polylines), "a drag");
   if (!status) return status;
   mesh::MeshOptions meshing = units.mesh_options();
-  meshing.room = with_room_around(meshing.frame);
+  meshing.room = units.roomy_frame();
   Result<mesh::Mesher> built = mesh::Mesher::build(context, *polylines, meshing);
   if (!built) return built.status();
   Result<mesh::Mesher> patches = built->copy(context);
@@ -513,7 +505,7 @@ bool LayerDrag::has_room() const {
 }
 
 bool LayerDrag::needs_room(const Curve& curve) const {
-  const Box roomy = with_room_around(state_->units.mesh_options().frame);
+  const Box roomy = state_->units.roomy_frame();
   const auto is_in_it = [&](Vec2 p) { return roomy.contains(p); };
   return !has_room() && state_->has_fields_with(curve) &&
          std::ranges::all_of(curve.control_points, is_in_it);

@@ -20,18 +20,10 @@ namespace {
 
 constexpr std::string_view kPurpose = "a film";
 
-/// Curves may move this far beyond what is shown, in widths and heights of it.
-constexpr double kRoom = 1;
-
 /// The still mesh may have so many times the triangles that it began with.
 constexpr double kMostGrowth = 1.5;
 
 constexpr std::uint32_t kNoSlot = UINT32_MAX;
-
-Box with_room_around(const Box& box) {
-  const Vec2 more{kRoom * box.width(), kRoom * box.height()};
-  return {box.min - more, box.max + more};
-}
 
 bool bears_opacity(const Curve& curve) {
   return curve.left.opacity.kind != ShaderKind::open ||
@@ -259,7 +251,7 @@ Status LayerFilm::State::begin(Context& context, const Layer& layer, DiffuseStat
   Result<curves::FlatCurves> flat = flatten_layer(context, layer, sight, units);
   if (!flat) return flat.status();
   mesh::MeshOptions meshing = units.mesh_options();
-  meshing.room = with_room_around(meshing.frame);
+  meshing.room = units.roomy_frame();
   Result<mesh::Mesher> visibility = mesh::Mesher::build(context, *flat, meshing);
   if (!visibility) return visibility.status();
   Result<mesh::Mesher> refined = visibility->copy(context);

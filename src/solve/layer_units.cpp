@@ -47,6 +47,9 @@ constexpr double kSmallAnglesEdgePx = 0.5;
 /// enough for any blur that a mesh has to show.
 constexpr double kRoughEdgePx = 4;
 
+/// Curves that move may reach this far beyond what is shown, in widths and heights of it.
+constexpr double kRoom = 1;
+
 const Tolerance& tolerance_of(const DiffuseOptions& options) {
   if (is_rough(options)) return kRoughTolerance;
   return options.max_error > 0 ? kTolerance : kPaperTolerance;
@@ -121,6 +124,12 @@ mesh::MeshOptions LayerUnits::mesh_options() const {
     mesh.small_edge = (is_rough(options_) ? kRoughEdgePx : kSmallAnglesEdgePx) * pixel();
   }
   return mesh;
+}
+
+Box LayerUnits::roomy_frame() const {
+  const Box frame = mesh_options().frame;
+  const Vec2 more{kRoom * frame.width(), kRoom * frame.height()};
+  return {frame.min - more, frame.max + more};
 }
 
 }  // namespace sfumato::solve

@@ -25,6 +25,9 @@ class LayerUnits {
   curves::FlattenOptions flatten_options() const;
   mesh::MeshOptions mesh_options() const;
 
+  /// The frame of the mesh with as much around it: so far curves that move may reach.
+  Box roomy_frame() const;
+
  private:
   const LayerSight& sight_;
   const DiffuseOptions& options_;
