@@ -20,7 +20,16 @@ LIBRARY = "libsfumato.so.1"
 
 # Every Linux for which such wheels are has these, by the policies of PyPI; they belong together with
 # the system's own.
-SYSTEM = re.compile(r"(linux-vdso|ld-linux.*|lib(c|m|dl|rt|pthread|gcc_s|stdc\+\+))\.so.*")
+SYSTEM = re.compile(r"(linux-vdso|ld-linux.*|lib(c|m|dl|rt|pthread|gcc_s|stdc\+\+|z))\.so.*")
+
+# manylinux_2_N, by PyPI's policies: the newest versions of symbols that such a system surely has.
+POLICIES = {
+    28: {"GLIBC": (2, 28), "GLIBCXX": (3, 4, 24), "CXXABI": (1, 3, 11), "GCC": (7, 0, 0)},
+    31: {"GLIBC": (2, 31), "GLIBCXX": (3, 4, 28), "CXXABI": (1, 3, 12), "GCC": (7, 0, 0)},
+    34: {"GLIBC": (2, 34), "GLIBCXX": (3, 4, 29), "CXXABI": (1, 3, 13), "GCC": (7, 0, 0)},
+    35: {"GLIBC": (2, 35), "GLIBCXX": (3, 4, 30), "CXXABI": (1, 3, 13), "GCC": (12, 0, 0)},
+    36: {"GLIBC": (2, 36), "GLIBCXX": (3, 4, 30), "CXXABI": (1, 3, 13), "GCC": (12, 0, 0)},
+}
 
 
 def run(*command, **how):
@@ -65,6 +74,23 @@ def keep_licence(library, folder):
         shutil.copy(text, folder / f"{package}.txt")
 
 
+def policy(libraries):
+    """The oldest of POLICIES by which these may be carried, or None."""
+    needs = {}
+    for library in libraries:
+        told = run("objdump", "-p", library, stdout=subprocess.PIPE, text=True).stdout
+        carried = {path.name for path in libraries}
+        for name in re.findall(r"NEEDED +(\S+)", told):
+            if name not in carried and not SYSTEM.fullmatch(name):
+                sys.exit(f"setup.py: {library.name} needs {name}, which is not carried")
+        for name, version in re.findall(r" (GLIBC|GLIBCXX|CXXABI|GCC)_([\d.]+)$", told, re.MULTILINE):
+            needs[name] = max(needs.get(name, ()), tuple(map(int, version.split("."))))
+    for minor, has in POLICIES.items():
+        if all(version <= has[name] for name, version in needs.items()):
+            return minor
+    return None
+
+
 class Build(build_py):
     """Copies the package, then the libraries to it."""
 
@@ -95,7 +121,13 @@ class Wheel(bdist_wheel):
         self.root_is_pure = False
 
     def get_tag(self):
-        return "py3", "none", super().get_tag()[2]
+        platform = super().get_tag()[2]
+        build = self.get_finalized_command("build_py")
+        libraries = sorted((Path(build.build_lib) / "sfumato").glob("*.so.*"))
+        minor = policy(libraries) if libraries and shutil.which("objdump") else None
+        if minor is not None and platform.startswith("linux_"):
+            platform = f"manylinux_2_{minor}_{platform[len('linux_'):]}"
+        return "py3", "none", platform
 
 
 class WithLibrary(Distribution):

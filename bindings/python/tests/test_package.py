@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import importlib.metadata
 import os
 import re
 import subprocess
@@ -30,6 +31,27 @@ def test_the_package_carries_its_libraries():
         assert of_it and {Path(path).parent for path in of_it} == {FOLDER}, of_it
     assert (FOLDER / "licences" / "sfumato.txt").is_file()
     assert (FOLDER / "py.typed").is_file()
+
+
+@pytest.mark.skipif(not INSTALLED, reason="the text of the checkout carries no libraries")
+def test_the_tag_tells_how_new_a_c_library_has_to_be():
+    wheel = importlib.metadata.distribution("sfumato").read_text("WHEEL") or ""
+    tag = re.search(r"^Tag: py3-none-(?:manylinux_2_(\d+)|linux)_", wheel, re.MULTILINE)
+    assert tag, wheel
+    libraries = sorted(FOLDER.glob("*.so.*"))
+    told = "".join(
+        subprocess.run(["objdump", "-p", path], capture_output=True, text=True, check=True).stdout
+        for path in libraries
+    )
+    needed = max(int(minor) for minor in re.findall(r" GLIBC_2\.(\d+)", told))
+    if tag[1] is None:
+        assert needed > 36
+    else:
+        assert needed <= int(tag[1]) <= needed + 6
+    outside = set(re.findall(r"NEEDED +(\S+)", told)) - {path.name for path in libraries}
+    assert outside <= {
+        "libc.so.6", "libm.so.6", "libgcc_s.so.1", "libstdc++.so.6", "libz.so.1", "ld-linux-x86-64.so.2"
+    }
 
 
 def declarations():
