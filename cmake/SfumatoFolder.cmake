@@ -105,7 +105,7 @@ function(sfumato_folder name)
   target_link_libraries(sfumato_${name} PUBLIC sfumato_flags)
   # A missing include must show somewhere: of these folders here, of the others in the build for
   # WebAssembly.
-  if(NOT (SFUMATO_SANITIZE MATCHES "thread" AND name MATCHES "^(base|cli|gpu|output|tiles)$"))
+  if(NOT (SFUMATO_SANITIZE MATCHES "thread" AND name MATCHES "^(base|cli|gpu|import|output|tiles)$"))
     sfumato_precompile(sfumato_${name} ${ARG_PRECOMPILED})
     # Files of these have constants of the same names.
     if(SFUMATO_UNITY AND NOT name MATCHES "^(export|trace)$")

@@ -186,4 +186,22 @@ std::string rounded_decimal(double value, int digits) {
   return (value < 0 ? "-" : "") + scientific(decimal_of(rounded, number.exponent));
 }
 
+std::string fixed_decimal(double value, int places) {
+  const Binary number = value == 0 ? Binary{} : binary_of(std::abs(value));
+  std::string text = '0' + digits_of(number);
+  const auto had = static_cast<std::size_t>(std::max(-number.exponent, 0));
+  const auto wanted = static_cast<std::size_t>(places);
+  text.append(wanted - std::min(had, wanted), '0');
+  const std::size_t after = std::max(had, wanted);
+  // A digit before the point, and one for count_up() to carry into.
+  if (text.size() < after + 2) text.insert(0, after + 2 - text.size(), '0');
+  const std::size_t kept = text.size() - (after - wanted);
+  std::string rounded = text.substr(0, kept);
+  if (rounds_up(text, kept)) count_up(rounded);
+  if (wanted > 0) rounded.insert(kept - wanted, 1, '.');
+  const std::size_t last_zero = kept - wanted - 1;
+  return (std::signbit(value) ? "-" : "") +
+         rounded.substr(std::min(rounded.find_first_not_of('0'), last_zero));
+}
+
 }  // namespace sfumato

@@ -14,4 +14,7 @@ std::string shortest_decimal(float value);
 /// The value rounded to `digits` significant digits, halves to even, in scientific form.
 std::string rounded_decimal(double value, int digits);
 
+/// The value, which may be 0, rounded to `places` decimals, halves to even: "-0.50".
+std::string fixed_decimal(double value, int places);
+
 }  // namespace sfumato

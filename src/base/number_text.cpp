@@ -46,6 +46,14 @@ std::string rounded_text(double value, int digits) {
   return std::string(buffer.data(), end);
 }
 
+std::string fixed_text(double value, int places) {
+  std::array<char, 80> buffer;
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
+                                 std::chars_format::fixed, places)
+                       .ptr;
+  return std::string(buffer.data(), end);
+}
+
 #else
 
 /// WebAssembly: its C++ library would bring tables of 130 kB.
@@ -56,6 +64,10 @@ std::string shortest(Number value) {
 
 std::string rounded_text(double value, int digits) {
   return value == 0 ? "0" : rounded_decimal(value, digits);
+}
+
+std::string fixed_text(double value, int places) {
+  return fixed_decimal(value, places);
 }
 
 #endif
@@ -108,6 +120,10 @@ std::string number_text(float value) {
 
 std::string rounded_number_text(double value, int digits) {
   return shortest(rounded(value, digits));
+}
+
+std::string fixed_number_text(double value, int places) {
+  return fixed_text(value, places);
 }
 
 std::string percent_text(double fraction) {

@@ -18,6 +18,9 @@ std::string number_text(float value);
 /// The value rounded to `digits` significant digits, 1 to 17.
 std::string rounded_number_text(double value, int digits);
 
+/// The value, of up to 1e40, rounded to `places` decimals, 0 to 18, all of them written: "-0.50".
+std::string fixed_number_text(double value, int places);
+
 /// A percentage p, without the percent sign, such that double(p) / 100 is `fraction` or, if there
 /// is no such double, the nearest such quotient. That quotient gives the same text again.
 std::string percent_text(double fraction);

@@ -79,5 +79,20 @@ TEST(ExactDecimal, rounds_to_significant_digits) {
   EXPECT_EQ(rounded_decimal(-999.6, 3), "-1e3");
 }
 
+TEST(ExactDecimal, rounds_to_places) {
+  for_many<double, std::uint64_t>([](double value) {
+    if (std::fabs(value) > 1e40) return;
+    for (const int places : {0, 3, 18}) {
+      ASSERT_EQ(fixed_decimal(value, places), fixed_number_text(value, places))
+          << value << " to " << places;
+    }
+  });
+  EXPECT_EQ(fixed_decimal(0, 2), "0.00");
+  EXPECT_EQ(fixed_decimal(0.5, 0), "0");
+  EXPECT_EQ(fixed_decimal(-1.5, 0), "-2");
+  EXPECT_EQ(fixed_decimal(9.996, 2), "10.00");
+  EXPECT_EQ(fixed_decimal(-0.001, 2), "-0.00");
+}
+
 }  // namespace
 }  // namespace sfumato

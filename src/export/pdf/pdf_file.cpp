@@ -1,11 +1,10 @@
 #include "export/pdf/pdf_file.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
+#include "base/number_text.hpp"
 #include "base/utf8.hpp"
 #include "codecs/deflate.hpp"
 
@@ -31,10 +30,7 @@ std::string pdf_number(double value) {
   int decimals = kDigits - 1;
   for (double size = std::fabs(value); size >= 10 && decimals > 0; size /= 10) --decimals;
   for (double size = std::fabs(value); size < 1 && decimals < kMostDecimals; size *= 10) ++decimals;
-  char buffer[80];
-  char* const end =
-      std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::fixed, decimals).ptr;
-  std::string text(buffer, end);
+  std::string text = fixed_number_text(value, decimals);
   if (text.find('.') != std::string::npos) {
     text.erase(text.find_last_not_of('0') + 1);
     if (text.back() == '.') text.pop_back();
@@ -120,9 +116,8 @@ Result<std::vector<std::uint8_t>> PdfFile::finish(PdfRef root, PdfRef info) {
   for (std::size_t offset : offset_) {
     if (std::uint64_t{offset} > 9'999'999'999)
       return make_error(StatusCode::limit, "a PDF of more than 10 GB, which its table cannot hold");
-    char line[24];
-    std::snprintf(line, sizeof line, "%010zu 00000 n \n", offset);
-    bytes_ += line;
+    const std::string digits = std::to_string(offset);
+    bytes_ += std::string(10 - digits.size(), '0') + digits + " 00000 n \n";
   }
   bytes_ += "trailer\n<< /Size " + count + " /Root " + pdf_reference(root) + " /Info " +
             pdf_reference(info) + " >>\nstartxref\n" + std::to_string(table) + "\n%%EOF\n";
