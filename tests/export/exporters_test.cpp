@@ -50,7 +50,7 @@ TEST(Exporters, one_triangle_is_written) {
     Context context;
     const auto file = exporter.write(context, test::picture_of_one_triangle());
     ASSERT_TRUE(file.ok()) << exporter.name << ": " << to_string(file.status());
-    EXPECT_GT(file->size(), 200u) << exporter.name;
+    EXPECT_GT(file->size(), 100u) << exporter.name;
     EXPECT_EQ(context.budget.used(), 0u) << exporter.name;
   }
 }
