@@ -10,6 +10,22 @@ export const pathOf = (relative) => fileURLToPath(new URL(relative, root));
 
 export class Skip extends Error {}
 
+/** A test that waits for what does not come is a failure, not a run without end. */
+const LONGEST_MS = 300_000;
+
+/** @returns what `body` does, unless it takes too long */
+async function inTime(body) {
+  let timer;
+  const late = new Promise((_, reject) => {
+    timer = setTimeout(() => reject(new Error(`no end after ${LONGEST_MS / 1000} s`)), LONGEST_MS);
+  });
+  try {
+    return await Promise.race([body(), late]);
+  } finally {
+    clearTimeout(timer);
+  }
+}
+
 /** Runs tests one after another and prints TAP. */
 export class Tap {
   failures = 0;
@@ -17,7 +33,7 @@ export class Tap {
   async test(name, body) {
     const start = Date.now();
     try {
-      await body();
+      await inTime(body);
       if (Date.now() - start > 1000) console.log(`# ${((Date.now() - start) / 1000).toFixed(1)} s`);
       console.log(`ok - ${name}`);
     } catch (error) {

@@ -17,7 +17,8 @@ export const settled = (page, id, act) =>
     const picture = document.getElementById(name);
     picture.addEventListener("settled", () => resolve(), { once: true });
     new Map([["mesh", () => (picture.mesh = !picture.mesh)], ["fit", () => picture.fit()],
-      ["close", () => (picture.view = { x: 150, y: 100, zoom: 40 })]]).get(text)?.();
+      ["close", () => (picture.view = { x: 150, y: 100, zoom: 40 })],
+      ["clear", () => picture.setAttribute("background", "none")]]).get(text)();
   }), [id, act]);
 
 async function testFirst(tap, { browser, address, shot }) {
@@ -89,8 +90,7 @@ async function testSources(tap, { browser, address }) {
       await page.evaluate(() => (document.getElementById("second").src = "clear.svg"));
       await ready(page, "second");
       await checkPixel(page, "second", [0.5, 0.05], [0, 255, 0, 255]);
-      await page.evaluate(() => document.getElementById("second").setAttribute("background", "none"));
-      await settled(page, "second", "");
+      await settled(page, "second", "clear");
       checkEqual((await pixelOf(page, "second", 0.5, 0.05))[3], 0, "its alpha");
     }));
 }
