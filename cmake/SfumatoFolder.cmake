@@ -56,7 +56,7 @@ function(sfumato_precompile target headers)
 endfunction()
 
 # sfumato_unity(TARGET SOURCE...): eight files are compiled as one. What they include is instantiated
-# and optimised once: half of the time. Kernels are long enough by themselves, and libraries leave
+# and optimised once. Kernels are long enough by themselves, and libraries leave
 # out photos by the names of their objects.
 function(sfumato_unity target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)

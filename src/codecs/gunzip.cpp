@@ -12,7 +12,7 @@ namespace sfumato::codecs {
 namespace {
 
 /// zlib's code for gzip with the largest window.
-constexpr int kAnyGzipWindow = 15 + 16;
+constexpr int kGunzipWindow = 15 + 16;
 
 constexpr std::size_t kFirstBytes = std::size_t{64} << 10;
 constexpr std::size_t kTextBytesPerPoll = std::size_t{1} << 20;
@@ -24,7 +24,7 @@ class Inflater {
     // zlib's interface is older than const.
     stream_.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
     stream_.avail_in = static_cast<uInt>(bytes.size());
-    ready_ = inflateInit2(&stream_, kAnyGzipWindow) == Z_OK;
+    ready_ = inflateInit2(&stream_, kGunzipWindow) == Z_OK;
   }
   Inflater(const Inflater&) = delete;
   Inflater& operator=(const Inflater&) = delete;

@@ -21,7 +21,7 @@ namespace {
 constexpr std::uint8_t kSignature[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
 constexpr std::size_t kEndBytes = 64;  // at least: signature, IHDR, sRGB; the last IDAT, IEND
 /// Length, type and CRC of a chunk.
-constexpr std::size_t kFrameBytes = 12;
+constexpr std::size_t kChunkOverhead = 12;
 /// zlib's: deflate with a window of 32 KiB, fast.
 constexpr std::array<std::uint8_t, 2> kDeflateHead{0x78, 0x01};
 constexpr std::uint8_t kTrueColor = 2;
@@ -136,7 +136,8 @@ Status Encoder::encode_stripe(std::size_t index, Stripe& stripe) const {
   stripe.filtered_bytes = bytes.size();
   stripe.adler =
       static_cast<std::uint32_t>(adler32(1, bytes.data(), static_cast<uInt>(bytes.size())));
-  const std::size_t room = kFrameBytes + kDeflateHead.size() + codecs::packed_bound(bytes.size());
+  const std::size_t room =
+      kChunkOverhead + kDeflateHead.size() + codecs::packed_bound(bytes.size());
   if (status = stripe.memory.reserve(context_, stripe.chunk, room); !status) return status;
   append_chunk("IDAT", stripe.chunk, [&](Bytes& out) {
     if (index == 0) out.insert(out.end(), kDeflateHead.begin(), kDeflateHead.end());

@@ -21,7 +21,7 @@ constexpr std::size_t kMaxPieces = 2'000'000;
 constexpr std::size_t kMaxRayEdges =
     1'000'000'000;              ///< edges that winding numbers are counted over
 constexpr int kMaxRounds = 64;  ///< two or three are usual
-constexpr const char* kArrangementWhat = "the boundary of a shape";
+constexpr const char* kArrangementPurpose = "the boundary of a shape";
 /// A piece is split at every vertex nearer than this, lattice steps: more than the tolerance.
 constexpr std::int64_t kSnapDistance = 66;
 constexpr double kLatticeSize = 536'870'912;  // 2^29: products of differences fit 64 bits
@@ -135,7 +135,7 @@ class Arrangement {
   bool is_inside(int winding) const { return even_odd_ ? winding % 2 != 0 : winding != 0; }
 
   Context& context_;
-  TableMemory memory_{kArrangementWhat};
+  TableMemory memory_{kArrangementPurpose};
   bool even_odd_;
   std::vector<Piece> pieces_;
   std::vector<Edge> edges_;
@@ -173,7 +173,7 @@ Status Arrangement::round_to_lattice(const std::vector<Chord>& chords, double st
 /// Where pieces cross. `meet`: whether any cross, or snap to an end of another.
 Status Arrangement::find_intersections(TableMemory& memory,
                                        std::vector<LatticePoint>& intersections, bool& meet) {
-  TableMemory working(kArrangementWhat);
+  TableMemory working(kArrangementPurpose);
   std::vector<std::uint32_t> order, active;
   std::vector<Extent> extent;
   Status status = working.resize(context_, order, pieces_.size());
@@ -290,7 +290,7 @@ Status Arrangement::split_pieces(std::vector<Snap>& snaps) {
 /// until no piece snaps to a point (Halperin and Packer 2002).
 Status Arrangement::snap_round() {
   for (int round = 0; round < kMaxRounds; ++round) {
-    TableMemory memory(kArrangementWhat);
+    TableMemory memory(kArrangementPurpose);
     std::vector<LatticePoint> points;
     bool meet = false;
     if (Status status = find_intersections(memory, points, meet); !status) return status;

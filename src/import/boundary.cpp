@@ -18,7 +18,7 @@ namespace sfumato::svg_import {
 namespace {
 
 constexpr std::size_t kChords = 2'000'000;
-constexpr const char* kBoundaryWhat = "the boundary of a shape";
+constexpr const char* kBoundaryPurpose = "the boundary of a shape";
 constexpr double kParallel = 1e-9;  ///< sine of an angle
 
 using curves::Cubic;
@@ -62,7 +62,7 @@ class Boundary {
   Contours contours_;
   bool even_odd_;
   double tolerance_;
-  TableMemory memory_{kBoundaryWhat};
+  TableMemory memory_{kBoundaryPurpose};
   TableMemory& loop_memory_;
   std::vector<Chord> chords_;
   std::vector<std::pair<LatticePoint, std::size_t>> begins_;  ///< of edges, sorted
@@ -171,7 +171,7 @@ Status Boundary::keep(std::vector<Run>& runs) {
     first.begin = last.begin;
     runs.pop_back();
   }
-  TableMemory working(kBoundaryWhat);
+  TableMemory working(kBoundaryPurpose);
   std::vector<Vec2> joints, points;  // where each begins; of one
   Status status = working.resize(context_, joints, runs.size());
   if (!status) return status;
@@ -311,7 +311,7 @@ Result<Contours> Boundary::find(const Contours& contours) {
 
 Result<Contours> fill_boundary(Context& context, const Contours& contours, bool even_odd,
                                double tolerance, TableMemory* memory) {
-  TableMemory own(kBoundaryWhat);
+  TableMemory own(kBoundaryPurpose);
   return Boundary(context, even_odd, tolerance, memory ? *memory : own).find(contours);
 }
 

@@ -18,7 +18,7 @@ using curves::Cubic;
 
 constexpr int kDeepest = 24;  ///< halvings of one piece: so many only at a cusp, or nearly
 constexpr int kBisections = 40;
-constexpr const char* kOutlineWhat = "the outline of a stroke";
+constexpr const char* kOutlinePurpose = "the outline of a stroke";
 /// Of the tolerance: what is shorter is no piece. That is 1/256 of a pixel of 1024, below which
 /// cairo sees nothing either, and Skia nothing below 1/4096.
 constexpr double kShortest = 1.0 / 16;
@@ -126,7 +126,7 @@ class Side {
   PointMeter& meter_;
   Contours& folds_;
   TableMemory& memory_;
-  TableMemory center_memory_{kOutlineWhat};
+  TableMemory center_memory_{kOutlinePurpose};
   std::vector<Vec2> points_;
   std::vector<Vec2> centers_;   ///< of the parts of a fold that has begun
   std::size_t fold_begin_ = 0;  ///< where it begins in points_
@@ -376,7 +376,7 @@ Status append_side(Context& context, std::vector<Vec2>& contour, std::vector<Vec
 void outline(PointMeter& meter, const std::vector<Vec2>& subpath, const svg::StrokeStyle& style,
              double tolerance, Contours& contours, TableMemory& memory) {
   if (!meter.take(2 * subpath.size())) return;  // the pieces, there and back
-  TableMemory working(kOutlineWhat);
+  TableMemory working(kOutlinePurpose);
   std::vector<Cubic> pieces;
   const std::size_t most = std::max<std::size_t>(subpath.size() / 3, 1);
   if (!meter.keep(working.reserve(meter.context(), pieces, most))) return;
@@ -441,7 +441,7 @@ std::vector<Vec2> dot(Vec2 point, Vec2 direction, const svg::StrokeStyle& style)
 Result<Contours> stroke_outline(Context& context, const Contours& subpaths,
                                 const svg::StrokeStyle& style, double tolerance,
                                 TableMemory* memory) {
-  TableMemory own(kOutlineWhat), dash_memory(kOutlineWhat);
+  TableMemory own(kOutlinePurpose), dash_memory(kOutlinePurpose);
   PointMeter meter(context);
   Contours dashes;
   if (!style.dashes.empty()) {

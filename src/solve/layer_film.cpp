@@ -184,12 +184,7 @@ struct LayerNodes {
     const PreparedFields& fields = nodes.fields;
     return fields.color.is_thinned || (fields.opacity && fields.opacity->is_thinned);
   }
-  Status watch(const Context& context, std::span<const std::uint8_t> segments);
 };
-
-Status LayerNodes::watch(const Context& context, std::span<const std::uint8_t> segments) {
-  return watch_all(context, visibility, segments, nodes.fields);
-}
 
 }  // namespace
 
@@ -306,7 +301,7 @@ Status LayerFilm::State::remember(const Context& context, std::span<const std::u
   TableMemory memory(kPurpose);
   const Result<std::vector<std::uint8_t>> segments = now->segments_of(context, which, memory);
   if (!segments) return segments.status();
-  Status status = last->watch(context, *segments);
+  Status status = watch_all(context, last->visibility, *segments, last->nodes.fields);
   if (status) before.emplace(std::move(now->patches));
   return status;
 }

@@ -116,8 +116,9 @@ Result<std::vector<std::uint8_t>> PdfFile::finish(PdfRef root, PdfRef info) {
   for (std::size_t offset : offset_) {
     if (std::uint64_t{offset} > 9'999'999'999)
       return make_error(StatusCode::limit, "a PDF of more than 10 GB, which its table cannot hold");
-    const std::string digits = std::to_string(offset);
-    bytes_ += std::string(10 - digits.size(), '0') + digits + " 00000 n \n";
+    std::string digits = std::to_string(offset);
+    digits.insert(0, 10 - std::min<std::size_t>(10, digits.size()), '0');
+    bytes_ += digits + " 00000 n \n";
   }
   bytes_ += "trailer\n<< /Size " + count + " /Root " + pdf_reference(root) + " /Info " +
             pdf_reference(info) + " >>\nstartxref\n" + std::to_string(table) + "\n%%EOF\n";
