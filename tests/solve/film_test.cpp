@@ -354,7 +354,7 @@ void move_a_curve(std::mt19937& random, Document& document) {
 
 /// Of everything that drawings have.
 TEST(Films, of_random_documents_are_those_of_the_drawings) {
-  constexpr std::uint32_t kDocuments = SFUMATO_HAS_SANITIZER ? 3 : 10;
+  constexpr std::uint32_t kDocuments = 10;
   std::size_t continued = 0;
   for (std::uint32_t seed = 0; seed < kDocuments; ++seed) {
     std::mt19937 random(seed);
