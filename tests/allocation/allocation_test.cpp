@@ -34,6 +34,7 @@
 #include "sfumato/solve/solution.hpp"
 #include "sfumato/trace/trace.hpp"
 #include "support/same_document.hpp"
+#include "support/sanitizers.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace sfumato::test {
@@ -159,7 +160,7 @@ TEST_P(Allocation, film) {
   expect_every_refusal_is_survived(
       "film", [&](Context& context) { return no_throw([&] { return make(context); }); },
       [](const Solution& film) { return std::to_string(film.picture().layers.size()); },
-      {.every = 5});
+      {.every = SFUMATO_HAS_SANITIZER ? 41 : 7});
 }
 
 /// Solved, changed, and solved again.
