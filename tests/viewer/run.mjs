@@ -74,7 +74,7 @@ async function hasWebGl(flags) {
   return found;
 }
 
-await tap.test("Chromium starts, and all tests come to their end", async () => {
+await tap.whole("Chromium starts, and all tests come to their end", async () => {
   const [first, other] = (await hasWebGl(MESA)) ? [MESA, SWIFTSHADER] : [SWIFTSHADER, MESA];
   await withBrowser(first, async (tools) => {
     await testPictures(tap, tools);
