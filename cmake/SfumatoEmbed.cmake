@@ -1,14 +1,23 @@
 # sfumato_embed(TARGET FOLDER FILE...): compiles text files of FOLDER into TARGET, as
-# embedded_file() of src/display/embedded.hpp, by the names given here.
+# embedded_file() of src/display/embedded.hpp, by the names given here. NAME=PATH is a file of
+# another folder, PATH from the project's own.
 function(sfumato_embed target folder)
   set(generated ${CMAKE_CURRENT_BINARY_DIR}/embed_${target}.cpp)
   set(paths)
+  set(names)
   foreach(file ${ARGN})
-    list(APPEND paths ${folder}/${file})
+    if(file MATCHES "^(.*)=(.*)$")
+      set(path ${PROJECT_SOURCE_DIR}/${CMAKE_MATCH_2})
+      set(file ${CMAKE_MATCH_1})
+    else()
+      set(path ${folder}/${file})
+    endif()
+    list(APPEND paths ${path})
+    list(APPEND names ${file}=${path})
   endforeach()
-  string(REPLACE ";" "|" names "${ARGN}")
+  string(REPLACE ";" "|" names "${names}")
   add_custom_command(OUTPUT ${generated}
-    COMMAND ${CMAKE_COMMAND} -DFOLDER=${folder} "-DNAMES=${names}" -DOUTPUT=${generated}
+    COMMAND ${CMAKE_COMMAND} "-DNAMES=${names}" -DOUTPUT=${generated}
             -P ${PROJECT_SOURCE_DIR}/cmake/embed.cmake
     DEPENDS ${paths} ${PROJECT_SOURCE_DIR}/cmake/embed.cmake VERBATIM)
   target_sources(${target} PRIVATE ${generated})

@@ -380,9 +380,8 @@ Result<FreeEnds> FreeEnds::with_channel(Context& context, int channel) const {
   });
 }
 
-bool FreeEnds::add(Vec2 p, float weight, std::span<float> value) const {
+float FreeEnds::add(Vec2 p, float weight, std::span<float> value) const {
   double sum = weight;
-  bool any = false;
   visit_leaves_at(p, [&](std::uint32_t leaf) {
     for (const FreeEnd& end : of_leaf(leaf)) {
       const EndShare share = end_share(end, p - end.position);
@@ -395,11 +394,10 @@ bool FreeEnds::add(Vec2 p, float weight, std::span<float> value) const {
         const bool is_base = c < static_cast<std::size_t>(base_channels_);
         value[c] += mixed * ((is_base ? z.channel[c] : 0.0f) - value[c]);
       }
-      any = true;
     }
     return true;
   });
-  return any;
+  return static_cast<float>(sum);
 }
 
 }  // namespace sfumato::gather

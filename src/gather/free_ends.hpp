@@ -143,8 +143,8 @@ class FreeEnds {
   Result<FreeEnds> with_channel(Context& context, int channel) const;
 
   /// Adds the terms of the ends that reach p to a value of weight W: base channels, then shares of
-  /// shaders. Returns whether there were any. EndTerms, in kernels/, does the same for packets.
-  bool add(Vec2 p, float weight, std::span<float> value) const;
+  /// shaders. Returns W with them. EndTerms, in kernels/, does the same for packets.
+  float add(Vec2 p, float weight, std::span<float> value) const;
 
  private:
   Status build_tree(Context& context, std::uint32_t spare);

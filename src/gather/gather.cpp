@@ -9,6 +9,7 @@
 #include "base/parallel.hpp"
 #include "gather/changes.hpp"
 #include "gather/exact.hpp"
+#include "gather/from_source.hpp"
 #include "gather/locate.hpp"
 #include "gather/packing.hpp"
 #include "gather/rays.hpp"
@@ -29,6 +30,11 @@ namespace {
 constexpr std::size_t kStepsPerTriangle = 128;
 
 constexpr std::size_t kPointsPerTask = 1024;
+
+std::uint64_t new_scene_id() {
+  static std::uint64_t last = 0;  // by std::atomic_ref: <atomic> is large
+  return std::atomic_ref(last).fetch_add(1) + 1;
+}
 
 /// What is gathered where there is nothing to see.
 void leave_empty(const PointList& points, std::size_t channels, std::span<float> out,
@@ -70,6 +76,7 @@ Result<Gatherer> Gatherer::create(Context& context, const mesh::TriangleMesh& vi
   }
   auto state = std::make_unique<State>();
   state->scene = std::move(*scene);
+  state->scene.id = new_scene_id();
   if (ends == Ends::soft) {
     const mesh::TriangleMesh& with = change.whole ? *change.whole : visibility;
     const bool extendable = use.will_be_extended || use.may_be_changed;
@@ -132,8 +139,13 @@ Status Gatherer::gather(Context& context, const PointList& points, const GatherO
   }
   const Result<Packing> packing = pack(context, state_->scene, *located);
   if (!packing) return packing.status();
-  return gather_exact(context, state_->scene, state_->ends, points, *located, *packing,
-                      {out, hit, weighs});
+  const GatherOutput output{out, hit, weighs};
+  PointSource* const source = context.point_source;
+  if (source && points.size() >= source->least_points()) {
+    return gather_from(context, *source, state_->scene, state_->ends, points, *located, *packing,
+                       output);
+  }
+  return gather_exact(context, state_->scene, state_->ends, points, *located, *packing, output);
 }
 
 Result<PointPlaces> Gatherer::locate(Context& context, const PointList& points,

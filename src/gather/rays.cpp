@@ -148,8 +148,8 @@ Status gather_rays(Context& context, const Scene& scene, const FreeEnds& ends,
                           const std::size_t slot = points.slot(i);
                           const auto value = out.subspan(slot * channel_count, channel_count);
                           sums.store(value.data());
-                          const bool at_end = ends.add({x, y}, sums.weight() * per_ray, value);
-                          if (!hit.empty()) hit[slot] = sums.hit() || at_end;
+                          const float weight = ends.add({x, y}, sums.weight() * per_ray, value);
+                          if (!hit.empty()) hit[slot] = weight > 0;
                         }
                       });
 }

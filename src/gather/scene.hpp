@@ -50,6 +50,7 @@ Facing back_side(const mesh::TriangleMesh& mesh, const curves::SegmentAttributes
 /// their own, in which neighbours are also near in memory, because memory access limits the speed
 /// of a walk.
 struct Scene {
+  std::uint64_t id = 0;                 ///< of a Gatherer's: no other scene ever has the same
   Vec2 origin;                          ///< layer frame
   std::vector<EdgeBeyond> edge_beyond;  ///< of half-edges that rays walk through
   std::vector<HitEdge> hit_edge;

@@ -105,6 +105,7 @@ Status ExactPicture::read(std::uint32_t layer, const Affine& layer_from_image,
   Context serial{.budget = Budget(budget.limit() - std::min(budget.limit(), budget.used())),
                  .limits = context_->limits,
                  .simd = context_->simd,
+                 .point_source = context_->point_source,
                  .outer = context_};
   Status status = evaluator_.gather(serial, layer, points, color, hit, opacity);
   if (!status) return status;
