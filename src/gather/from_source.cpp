@@ -12,7 +12,7 @@ namespace {
 /// Points that a source is asked for at once: what their sums take is bounded.
 constexpr std::size_t kPointsAtOnce = std::size_t{1} << 18;
 
-constexpr std::size_t kPointsPerTask = 4096;
+constexpr std::size_t kSumsPerTask = 4096;
 
 class SourceGather {
  public:
@@ -50,7 +50,7 @@ class SourceGather {
     const std::span<float> sums = std::span(sums_).first(point.size() * stride_);
     Status status = source_.sum(context_, scene_, std::span(walk_).first(point.size()), sums);
     if (!status) return status;
-    return parallel_for(context_, point.size(), kPointsPerTask,
+    return parallel_for(context_, point.size(), kSumsPerTask,
                         [&](std::size_t begin, std::size_t end) {
                           for (std::size_t i = begin; i < end; ++i)
                             store(walk_[i], point[i], sums.data() + i * stride_);

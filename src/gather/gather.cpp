@@ -1,6 +1,7 @@
 #include "gather/gather.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <numeric>
 #include <optional>
 #include <utility>

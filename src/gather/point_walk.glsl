@@ -307,7 +307,7 @@ FN bool is_negligible(ivec4 line, vec2 right, vec2 left, float least) {
 
 // Sets weight, value, steps and failed.
 //   at           a point of the triangle
-//   negligible   the share of the weight so far below which a window is not followed (kNegligible)
+//   negligible   the share of the weight so far below which a window is not followed (kPointNegligible)
 //   step_limit   steps after which the walk has failed
 FN void gather(vec2 at, int triangle, float negligible, int step_limit) {
   point = at;
@@ -318,6 +318,7 @@ FN void gather(vec2 at, int triangle, float negligible, int step_limit) {
   // Windows that wait are what lies left of an apex: their right rays point to it.
   vec4 ring_rays[STACK];  // right, left
   int ring_edge[STACK];   // 2 edge + (1 if the left end of the edge is seen)
+  ring_edge[0] = 0;       // compilers cannot see that none is read before it is set
   int ring_begin = 0;
   int ring_size = 0;
   bool has_forgotten = false;

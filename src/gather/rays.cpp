@@ -14,7 +14,7 @@
 namespace sfumato::gather {
 namespace {
 
-constexpr std::size_t kPointsPerTask = 64;
+constexpr std::size_t kRayPointsPerTask = 64;
 
 /// The output function of SplitMix64 (Steele, Lea, Flood 2014).
 std::uint64_t mix(std::uint64_t z) {
@@ -138,7 +138,7 @@ Status gather_rays(Context& context, const Scene& scene, const FreeEnds& ends,
   const auto channel_count = static_cast<std::size_t>(scene.channel_count());
   const float per_ray =
       static_cast<float>(2 * std::numbers::pi) / static_cast<float>(options.rays_per_node);
-  return parallel_for(context, points.size(), kPointsPerTask,
+  return parallel_for(context, points.size(), kRayPointsPerTask,
                       [&](std::size_t begin, std::size_t end) {
                         std::vector<float> shares(scene.shader_count);
                         for (std::size_t i = begin; i < end; ++i) {

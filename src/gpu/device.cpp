@@ -104,9 +104,9 @@ struct Device::Egl {
   EGLSurface previous_draw = EGL_NO_SURFACE, previous_read = EGL_NO_SURFACE;
 
   Status load();
-  Status load_functions(Gl* gl) const;
-  bool make_context(EGLDisplay on);
-  Status make_current();
+  Status load_functions(Gl* gl, DeviceUse use) const;
+  bool make_context(EGLDisplay on, DeviceUse use);
+  Status make_current(DeviceUse use);
   ~Egl();
 };
 
@@ -122,15 +122,18 @@ Status Device::Egl::load() {
   return ok_status();
 }
 
-Status Device::Egl::load_functions(Gl* gl) const {
+Status Device::Egl::load_functions(Gl* gl, DeviceUse use) const {
 #define SFUMATO_GL_FIND(name) \
   if (!find_in(gles, "gl" #name, &gl->name)) return unavailable("libGLESv2.so.2 has no gl" #name);
   SFUMATO_GL_FUNCTIONS(SFUMATO_GL_FIND)
+  if (use == DeviceUse::compute) {
+    SFUMATO_GL_COMPUTE_FUNCTIONS(SFUMATO_GL_FIND)
+  }
 #undef SFUMATO_GL_FIND
   return ok_status();
 }
 
-bool Device::Egl::make_context(EGLDisplay on) {
+bool Device::Egl::make_context(EGLDisplay on, DeviceUse use) {
   if (!call.Initialize(on, nullptr, nullptr)) return false;
   if (!lists(call.QueryString(on, EGL_EXTENSIONS), "EGL_KHR_surfaceless_context")) return false;
   // No surface is made; 0 says that the kind of one does not matter.
@@ -138,7 +141,8 @@ bool Device::Egl::make_context(EGLDisplay on) {
   EGLConfig config;
   EGLint count = 0;
   if (!call.ChooseConfig(on, wanted, &config, 1, &count) || count == 0) return false;
-  const EGLint version[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_NONE};
+  const EGLint version[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION,
+                            use == DeviceUse::compute ? 1 : 0, EGL_NONE};
   context = call.CreateContext(on, config, EGL_NO_CONTEXT, version);
   if (context == EGL_NO_CONTEXT) return false;
   if (call.MakeCurrent(on, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) {
@@ -150,7 +154,7 @@ bool Device::Egl::make_context(EGLDisplay on) {
   return false;
 }
 
-Status Device::Egl::make_current() {
+Status Device::Egl::make_current(DeviceUse use) {
   previous_api = call.QueryAPI();
   if (!call.BindAPI(EGL_OPENGL_ES_API)) return unavailable("EGL here has no OpenGL ES");
   previous_display = call.GetCurrentDisplay();
@@ -158,8 +162,9 @@ Status Device::Egl::make_current() {
   previous_draw = call.GetCurrentSurface(EGL_DRAW);
   previous_read = call.GetCurrentSurface(EGL_READ);
   for (EGLDisplay candidate : find_displays(call))
-    if (make_context(candidate)) return ok_status();
-  return unavailable("EGL gives no context of OpenGL ES 3 without a window");
+    if (make_context(candidate, use)) return ok_status();
+  return unavailable(std::string("EGL gives no context of OpenGL ES 3") +
+                     (use == DeviceUse::compute ? ".1" : "") + " without a window");
 }
 
 Device::Egl::~Egl() {
@@ -175,22 +180,29 @@ Device::Egl::~Egl() {
 Device::Device() : egl_(std::make_unique<Egl>()) {}
 Device::~Device() = default;
 
-Result<std::unique_ptr<Device>> Device::create() {
+Result<std::unique_ptr<Device>> Device::create(DeviceUse use) {
   std::unique_ptr<Device> device(new Device);
   Status status = device->egl_->load();
-  if (status) status = device->egl_->load_functions(&device->gl_);
-  if (status) status = device->egl_->make_current();
-  if (status) status = device->read_limits();
+  if (status) status = device->egl_->load_functions(&device->gl_, use);
+  if (status) status = device->egl_->make_current(use);
+  if (!status) return status;
+  device->read_name();
+  if (use == DeviceUse::draw) status = device->read_limits();
   if (!status) return status;
   return device;
 }
 
-Status Device::read_limits() {
-  const auto text = [&](GLenum what) {
-    const GLubyte* bytes = gl_.GetString(what);
-    return bytes ? reinterpret_cast<const char*>(bytes) : "";
-  };
+const char* Device::text(GLenum what) const {
+  const GLubyte* bytes = gl_.GetString(what);
+  return bytes ? reinterpret_cast<const char*>(bytes) : "";
+}
+
+void Device::read_name() {
   name_ = text(GL_RENDERER);
+  has_precise_ = lists(text(GL_EXTENSIONS), "GL_EXT_gpu_shader5");
+}
+
+Status Device::read_limits() {
   const char* extensions = text(GL_EXTENSIONS);
   if (!lists(extensions, "GL_EXT_color_buffer_float"))
     return unavailable(name_ + " cannot draw to textures of floats");

@@ -8,13 +8,16 @@
 
 namespace sfumato::gpu {
 
+/// What a device is for, and so what its context has to have.
+enum class DeviceUse { draw, compute };
+
 /// A context of OpenGL ES 3 without a window, by EGL, current in the calling thread until this is
 /// destroyed; then the previous context is current again. libEGL and libGLESv2 are loaded at run
 /// time and stay loaded, since drivers leave threads running.
 class Device {
  public:
   /// Tries hardware first, then Mesa's software driver. Errors: unavailable.
-  static Result<std::unique_ptr<Device>> create();
+  static Result<std::unique_ptr<Device>> create(DeviceUse use = DeviceUse::draw);
   ~Device();
   Device(const Device&) = delete;
   Device& operator=(const Device&) = delete;
@@ -24,6 +27,8 @@ class Device {
   const std::string& name() const { return name_; }
   /// Largest width and height of textures and of render targets.
   int largest_side() const { return largest_side_; }
+  /// Whether shaders know `precise`: a sum is then what the text says, to the last bit.
+  bool has_precise() const { return has_precise_; }
   /// Whether 32-bit float targets can be drawn to, and blended.
   bool blends_floats() const { return blends_floats_; }
 
@@ -31,6 +36,8 @@ class Device {
   struct Egl;
 
   Device();
+  const char* text(GLenum what) const;
+  void read_name();
   Status read_limits();
 
   std::unique_ptr<Egl> egl_;
@@ -38,6 +45,7 @@ class Device {
   std::string name_;
   int largest_side_ = 0;
   bool blends_floats_ = false;
+  bool has_precise_ = false;
 };
 
 }  // namespace sfumato::gpu

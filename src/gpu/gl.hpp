@@ -1,8 +1,8 @@
 #pragma once
 
-#include <GLES3/gl3.h>
+#include <GLES3/gl31.h>
 
-/// OpenGL ES 3.0 as functions that are loaded at run time; the library does not link to it.
+/// OpenGL ES as functions that are loaded at run time; the library does not link to it.
 namespace sfumato::gpu {
 
 #define SFUMATO_GL_FUNCTIONS(F) \
@@ -72,10 +72,22 @@ namespace sfumato::gpu {
   F(UseProgram)                 \
   F(Viewport)
 
-/// The functions, without their "gl": gl.DrawArrays(…).
+/// What of OpenGL ES 3.1 computes.
+#define SFUMATO_GL_COMPUTE_FUNCTIONS(F) \
+  F(BufferSubData)                      \
+  F(DispatchCompute)                    \
+  F(Finish)                             \
+  F(GetInteger64v)                      \
+  F(MapBufferRange)                     \
+  F(MemoryBarrier)                      \
+  F(UnmapBuffer)
+
+/// The functions, without their "gl": gl.DrawArrays(…). Those that compute are null but in a
+/// context of OpenGL ES 3.1.
 struct Gl {
 #define SFUMATO_GL_MEMBER(name) decltype(&::gl##name) name = nullptr;
   SFUMATO_GL_FUNCTIONS(SFUMATO_GL_MEMBER)
+  SFUMATO_GL_COMPUTE_FUNCTIONS(SFUMATO_GL_MEMBER)
 #undef SFUMATO_GL_MEMBER
 };
 

@@ -10,17 +10,13 @@ namespace {
 
 constexpr int kLogBytes = 1000;
 
-std::string_view shader_text(std::string_view name) {
-  return display::embedded_file("shaders/" + std::string(name));
-}
-
 std::string assembled(std::string_view name, const std::vector<std::string_view>& defines) {
   std::string text = "#version 300 es\n";
   for (std::string_view define : defines) text += "#define " + std::string(define) + " 1\n";
-  text += shader_text("common.glsl");
+  text += Program::text_of("common.glsl");
   const bool has_paints = std::find(defines.begin(), defines.end(), "WITH_PAINTS") != defines.end();
-  if (has_paints && name.ends_with(".frag")) text += shader_text("paint.glsl");
-  text += shader_text(name);
+  if (has_paints && name.ends_with(".frag")) text += Program::text_of("paint.glsl");
+  text += Program::text_of(name);
   return text;
 }
 
@@ -43,25 +39,45 @@ Status add_shader(const Gl& gl, GLuint program, GLenum kind, std::string_view na
 
 }  // namespace
 
+Program::Program(const Gl& gl)
+    : gl_(&gl),
+      object_(gl, gl.CreateProgram(), [](const Gl& g, GLuint n) { g.DeleteProgram(n); }) {}
+
 Result<Program> Program::create(const Gl& gl, std::string_view vertex, std::string_view fragment,
                                 const std::vector<std::string_view>& defines) {
-  Program program;
-  program.gl_ = &gl;
-  program.object_ =
-      GlObject(gl, gl.CreateProgram(), [](const Gl& g, GLuint n) { g.DeleteProgram(n); });
+  Program program(gl);
   const GLuint name = program.name();
   Status status = add_shader(gl, name, GL_VERTEX_SHADER, vertex, assembled(vertex, defines));
   if (status)
     status = add_shader(gl, name, GL_FRAGMENT_SHADER, fragment, assembled(fragment, defines));
   if (!status) return status;
-  gl.LinkProgram(name);
+  status = program.link(fragment);
+  if (!status) return status;
+  return program;
+}
+
+Result<Program> Program::create_compute(const Gl& gl, const std::string& text) {
+  Program program(gl);
+  constexpr std::string_view kName = "point_walk.glsl";
+  Status status = add_shader(gl, program.name(), GL_COMPUTE_SHADER, kName, text);
+  if (status) status = program.link(kName);
+  if (!status) return status;
+  return program;
+}
+
+std::string_view Program::text_of(std::string_view name) {
+  return display::embedded_file("shaders/" + std::string(name));
+}
+
+Status Program::link(std::string_view shader) const {
+  gl_->LinkProgram(name());
   GLint linked = 0;
-  gl.GetProgramiv(name, GL_LINK_STATUS, &linked);
-  if (linked) return program;
+  gl_->GetProgramiv(name(), GL_LINK_STATUS, &linked);
+  if (linked) return ok_status();
   char log[kLogBytes] = "";
-  gl.GetProgramInfoLog(name, kLogBytes, nullptr, log);
+  gl_->GetProgramInfoLog(name(), kLogBytes, nullptr, log);
   return make_error(StatusCode::internal,
-                    "the shader " + std::string(fragment) + " does not link: " + log);
+                    "the shader " + std::string(shader) + " does not link: " + log);
 }
 
 void Program::set(const char* uniform, int value) const {

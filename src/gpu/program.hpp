@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -9,7 +10,7 @@
 
 namespace sfumato::gpu {
 
-/// A program of web/viewer/shaders (docs/gpu.md).
+/// A program of the texts of docs/gpu.md.
 class Program {
  public:
   Program() = default;
@@ -19,9 +20,15 @@ class Program {
   static Result<Program> create(const Gl& gl, std::string_view vertex, std::string_view fragment,
                                 const std::vector<std::string_view>& defines);
 
+  /// A compute shader, of which this is the whole text. Errors: internal, as above.
+  static Result<Program> create_compute(const Gl& gl, const std::string& text);
+
   /// Makes this the current program, to which the setters below apply.
   void use() const { gl_->UseProgram(object_.name()); }
   GLuint name() const { return object_.name(); }
+
+  /// A file of web/viewer/shaders, or point_walk.glsl.
+  static std::string_view text_of(std::string_view name);
 
   void set(const char* uniform, int value) const;
   void set(const char* uniform, int x, int y) const;
@@ -35,6 +42,9 @@ class Program {
   void bind(const char* sampler, int unit, GLuint texture) const;
 
  private:
+  explicit Program(const Gl& gl);
+  Status link(std::string_view name) const;
+
   const Gl* gl_ = nullptr;
   GlObject object_;
 };

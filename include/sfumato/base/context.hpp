@@ -10,7 +10,8 @@
 #include "sfumato/base/status.hpp"
 
 namespace sfumato::gather {
-/// Who gathers at many points in place of the CPU. Internal: defined in src/gather/point_source.hpp.
+/// Who gathers at many points in place of the CPU. Internal: defined in
+/// src/gather/point_source.hpp.
 class PointSource;
 }  // namespace sfumato::gather
 

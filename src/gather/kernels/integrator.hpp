@@ -4,16 +4,12 @@
 
 #include "gather/kernels/blur_kernel.hpp"
 #include "gather/kernels/edge_views.hpp"
+#include "gather/kernels/negligible.hpp"
 #include "gather/kernels/scene_layout.hpp"
 
 namespace sfumato::gather::inline SFUMATO_ISA {
 
-/// A window that cannot add more than this share of the weight found so far is not followed. Its
-/// measured cost at the nodes of the paper's mesh, in code values of 255: on dolphin, lady_bug,
-/// roses and portrait.svg at most 0.02 for 99 nodes of 100 and 0.05 for any.
-inline constexpr float kNegligible = 6e-5f;
-
-/// The same where a far field tells what about the window would have added (SceneView::far). At the
+/// In place of kNegligible where a far field tells what about the window would have added. At the
 /// nodes of the mesh among 1,000 to 10,000 specks of half a pixel it costs at most 0.05 for half of
 /// them, 0.2 for 99 of 100 and 0.4 for any; among 10,000 strokes of two pixels 0.6 for any.
 inline constexpr float kEstimated = 5e-4f;

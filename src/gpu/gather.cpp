@@ -1,0 +1,43 @@
+#include "sfumato/gpu/gather.hpp"
+
+#include <limits>
+#include <memory>
+#include <utility>
+
+#include "base/no_throw.hpp"
+#include "gpu/gather_device.hpp"
+
+namespace sfumato {
+
+Result<GpuGather> GpuGather::create() {
+  return no_throw([]() -> Result<GpuGather> {
+    Result<std::unique_ptr<gpu::GatherDevice>> device = gpu::GatherDevice::create();
+    if (!device) return device.status();
+    return GpuGather(device->release());
+  });
+}
+
+GpuGather::GpuGather(GpuGather&& other) noexcept : device_(std::exchange(other.device_, nullptr)) {}
+
+GpuGather& GpuGather::operator=(GpuGather&& other) noexcept {
+  std::swap(device_, other.device_);
+  return *this;
+}
+
+GpuGather::~GpuGather() {
+  delete device_;
+}
+
+gather::PointSource* GpuGather::source() const {
+  return device_;
+}
+
+std::string GpuGather::device_name() const {
+  return device_ ? device_->name() : std::string();
+}
+
+bool GpuGather::is_lost() const {
+  return device_ && device_->least_points() == std::numeric_limits<std::size_t>::max();
+}
+
+}  // namespace sfumato

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+
+#include "gather/point_source.hpp"
+#include "gpu/walk_program.hpp"
+
+namespace sfumato::gpu {
+
+class Walker;
+
+/// What tests may have go wrong.
+struct GatherFaults {
+  int lost_after = std::numeric_limits<int>::max();  ///< calls of sum() that are answered
+  bool lacks_compute = false;                        ///< as a device of OpenGL ES 3.0
+};
+
+/// Gathers by compute shaders. A thread of its own has the context, since a context is of one
+/// thread, and points are asked for by several. They take turns.
+class GatherDevice final : public gather::PointSource {
+ public:
+  /// Errors: unavailable, in words; out_of_memory.
+  static Result<std::unique_ptr<GatherDevice>> create(const WalkShape& shape = {},
+                                                      const GatherFaults& faults = {});
+  ~GatherDevice() override;
+  GatherDevice(const GatherDevice&) = delete;
+  GatherDevice& operator=(const GatherDevice&) = delete;
+
+  const std::string& name() const { return name_; }
+
+  std::size_t least_points() const override;
+  Status sum(Context& context, const gather::Scene& scene, std::span<const gather::WalkPoint> point,
+             std::span<float> sums) override;
+
+ private:
+  GatherDevice(const WalkShape& shape, const GatherFaults& faults);
+  void serve();
+  /// Has the thread call `job`, and waits for it.
+  Status do_there(const std::function<Status()>& job);
+
+  WalkShape shape_;
+  GatherFaults faults_;
+  std::string name_;
+  std::unique_ptr<Walker> walker_;  ///< of the thread
+  std::atomic<bool> is_lost_ = false;
+
+  std::mutex turn_;  ///< held by who waits for a job
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  const std::function<Status()>* job_ = nullptr;  ///< null: there is none
+  Status result_;
+  bool ends_ = false;
+  std::thread thread_;
+};
+
+}  // namespace sfumato::gpu

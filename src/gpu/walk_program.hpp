@@ -1,0 +1,27 @@
+#pragma once
+
+#include "gpu/device.hpp"
+#include "gpu/program.hpp"
+
+namespace sfumato::gpu {
+
+/// How point_walk.glsl is compiled for a device.
+struct WalkShape {
+  int stack = 16;       ///< windows that may wait, a power of two; the values hardly depend on it
+  int local_size = 64;  ///< points of a work group
+  bool is_precise = true;  ///< where the device has it: the twin's bits
+
+  /// Exact comparison of all members.
+  friend bool operator==(const WalkShape&, const WalkShape&) = default;
+};
+
+/// Storage blocks that the program binds; OpenGL ES 3.1 has at least four.
+enum class WalkBlock : GLuint { tables, points, results };
+
+/// The compute shader that gathers points; `blends`: of scenes with SceneView::blend. Uniforms:
+/// `hit_begin`, `blend_begin` and `triangle_begin`, the first texels of these tables, of which the
+/// edges beyond are the first; `point_count`, `numbers_of_point`, `negligible_share`, `step_limit`.
+/// Errors: internal, with the compiler's message.
+Result<Program> walk_program(const Device& device, const WalkShape& shape, bool blends);
+
+}  // namespace sfumato::gpu

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "gather/scene.hpp"
+#include "gpu/device.hpp"
+#include "gpu/gl.hpp"
+
+namespace sfumato::gpu {
+
+/// A scene's tables in one buffer of the device, as walk_program() reads them.
+class WalkTables {
+ public:
+  /// Bytes that a scene takes.
+  static std::size_t bytes_of(const gather::Scene& scene);
+
+  WalkTables(const Gl& gl, const gather::Scene& scene);
+
+  std::uint64_t scene_id() const { return scene_id_; }
+  std::size_t bytes() const { return bytes_; }
+  bool has_blends() const { return has_blends_; }
+  GLuint buffer() const { return buffer_.name(); }
+
+  // The first texels of these tables.
+  GLint hit_begin() const { return hit_begin_; }
+  GLint blend_begin() const { return blend_begin_; }
+  GLint triangle_begin() const { return triangle_begin_; }
+
+ private:
+  std::uint64_t scene_id_;
+  std::size_t bytes_;
+  bool has_blends_;
+  GLint hit_begin_ = 0, blend_begin_ = 0, triangle_begin_ = 0;
+  GlObject buffer_;
+};
+
+}  // namespace sfumato::gpu
