@@ -5,8 +5,10 @@
 #include "base/stopwatch.hpp"
 #include "cli/command_context.hpp"
 #include "cli/film.hpp"
+#include "cli/messages.hpp"
 #include "cli/texture_uses.hpp"
 #include "sfumato/base/native/file.hpp"
+#include "sfumato/gpu/gather.hpp"
 
 namespace sfumato::cli {
 namespace {
@@ -71,9 +73,9 @@ int DrawingJobs::run(const JobWords& words) {
 
 }  // namespace
 
-int run_drawing_jobs(const DocumentArguments& documents, const JobArguments& jobs, int threads,
-                     const JobWords& words, MakeFile make) {
-  CommandContext work(documents, threads);
+int run_drawing_jobs(const DocumentArguments& documents, const JobArguments& jobs,
+                     const options::Settings& settings, const JobWords& words, MakeFile make) {
+  CommandContext work(documents, settings.threads);
   Context& context = work.context();
   const std::string complaint = complaint_about_textures(context, documents, jobs);
   if (context.cancel.load()) return fail(context.cancel_status());
@@ -83,7 +85,19 @@ int run_drawing_jobs(const DocumentArguments& documents, const JobArguments& job
   }
   const Status writable = prepare_outputs(jobs);
   if (!writable) return fail(writable);
-  return DrawingJobs(context, documents, jobs, work.bar(), make).run(words);
+  const auto warn = [&](const std::string& what) {
+    if (!documents.quiet) report_warning({what + "; gathered on the CPU", {}});
+  };
+  GpuGather gpu;
+  if (settings.gather == options::Device::gpu) {
+    Result<GpuGather> made = GpuGather::create();
+    if (!made) warn(made.status().message);
+    if (made) gpu = std::move(*made);
+  }
+  context.point_source = gpu.source();
+  const int code = DrawingJobs(context, documents, jobs, work.bar(), make).run(words);
+  if (gpu.is_lost()) warn(gpu.device_name() + " did not answer any more");
+  return code;
 }
 
 }  // namespace sfumato::cli

@@ -8,6 +8,7 @@
 #include "cli/arguments.hpp"
 #include "cli/jobs.hpp"
 #include "cli/stats.hpp"
+#include "options/settings.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/function_ref.hpp"
 #include "sfumato/base/status.hpp"
@@ -21,8 +22,9 @@ namespace sfumato::cli {
 using MakeFile = FunctionRef<Result<std::vector<std::uint8_t>>(
     Context& context, const std::string& input, RenderStats& stats, std::optional<Solution>& kept)>;
 
-/// Does the jobs of a call on `threads` threads, 0: all cores, and returns the exit code.
-int run_drawing_jobs(const DocumentArguments& documents, const JobArguments& jobs, int threads,
-                     const JobWords& words, MakeFile make);
+/// Does the jobs of a call with the threads, and on the GPU, of its settings, and returns the exit
+/// code.
+int run_drawing_jobs(const DocumentArguments& documents, const JobArguments& jobs,
+                     const options::Settings& settings, const JobWords& words, MakeFile make);
 
 }  // namespace sfumato::cli

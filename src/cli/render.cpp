@@ -56,7 +56,7 @@ Result<Bytes> make_coherent_file(Context& context, const RenderArguments& argume
 
 int render(const RenderArguments& arguments) {
   RenderArguments current = arguments;
-  return run_drawing_jobs(arguments, arguments, arguments.settings.threads, kRenderWords,
+  return run_drawing_jobs(arguments, arguments, arguments.settings, kRenderWords,
                           [&](Context& context, const std::string& input, RenderStats& stats,
                               std::optional<Solution>& kept) {
                             current.input = input;

@@ -71,6 +71,7 @@ void add_option_of(CLI::App& app, std::string_view key, options::Settings& setti
 void add_running_options(CLI::App& app, options::Settings& settings, JobArguments& jobs,
                          DocumentArguments& documents) {
   const char* group = heading(options::Group::running);
+  add_option_of(app, "gather", settings);
   add_option_of(app, "threads", settings);
   app.add_option("--stats", jobs.stats, "Sizes and times as JSON; '-': to stdout")
       ->type_name("FILE.json")

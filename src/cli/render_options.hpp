@@ -19,7 +19,7 @@ struct RenderChoices : JobChoices {
 /// --viewport, --width, --height and --scale.
 void add_place_options(CLI::App& app, options::Settings& settings);
 
-/// --threads, --stats and --quiet.
+/// --gather, --threads, --stats and --quiet.
 void add_running_options(CLI::App& app, options::Settings& settings, JobArguments& jobs,
                          DocumentArguments& documents);
 

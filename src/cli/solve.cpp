@@ -51,7 +51,7 @@ Result<Bytes> make_file(Context& context, const SolveArguments& arguments, Rende
 
 int solve(const SolveArguments& arguments) {
   SolveArguments current = arguments;
-  return run_drawing_jobs(arguments, arguments, arguments.settings.threads, kSolveWords,
+  return run_drawing_jobs(arguments, arguments, arguments.settings, kSolveWords,
                           [&](Context& context, const std::string& input, RenderStats& stats,
                               std::optional<Solution>&) {
                             current.input = input;

@@ -75,6 +75,7 @@ std::vector<std::string> given_drawing_options(const CLI::App& render) {
   for (const RenderOption& option : options::render_options()) {
     if (is_of_drawings(option.info)) note(std::string("--") + option.info.key);
   }
+  note("--gather");
   note("--allow-files");
   return given;
 }

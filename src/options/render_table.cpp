@@ -282,6 +282,13 @@ constexpr Option<Settings> kRenderOptions[] = {
       .help = "What draws pixels; gpu: by OpenGL ES, where there is\none [cpu]",
       .group = Group::running},
      [](Settings& s, const Value& v) { s.device = meaning<Device::cpu, Device::gpu>(v); }},
+    {{.key = "gather",
+      .kind = ValueKind::word,
+      .words = kDevices,
+      .help = "What gathers colours; gpu: by compute shaders of\nOpenGL ES 3.1, where there is one "
+              "[cpu]",
+      .group = Group::running},
+     [](Settings& s, const Value& v) { s.gather = meaning<Device::cpu, Device::gpu>(v); }},
     {{.key = "coherent",
       .kind = ValueKind::flag,
       .help = "Drawings are frames of a film: each goes on with the mesh\nof the one before, so "

@@ -37,7 +37,7 @@ struct SizeRequest {
 /// one.
 enum class Method : std::uint8_t { exact, rays, pixels };
 
-/// What draws pixels.
+/// What draws pixels, or gathers.
 enum class Device : std::uint8_t { cpu, gpu };
 
 /// How a picture is written. settle() gives those a value that are not given, but for `dpi`, whose
@@ -63,6 +63,7 @@ struct Settings {
   bool sets_max_error = false;  ///< max-error was given
   Method method = Method::exact;
   Device device = Device::cpu;
+  Device gather = Device::cpu;
   /// As requested, except width, height, viewport and the alpha channel.
   RasterOptions raster;
   int depth = 8;                 ///< bits per channel

@@ -81,12 +81,14 @@ Conflict conflict_with_format(const Settings& given, OutputKind kind) {
 Conflict conflict_among(const Settings& given) {
   const bool has_mesh = given.method != Method::pixels;
   return first_broken(
-      std::array<Rule, 5>{{{!given.size.scale || !(given.size.width || given.size.height),
+      std::array<Rule, 6>{{{!given.size.scale || !(given.size.width || given.size.height),
                             {"@scale", "expected without @width and @height"}},
                            {!given.raster.mesh_overlay || has_mesh,
                             {"@mesh-overlay", "@method=pixels has no mesh to draw"}},
                            {!given.coherent || given.method == Method::exact,
                             {"@coherent", "expected with @method=exact only"}},
+                           {given.gather == Device::cpu || given.method != Method::rays,
+                            {"@gather", "@method=rays runs on the CPU only"}},
                            {given.device == Device::cpu || has_mesh,
                             {"@device", "@method=pixels runs on the CPU only"}},
                            {given.device == Device::cpu || !given.window,

@@ -159,6 +159,7 @@ TEST(Outputs, options_that_an_output_has_no_place_for_are_named) {
       {"svg", {"--svg", "flat"}, "one of image|vector"},
       {"pdf", {"--dpi", "0"}, "a number above 0"},
       {"png", {"--device", "gpu", "--method", "pixels"}, "CPU only"},
+      {"png", {"--gather", "gpu", "--method", "rays"}, "CPU only"},
   };
   for (const BadPair& bad : cases) {
     Names arguments{"render", drawing, "-o", folder.path(std::string("o.") + bad.extension)};
@@ -201,6 +202,35 @@ TEST(Device, a_gpu_draws_or_a_warning_says_that_the_cpu_did) {
   }
   const Image image = image_of(read_whole(folder.path("a.png")));
   EXPECT_EQ(image.width, 64);
+}
+
+TEST(Device, a_gpu_gathers_or_a_warning_says_that_the_cpu_did) {
+  const TemporaryFolder folder;
+  const std::string drawing = folder.add("a.xml", two_curve_scene());
+  const auto render = [&](const char* method, const char* device) {
+    const std::string picture = folder.path("a.png");
+    const CommandResult result = run_sfumato({"render", drawing, "-o", picture, "--width", "200",
+                                              "--method", method, "--gather", device});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    if (!result.err.empty()) {
+      EXPECT_TRUE(contains(result.err, "warning: ")) << result.err;
+      EXPECT_TRUE(contains(result.err, "gathered on the CPU")) << result.err;
+    }
+    return image_of(read_whole(picture));
+  };
+  for (const char* method : {"exact", "pixels"}) {
+    const Image gpu = render(method, "gpu"), cpu = render(method, "cpu");
+    ASSERT_EQ(gpu.bytes.size(), cpu.bytes.size());
+    for (std::size_t i = 0; i < gpu.bytes.size(); ++i)
+      ASSERT_NEAR(gpu.bytes[i], cpu.bytes[i], 1) << method << ' ' << i;
+  }
+  const CommandResult solved =
+      run_sfumato({"solve", drawing, "-o", folder.path("a.sfp"), "--gather", "gpu"});
+  EXPECT_EQ(solved.exit_code, 0) << solved.err;
+  const CommandResult late =
+      run_sfumato({"render", folder.path("a.sfp"), "-o", folder.path("b.png"), "--gather", "gpu"});
+  EXPECT_NE(late.exit_code, 0);
+  EXPECT_TRUE(contains(late.err, "--gather")) << late.err;
 }
 
 }  // namespace
