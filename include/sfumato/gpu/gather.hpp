@@ -16,8 +16,8 @@ class GatherDevice;
 /// where there is none, Mesa's software driver. Put into Context::point_source, it takes the place
 /// of the CPU in all that gathers exactly: diffuse(), Solution, render_pixels() and PointEvaluator.
 ///
-/// Its values are those of the CPU within 0.05 code values of 255, and not to the last bit; they do
-/// not depend on threads. Where max_error decides by a threshold, a triangle may be split that is
+/// Its values are within 0.05 code values of 255 of the integral, like the CPU's, but not those to
+/// the last bit; they do not depend on threads. Where max_error decides by a threshold, a triangle may be split that is
 /// not split by the CPU. Few points, those that it cannot gather, and all after the device was
 /// lost, the CPU gathers: a call never fails for want of a GPU.
 ///
