@@ -1,26 +1,21 @@
 #include <benchmark/benchmark.h>
 
-#include <algorithm>
 #include <cmath>
 #include <map>
 #include <memory>
 #include <numbers>
 #include <random>
 #include <utility>
-#include <vector>
 
-#include "curves/attributes.hpp"
-#include "curves/flatten.hpp"
 #include "gather/exact.hpp"
 #include "gather/gather.hpp"
 #include "gather/locate.hpp"
 #include "gather/packing.hpp"
 #include "gather/rays.hpp"
-#include "mesh/mesher.hpp"
+#include "prepared.hpp"
 #include "scenes.hpp"
 #include "sfumato/base/native/thread_pool.hpp"
 #include "sfumato/document/build.hpp"
-#include "solve/nodes.hpp"
 
 // Colours at the free nodes of the paper's mesh (no error-driven refinement), step by step. Times
 // are of one thread but for `gather_all`; time_per_point is what docs/benchmarks.md tells.
@@ -29,49 +24,7 @@ namespace {
 
 constexpr const char* kScenes[] = {"lady_bug.xml", "tomatos.xml", "dolphin.xml"};
 
-/// A drawing of one layer, meshed, and the points that its patches ask for.
-struct Prepared {
-  Context context;  // what the rest is charged to
-  mesh::TriangleMesh visibility;
-  curves::SegmentAttributes attributes;
-  std::vector<Vec2> points;
-  gather::Scene scene;
-};
-
-solve::NodeLayout lay_out(const mesh::TriangleMesh& mesh,
-                          const curves::SegmentAttributes& attributes) {
-  const Context context;
-  const Result<solve::Seams> seams = solve::Seams::create(context, mesh, attributes);
-  TableMemory memory("a benchmark");
-  return *solve::lay_out_nodes(context, mesh, attributes, *seams, memory);
-}
-
-std::unique_ptr<Prepared> prepare(const Document& document) {
-  auto prepared = std::make_unique<Prepared>();
-  Context& context = prepared->context;
-  const std::vector<Curve>& curves = document.layers[0].curves;
-  const double side = std::max(document.artboard.width(), document.artboard.height());
-  const double tolerance = side * 0.1 / 512;
-  Result<curves::FlatCurves> flat = curves::flatten(context, curves, {.tolerance = tolerance});
-  mesh::MeshOptions options;
-  options.frame = document.artboard;
-  options.unit_size = side / 1024;
-  options.max_area = 0.04 * document.artboard.width() * document.artboard.height();
-  Result<mesh::Mesher> mesher = mesh::Mesher::build(context, *flat, options);
-  TableMemory memory("a benchmark");
-  prepared->attributes =
-      *curves::sample_colors(context, *flat, curves, InterpolationSpace::srgb, memory);
-  prepared->visibility = *mesher->visibility_mesh({});
-  if (!mesher->refine(context)) return nullptr;
-  const solve::NodeLayout layout = lay_out(*mesher->patch_mesh({}), prepared->attributes);
-  for (std::uint32_t i = 0; i < layout.node_count(); ++i) {
-    if (!layout.is_fixed[i]) prepared->points.push_back(layout.position[i]);
-  }
-  Result<gather::Scene> scene =
-      gather::build_scene(context, prepared->visibility, prepared->attributes);
-  prepared->scene = std::move(*scene);
-  return prepared;
-}
+using bench::prepare, bench::Prepared;
 
 /// The scene of range(0), prepared once. Null: skipped.
 const Prepared* prepared_scene(benchmark::State& state) {
