@@ -205,7 +205,7 @@ FNR == 1 {
   core = folder ~ /^(base|document|curves|picture|mesh|gather|raster|solve)$/ &&
          !is_native
   has_stops = folder ~ /^(base|document|picture|curves|formats|import|trace|solve|raster|lint|export|options|capi|cli)$/
-  has_scenes = room ~ /^(gather|gather\/kernels|formats\/orzan|export\/glb)$/
+  has_scenes = room ~ /^(gather|gather\/kernels|gpu|formats\/orzan|export\/glb)$/
   looks_are_checked = FILENAME ~ /^src\// && !(inner_path(FILENAME) in is_flag_itself)
   charges_are_checked = FILENAME ~ /^src\// && !(inner_path(FILENAME) in is_estimate)
   if (!is_table && folder != "" && !(folder in is_folder)) {

@@ -9,8 +9,8 @@
 namespace sfumato::gather {
 namespace {
 
-/// Points that a source is asked for at once: what their sums take is bounded.
-constexpr std::size_t kPointsAtOnce = std::size_t{1} << 18;
+/// What the sums take of the points that a source is asked for at once, but for a single point.
+constexpr std::size_t kSumBytes = std::size_t{16} << 20;
 
 constexpr std::size_t kSumsPerTask = 4096;
 
@@ -31,7 +31,10 @@ class SourceGather {
         stride_(sums_of_point(scene)) {}
 
   Status run() {
-    const std::size_t count = packing_.point.size(), most = std::min(count, kPointsAtOnce);
+    const std::size_t count = packing_.point.size();
+    if (count == 0) return context_.check();
+    const std::size_t most =
+        std::clamp<std::size_t>(kSumBytes / (stride_ * sizeof(float)), 1, count);
     Status status = memory_.resize(context_, walk_, most);
     if (status) status = memory_.resize(context_, sums_, most * stride_);
     if (status) status = memory_.resize(context_, is_done_, located_.x.size());

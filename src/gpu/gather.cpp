@@ -28,7 +28,7 @@ GpuGather::~GpuGather() {
   delete device_;
 }
 
-gather::PointSource* GpuGather::source() const {
+PointSource* GpuGather::source() const {
   return device_;
 }
 

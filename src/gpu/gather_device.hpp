@@ -24,7 +24,7 @@ struct GatherFaults {
 
 /// Gathers by compute shaders. A thread of its own has the context, since a context is of one
 /// thread, and points are asked for by several. They take turns.
-class GatherDevice final : public gather::PointSource {
+class GatherDevice final : public PointSource {
  public:
   /// Errors: unavailable, in words; out_of_memory.
   static Result<std::unique_ptr<GatherDevice>> create(const WalkShape& shape = {},

@@ -83,7 +83,7 @@ Status Walker::sum(Context& context, const gather::Scene& scene,
     return ok_status();
   }
   ScopedCharge charge;
-  Status status = charge.add(context, table_bytes, "a scene on the GPU");
+  Status status = charge.add(context, WalkTables::bytes_of(scene), "a scene on the GPU");
   if (!status) return status;
   const WalkTables& tables = tables_of(scene);
   const Result<const Program*> program = program_of(tables);

@@ -53,7 +53,7 @@ std::vector<Vec2> points_in(const Box& box, std::uint64_t seed, int count) {
 
 /// The values of a layer at points, colours and then opacities.
 std::vector<float> values_at(const PointEvaluator& evaluator, std::uint32_t layer,
-                             const std::vector<Vec2>& points, gather::PointSource* source) {
+                             const std::vector<Vec2>& points, PointSource* source) {
   Context context;
   context.point_source = source;
   const auto room = [&](int channels) {
@@ -116,7 +116,7 @@ TEST(GpuGatherDocuments, some_examples_have_the_pixels_of_the_twin) {
     RasterOptions options;
     options.width = 40;
     options.height = static_cast<int>(std::ceil(40 * artboard.height() / artboard.width()));
-    const auto drawn = [&](gather::PointSource* source) {
+    const auto drawn = [&](PointSource* source) {
       context.point_source = source;
       const Result<Image> image = render_pixels(context, read->document, {}, options);
       EXPECT_TRUE(image.ok()) << to_string(image.status());

@@ -36,7 +36,7 @@ std::unique_ptr<GatherDevice> device_of(const WalkShape& shape = {},
   }
 
 std::vector<float> gathered(const Drawing& drawing, const std::vector<Vec2>& points,
-                            gather::PointSource* source) {
+                            PointSource* source) {
   ThreadPool pool(2);
   Context context;
   context.executor = &pool;
@@ -92,6 +92,15 @@ TEST(GpuGather, specks_are_an_answer_in_short_batches) {
   const std::unique_ptr<GatherDevice> device = device_of();
   const Drawing drawing = draw(gather::test::specks(7, 300));
   const std::vector<Vec2> points = random_points(drawing, 5, 1500, 0.05);
+  TwinSource<16> twin;
+  EXPECT_EQ(gathered(drawing, points, device.get()), gathered(drawing, points, &twin));
+}
+
+TEST(GpuGather, thousands_of_shaders_are_an_answer) {
+  SFUMATO_NEEDS_COMPUTE();
+  const std::unique_ptr<GatherDevice> device = device_of();
+  const Drawing drawing = blended(8, 5000);
+  const std::vector<Vec2> points = random_points(drawing, 5, 1100, 0.5);
   TwinSource<16> twin;
   EXPECT_EQ(gathered(drawing, points, device.get()), gathered(drawing, points, &twin));
 }

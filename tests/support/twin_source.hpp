@@ -12,7 +12,7 @@ namespace sfumato::test {
 
 /// Sums by point_walk.glsl as C++: what a device gives, bit for bit.
 template <int kStack = 16>
-class TwinSource : public gather::PointSource {
+class TwinSource : public PointSource {
  public:
   std::size_t least_points() const override { return 0; }
 

@@ -9,12 +9,6 @@
 #include "sfumato/base/limits.hpp"
 #include "sfumato/base/status.hpp"
 
-namespace sfumato::gather {
-/// Who gathers at many points in place of the CPU. Internal: defined in
-/// src/gather/point_source.hpp.
-class PointSource;
-}  // namespace sfumato::gather
-
 namespace sfumato {
 
 /// Runs independent tasks, possibly at the same time. This base class, which is also what
@@ -80,6 +74,9 @@ class Progress {
 /// Internal: defined in src/base/poll.hpp.
 class PollWatch;
 
+/// Who gathers at many points in the CPU's place. Internal: defined in src/gather/point_source.hpp.
+class PointSource;
+
 /// A flag that stops work in progress. It may be set from any thread, and from a signal handler.
 class CancelFlag {
  public:
@@ -141,8 +138,8 @@ struct Context {
   CancelFlag cancel{};      ///< set it to stop the work
   std::optional<Deadline> deadline{};      ///< none: no limit on time
   SimdLevel simd = detected_simd_level();  ///< at most what the machine has
-  /// Gathers at many points at once: a GPU, as gather_on_gpu() gives it; null: the executor does.
-  gather::PointSource* point_source = nullptr;
+  /// Gathers at many points at once: a GPU, as GpuGather has it; null: the executor does.
+  PointSource* point_source = nullptr;
   PollWatch* poll_watch = nullptr;  ///< for tests
   /// The Context of the work that contains this work; its flag and its deadline stop this too.
   const Context* outer = nullptr;

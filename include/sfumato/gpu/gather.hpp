@@ -17,9 +17,9 @@ class GatherDevice;
 /// of the CPU in all that gathers exactly: diffuse(), Solution, render_pixels() and PointEvaluator.
 ///
 /// Its values are within 0.05 code values of 255 of the integral, like the CPU's, but not those to
-/// the last bit; they do not depend on threads. Where max_error decides by a threshold, a triangle may be split that is
-/// not split by the CPU. Few points, those that it cannot gather, and all after the device was
-/// lost, the CPU gathers: a call never fails for want of a GPU.
+/// the last bit; they do not depend on threads. Where max_error decides by a threshold, a triangle
+/// may be split that is not split by the CPU. Few points, those that it cannot gather, and all
+/// after the device was lost, the CPU gathers: a call never fails for want of a GPU.
 ///
 /// Movable. It may be used by several Contexts at the same time, and must outlive their calls.
 class GpuGather {
@@ -37,7 +37,7 @@ class GpuGather {
   ~GpuGather();
 
   /// For Context::point_source.
-  gather::PointSource* source() const;
+  PointSource* source() const;
 
   /// The device's name, as its driver gives it.
   std::string device_name() const;
