@@ -40,8 +40,8 @@ void add_cases(Family& family) {
     with(label_of(option, "long"), kBadUsage, option,
          {std::string(option) + "=" + repeated("x", 100'000)});
   }
-  for (const char* option :
-       {"--method", "--order", "--format", "--svg", "--device", "--depth", "--background"}) {
+  for (const char* option : {"--method", "--order", "--format", "--svg", "--device", "--gather",
+                             "--depth", "--background"}) {
     with(label_of(option, "empty"), kBadUsage, option, {std::string(option) + "="});
     with(label_of(option, "unknown"), kBadUsage, option, {option, "nonsense"});
     with(label_of(option, "long"), kBadUsage, option, {option, repeated("x", 100'000)});
