@@ -78,6 +78,7 @@ Status PictureMaker::choose_options(const Box& shown, Vec2 own_scale, bool has_b
   scale_ = output::output_scale(settings_.size, viewport, own_scale);
   diffuse_ = settings_.diffuse;
   diffuse_.viewport = viewport;
+  diffuse_.exact_fields = arguments_.kind == OutputKind::html;
   if (!options::is_image(arguments_.kind)) {
     diffuse_.pixels_per_unit = scale_ * *settings_.output.detail;
     return ok_status();

@@ -60,6 +60,34 @@ bool are_soft_edges(const PatchLayer& layer, std::size_t corners) {
          std::ranges::is_sorted(layer.soft_edge, {}, soft_edge_triangle);
 }
 
+bool are_coordinates(const std::vector<Vec2>& positions) {
+  return std::ranges::all_of(positions, [](Vec2 p) { return rules::is_coordinate(p); });
+}
+
+bool is_whole(const ExactField& field, int channels, const ExactLayer& layer) {
+  const auto sides = static_cast<std::size_t>(std::ranges::count(field.edge, RayEdge::side));
+  const auto is_kind = [](RayEdge edge) { return edge <= RayEdge::side; };
+  const auto has_weight = [](const ExactSide& side) {
+    return std::isfinite(side.weight) && side.weight > 0;
+  };
+  const auto is_placed = [](const ExactEnd& end) { return rules::is_coordinate(end.position); };
+  return field.channel_count == channels && field.side.size() == sides &&
+         field.edge.size() == layer.triangle_vertex.size() &&
+         std::ranges::all_of(field.edge, is_kind) && std::ranges::all_of(field.side, has_weight) &&
+         std::ranges::all_of(field.end, is_placed);
+}
+
+/// All exact fields that the layer has, or none.
+bool is_exact(const PatchLayer& layer) {
+  const ExactLayer& exact = layer.exact;
+  if (exact.field.empty()) return true;
+  const std::size_t fields = is_absent(layer.opacity) ? 1 : 2;
+  return exact.triangle_vertex.size() % 3 == 0 &&
+         all_below(exact.triangle_vertex, exact.vertex_position.size()) &&
+         are_coordinates(exact.vertex_position) && exact.field.size() == fields &&
+         is_whole(exact.field[0], 3, exact) && (fields == 1 || is_whole(exact.field[1], 1, exact));
+}
+
 bool is_whole(const PatchLayer& layer, const Picture& picture) {
   const std::size_t corners = std::size_t{3} * layer.triangle_count();
   return layer.triangle_vertex.size() == corners && layer.edge_is_curve.size() == corners &&
@@ -67,8 +95,7 @@ bool is_whole(const PatchLayer& layer, const Picture& picture) {
          is_whole(layer.color, 3, picture, layer) &&
          (is_absent(layer.opacity) || is_whole(layer.opacity, 1, picture, layer)) &&
          all_below(layer.triangle_vertex, layer.vertex_position.size()) &&
-         std::all_of(layer.vertex_position.begin(), layer.vertex_position.end(),
-                     [](Vec2 p) { return rules::is_coordinate(p); });
+         are_coordinates(layer.vertex_position) && is_exact(layer);
 }
 
 Status check_layer(const Context& context, const PatchLayer& layer, const Picture& picture) {

@@ -8,10 +8,21 @@ std::size_t bytes_of(const PatchField& field) {
          field.node_value.capacity() * sizeof(float);
 }
 
+std::size_t bytes_of(const ExactLayer& layer) {
+  std::size_t bytes = layer.vertex_position.capacity() * sizeof(Vec2) +
+                      layer.triangle_vertex.capacity() * sizeof(std::uint32_t) +
+                      layer.field.capacity() * sizeof(ExactField);
+  for (const ExactField& field : layer.field) {
+    bytes += field.edge.capacity() * sizeof(RayEdge) + field.side.capacity() * sizeof(ExactSide) +
+             field.end.capacity() * sizeof(ExactEnd);
+  }
+  return bytes;
+}
+
 }  // namespace
 
 std::size_t bytes_of(const PatchLayer& layer) {
-  return layer.vertex_position.capacity() * sizeof(Vec2) +
+  return bytes_of(layer.exact) + layer.vertex_position.capacity() * sizeof(Vec2) +
          layer.triangle_vertex.capacity() * sizeof(std::uint32_t) + layer.edge_is_curve.capacity() +
          layer.soft_edge.capacity() * sizeof(SoftEdge) + bytes_of(layer.color) +
          bytes_of(layer.opacity);

@@ -5,6 +5,7 @@
 #include "base/charge.hpp"
 #include "base/public_verb.hpp"
 #include "base/table_memory.hpp"
+#include "solve/exact_fields.hpp"
 #include "solve/layer_runs.hpp"
 #include "solve/prepare_layer.hpp"
 
@@ -92,6 +93,8 @@ Result<Picture> solve_document(Context& context, const Document& document,
   if (stats) runs.add_to(*stats);
   if (!status) return status;
   picture.layers = runs.take();
+  if (options.exact_fields) status = solve::add_exact_fields(context, document, options, &picture);
+  if (!status) return status;
   return picture;
 }
 

@@ -2,10 +2,14 @@
 #include "sfumato/export/html/html.hpp"
 
 #include <gtest/gtest.h>
+#include <zlib.h>
 
+#include <cstdint>
 #include <limits>
 #include <string>
+#include <vector>
 
+#include "base/table_memory.hpp"
 #include "codecs/base64.hpp"
 #include "display/embedded.hpp"
 #include "export/html/html_text.hpp"
@@ -57,12 +61,30 @@ TEST(Html, holds_all_that_it_needs) {
   EXPECT_NE(html.find("default-src 'none'"), std::string::npos);
 }
 
+/// What the page holds in its element "shaders".
+std::string unpacked_shaders(const std::string& html) {
+  const std::string mark = "id=\"shaders\">";
+  const std::size_t begin = html.find(mark) + mark.size();
+  const std::string coded = html.substr(begin, html.find('<', begin) - begin);
+  TableMemory memory("test");
+  std::vector<std::uint8_t> packed;
+  EXPECT_TRUE(codecs::decode_base64(Context(), coded, memory, packed));
+  std::string text(1 << 20, ' ');
+  uLongf size = text.size();
+  EXPECT_EQ(uncompress(reinterpret_cast<Bytef*>(text.data()), &size, packed.data(), packed.size()),
+            Z_OK);
+  text.resize(size);
+  return text;
+}
+
 TEST(Html, every_script_and_shader_is_compiled_in) {
   const std::string html = text_of(triangle_picture());
-  for (const char* name : {"patch.vert", "paint.glsl", "present.frag"}) {
+  const std::string shaders = unpacked_shaders(html);
+  for (const char* name : {"patch.vert", "paint.glsl", "present.frag", "point_walk.glsl"}) {
     const std::string_view shader = display::embedded_file(std::string("shaders/") + name);
     ASSERT_FALSE(shader.empty()) << name;
-    EXPECT_NE(html.find(outputs::condensed(shader)), std::string::npos) << name;
+    const std::string part = name + std::string(1, '\0') + outputs::condensed(shader) + '\0';
+    EXPECT_NE(shaders.find(part), std::string::npos) << name;
   }
   // What main.js begins, and what a file before it defines.
   EXPECT_NE(html.find("class ByteReader"), std::string::npos);

@@ -120,11 +120,31 @@ inline auto fields(SoftEdge& v) {
   auto& [front, back, reach, contrast] = v;
   return std::tie(front, back, reach[0], reach[1], contrast);
 }
+inline auto fields(ExactSide& v) {
+  auto& [from, to, weight, blur_from, blur_to] = v;
+  return std::tie(from[0], from[1], from[2], from[3], to[0], to[1], to[2], to[3], weight, blur_from,
+                  blur_to);
+}
+inline auto fields(ExactEnd& v) {
+  auto& [position, direction, bend, reach, weight, blur_positive, blur_negative, positive,
+         negative] = v;
+  return std::tie(position, direction, bend, reach, weight, blur_positive, blur_negative,
+                  positive[0], positive[1], positive[2], positive[3], negative[0], negative[1],
+                  negative[2], negative[3]);
+}
+inline auto fields(ExactField& v) {
+  auto& [channel_count, edge, side, end] = v;
+  return std::tie(channel_count, edge, side, end);
+}
+inline auto fields(ExactLayer& v) {
+  auto& [vertex_position, triangle_vertex, field] = v;
+  return std::tie(vertex_position, triangle_vertex, field);
+}
 inline auto fields(PatchLayer& v) {
-  auto& [frame, order, vertex_position, triangle_vertex, edge_is_curve, soft_edge, color, opacity] =
-      v;
+  auto& [frame, order, vertex_position, triangle_vertex, edge_is_curve, soft_edge, color, opacity,
+         exact] = v;
   return std::tie(frame, order, vertex_position, triangle_vertex, edge_is_curve, soft_edge, color,
-                  opacity);
+                  opacity, exact);
 }
 inline auto fields(PatchInstance& v) {
   auto& [layer, artboard_from_layer, opacity, blend] = v;
@@ -144,9 +164,9 @@ inline auto fields(gather::GatherOptions& v) {
 }
 inline auto fields(DiffuseOptions& v) {
   auto& [viewport, pixels_per_unit, tolerance, min_angle_deg, max_area_fraction, max_error, order,
-         gather, ends, ignore_blur] = v;
+         gather, ends, ignore_blur, exact_fields] = v;
   return std::tie(viewport, pixels_per_unit, tolerance, min_angle_deg, max_area_fraction, max_error,
-                  order, gather, ends, ignore_blur);
+                  order, gather, ends, ignore_blur, exact_fields);
 }
 inline auto fields(RasterWindow& v) {
   auto& [x, y, of_width, of_height] = v;

@@ -53,7 +53,9 @@ Status dump(const std::string& in, const std::string& payload_path, const std::s
   if (!text) return text.status();
   auto read = read_document(context, *text, in);
   if (!read) return read.status();
-  auto picture = diffuse(context, read->document, {});
+  DiffuseOptions options;
+  options.exact_fields = true;
+  auto picture = diffuse(context, read->document, options);
   if (!picture) return picture.status();
   auto payload = outputs::viewer_payload(context, *picture, {1, 1, 1});
   if (!payload) return payload.status();

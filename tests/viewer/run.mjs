@@ -6,6 +6,7 @@ import { rmSync } from "node:fs";
 import { chromium } from "playwright-core";
 import { PNG } from "pngjs";
 import { Command, Pages, Tap, pathOf } from "./harness.mjs";
+import { testExact } from "./exact.mjs";
 import { testFramesAndPaper } from "./frames.mjs";
 import { testInteraction } from "./interaction.mjs";
 import { testGlb, testSvg } from "./outputs.mjs";
@@ -86,6 +87,7 @@ await tap.whole("Chromium starts, and all tests come to their end", async () => 
     await testPdfInChromium(tap, tools);
     await testWatch(tap, tools);
     await testTiles(tap, tools);
+    await testExact(tap, tools);
   });
   await withBrowser(other, (tools) => testOtherDriver(tap, tools));
 });

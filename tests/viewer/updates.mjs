@@ -9,14 +9,15 @@ const DOCUMENTS = ["tests/viewer/compositing.svg", "tests/viewer/small.svg"];
 /** The picture of a page, as base64. */
 const payloadOf = (html) => html.match(/id="payload">([^<]*)</)[1];
 
-/** A server of the modules, an empty page and a picture; `body` gets its address. */
-async function withServer(payload, body) {
+/** A server of the modules, an empty page, a picture and more; `body` gets its address. */
+export async function withServer(payload, body, more = {}) {
   const shaders = readdirSync(pathOf("web/viewer/shaders")).join(" ");
   const made = {
     "/": ["text/html", "<!DOCTYPE html><title>updates</title><canvas></canvas>"],
     "/favicon.ico": ["image/png", ""],
     "/payload": ["text/plain", payload],
     "/shaders": ["text/plain", shaders],
+    ...more,
   };
   const server = createServer(({ url }, response) => {
     const [type, content] = made[url] ?? ["text/javascript", readFileSync(pathOf(url.slice(1)))];

@@ -22,6 +22,11 @@ export class ByteReader {
     return this.bytes.subarray(this.at - count, this.at);
   }
 
+  /** All bytes that are left, as a view. */
+  rest() {
+    return this.take(this.bytes.length - this.at);
+  }
+
   u8() {
     return this.take(1)[0];
   }

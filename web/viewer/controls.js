@@ -28,6 +28,9 @@ export class Controls {
     this.message = element("message", HTMLParagraphElement);
     this.percent = element("percent", HTMLOutputElement);
     this.mesh = element("mesh", HTMLButtonElement);
+    this.exact = element("exact", HTMLButtonElement);
+    this.exactState = element("exact-state", HTMLElement);
+    this.exactWords = element("exact-words", HTMLParagraphElement);
     this.full = element("full", HTMLButtonElement);
     this.dialog = element("keys-dialog", HTMLDialogElement);
     this.fallback = document.getElementById("fallback");
@@ -55,6 +58,7 @@ export class Controls {
     on("zoom", () => commands.fullSize());
     on("fit", () => commands.fit());
     on("mesh", () => commands.toggleMesh());
+    on("exact", () => commands.toggleExact?.());
     on("full", () => commands.toggleFull());
     on("help", () => commands.showHelp());
     document.addEventListener("fullscreenchange", () => {
@@ -136,6 +140,21 @@ export class Controls {
   /** @param {boolean} isShown */
   showMesh(isShown) {
     this.mesh.setAttribute("aria-pressed", String(isShown));
+  }
+
+  /**
+   * Says how it stands with exact pixels: a word for the button, and a sentence.
+   * @param {{isOn: boolean, isPossible: boolean, word: string, sentence: string}} state
+   */
+  showExact({ isOn, isPossible, word, sentence }) {
+    const { exact, exactState } = this;
+    if (exactState.textContent === word && exact.title.endsWith(sentence)) return;
+    exact.setAttribute("aria-pressed", String(isOn));
+    exact.setAttribute("aria-disabled", String(!isPossible));
+    exact.title = `Exact pixels (E): ${sentence}`;
+    exactState.textContent = word;
+    // Who listens is told what has come about, not every step.
+    if (!word.includes("%")) this.exactWords.textContent = `Exact pixels: ${sentence}`;
   }
 
   toggleFull() {

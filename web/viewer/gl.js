@@ -171,10 +171,13 @@ export class Programs {
     const head = ["#version 300 es", ...defines.map((name) => `#define ${name}`), ""].join("\n");
     const common = head + this.textOf("common.glsl");
     const paint = defines.includes("WITH_PAINTS") ? this.textOf("paint.glsl") : "";
+    const walk = defines.includes("WITH_WALK")
+      ? this.textOf("exact.glsl") + this.textOf("point_walk.glsl")
+      : "";
     program = new Program(
       this.gl,
       common + this.textOf(`${vertex}.vert`),
-      common + paint + this.textOf(`${fragment}.frag`),
+      common + paint + walk + this.textOf(`${fragment}.frag`),
     );
     const complaint = program.complaint();
     if (complaint) throw new Error(`The graphics driver refuses a shader (${key}): ${complaint}`);

@@ -17,6 +17,7 @@ const DOUBLE_TAP_ZOOM = 2;
  * @property {() => void} fit
  * @property {() => void} fullSize
  * @property {() => void} toggleMesh
+ * @property {() => void} [toggleExact]
  * @property {() => void} toggleFull
  * @property {() => void} showHelp
  */
@@ -170,6 +171,10 @@ export function obeyKey(event, commands) {
     case "M":
       commands.toggleMesh();
       return true;
+    case "e":
+    case "E":
+      commands.toggleExact?.();
+      return commands.toggleExact !== undefined;
     case "f":
     case "F":
       commands.toggleFull();

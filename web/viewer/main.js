@@ -40,6 +40,7 @@ function commandsOf(viewer, controls) {
     fit: () => viewer.fit(true),
     fullSize: () => viewer.show({ ...target(), zoom: 1 }, true),
     toggleMesh: () => viewer.setMesh(!viewer.mesh),
+    toggleExact: () => viewer.setExact(!viewer.exact),
     toggleFull: () => controls.toggleFull(),
     showHelp: () => controls.dialog.showModal(),
   };
@@ -115,6 +116,17 @@ function main() {
     },
     set mesh(isShown) {
       viewer?.setMesh(isShown);
+    },
+    /** Whether pixels are made exact when nothing moves. */
+    get exact() {
+      return viewer?.exact ?? false;
+    },
+    set exact(isWanted) {
+      viewer?.setExact(isWanted);
+    },
+    /** How it stands with exact pixels, in words. */
+    get exactState() {
+      return viewer?.exactState.sentence ?? "";
     },
     /** The rectangle of the artboard that is the page: minimum x, y, maximum x, y. */
     get page() {

@@ -140,6 +140,43 @@ class TopologyDecoder {
 }
 
 /**
+ * Triangles without positions.
+ * @param {ByteReader} reader
+ */
+export function readTopology(reader) {
+  const triangleCount = reader.count(1),
+    vertexCount = reader.count(8);
+  return new TopologyDecoder(reader.counted(), triangleCount, vertexCount).run();
+}
+
+/** The middle of the grid: single precision holds its steps exactly. */
+export const GRID_MIDDLE = 2 ** 21;
+
+/**
+ * Corner and steps of the grid on which vertices lie.
+ * @param {ByteReader} reader
+ */
+export function readGridFrame(reader) {
+  const min = [reader.finite(), reader.finite()],
+    step = [reader.finite(), reader.finite()];
+  return { min, step };
+}
+
+/**
+ * Which half-edges are curves.
+ * @param {ByteReader} reader
+ * @param {number} triangleCount
+ */
+export function readCurves(reader, triangleCount) {
+  const flags = reader.take(triangleCount);
+  const edgeIsCurve = new Uint8Array(3 * triangleCount);
+  for (let h = 0; h < edgeIsCurve.length; ++h) {
+    edgeIsCurve[h] = (flags[(h / 3) | 0] >> (h % 3)) & 1;
+  }
+  return edgeIsCurve;
+}
+
+/**
  * Where the vertices lie, in steps of a grid.
  * @param {ByteReader} reader
  * @param {Topology} topology
@@ -177,26 +214,19 @@ function readGrid(reader, topology) {
  * @returns {Mesh}
  */
 export function readMesh(reader) {
-  const triangleCount = reader.count(1),
-    vertexCount = reader.count(8);
-  const topology = new TopologyDecoder(reader.counted(), triangleCount, vertexCount).run();
-  const min = [reader.finite(), reader.finite()],
-    step = [reader.finite(), reader.finite()];
+  const topology = readTopology(reader);
+  const { triangleCount, vertexCount } = topology;
+  const { min, step } = readGridFrame(reader);
   const grid = readGrid(reader, topology);
   const positions = new Float32Array(2 * vertexCount);
-  // The middle of the grid: single precision holds its steps exactly.
-  const middle = 2 ** 21;
+  const middle = GRID_MIDDLE;
   for (let axis = 0; axis < 2; ++axis) {
     for (let i = 0; i < vertexCount; ++i) {
       positions[2 * i + axis] = (grid[axis][i] - middle) * step[axis];
     }
   }
   const extent = grid.map((axis) => axis.reduce((a, b) => Math.max(a, b), 0));
-  const flags = reader.take(triangleCount);
-  const edgeIsCurve = new Uint8Array(3 * triangleCount);
-  for (let h = 0; h < edgeIsCurve.length; ++h) {
-    edgeIsCurve[h] = (flags[(h / 3) | 0] >> (h % 3)) & 1;
-  }
+  const edgeIsCurve = readCurves(reader, triangleCount);
   return {
     topology,
     origin: [min[0] + middle * step[0], min[1] + middle * step[1]],

@@ -5,6 +5,7 @@ import { mappedBox } from "./affine.js";
 import { intersected, isEmptyRect, unitedRects } from "./targets.js";
 
 /** @import { Affine } from "./affine.js" */
+/** @import { ExactPixels } from "./exact.js" */
 /** @import { Programs } from "./gl.js" */
 /** @import { GroupBegin, Instance, Item, Picture, Stroke } from "./payload.js" */
 /** @import { LayerDrawer } from "./layers.js" */
@@ -93,6 +94,8 @@ export class Painter {
     /** @type {Affine} */
     this.clipFromPixel = [1, 0, 0, 1, 0, 0];
     this.level = 0;
+    /** Exact pixels, which take the place of others. @type {ExactPixels | null} */
+    this.exact = null;
     /** Groups that are painted at present. @type {GroupBegin[]} */
     this.open = [];
   }
@@ -210,15 +213,28 @@ export class Painter {
    */
   paintInstance(instance, rect) {
     const { gl } = this;
-    const isNormal = instance.blend === NORMAL;
-    const target = this.targets.level(isNormal ? this.level : "source");
-    if (isNormal) target.bind(rect);
+    const exact = this.exact?.shownOf(instance) ?? null;
+    const isStraight = instance.blend === NORMAL && !exact;
+    const target = this.targets.level(isStraight ? this.level : "source");
+    if (isStraight) target.bind(rect);
     else target.begin(rect);
     gl.enable(gl.BLEND);
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
-    const opacity = isNormal ? instance.opacity : 1;
+    const opacity = isStraight ? instance.opacity : 1;
     this.layers.draw(instance, opacity, this.pixelFromArtboard, this.clipFromPixel);
-    if (!isNormal) this.blend(target, instance.opacity, instance.blend, rect);
+    if (exact) this.putExact(exact);
+    if (!isStraight) this.blend(target, instance.opacity, instance.blend, rect);
+  }
+
+  /**
+   * In the place of what was drawn there.
+   * @param {{target: Target}} exact
+   */
+  putExact({ target }) {
+    const { gl } = this;
+    gl.disable(gl.BLEND);
+    this.programs.get("screen", "exact_copy").use().texture("exact", target.texture);
+    gl.drawArrays(gl.TRIANGLES, 0, 3);
   }
 
   /**

@@ -76,7 +76,10 @@ const MOST_BLEND = 15;
  * @property {Item[]} stack
  */
 
-/** @typedef {PictureOf<Layer>} Picture */
+/**
+ * With layers as rays meet them, which readExactLayers() of exact_fields.js reads.
+ * @typedef {PictureOf<Layer> & {exact?: Uint8Array}} Picture
+ */
 /** @typedef {PictureOf<BareLayer>} Stack */
 
 /**
@@ -108,6 +111,18 @@ async function inflated(bytes) {
   } catch {
     throw new PayloadError("it does not unpack");
   }
+}
+
+/**
+ * Texts by their names, out of base64 of a zlib stream in which a zero byte ends each of both.
+ * @param {string} base64
+ * @returns {Promise<Map<string, string>>}
+ */
+export async function readTexts(base64) {
+  const text = new TextDecoder().decode(await inflated(bytesOfBase64(base64)));
+  const parts = text.split("\0");
+  const names = parts.filter((_, i) => i % 2 === 0);
+  return new Map(names.map((name, i) => [name, parts[2 * i + 1]]));
 }
 
 /** Reads a picture as far as it is the same with layers' tables and without. */
@@ -225,7 +240,8 @@ class StackReader {
 export class PictureReader extends StackReader {
   /** @returns {Picture} */
   run() {
-    return this.picture(VERSION, () => this.layer());
+    const picture = this.picture(VERSION, () => this.layer());
+    return { ...picture, exact: this.reader.rest() };
   }
 
   /** @returns {Layer} */

@@ -1,6 +1,7 @@
 // A frame: the picture on its page, the mesh on top, and, when nothing moves, finer edges.
 
 import { mappedBox } from "./affine.js";
+import { ExactPixels } from "./exact.js";
 import { abilitiesOf, Programs } from "./gl.js";
 import { LayerDrawer } from "./layers.js";
 import { StrokeDrawer } from "./strokes.js";
@@ -59,8 +60,14 @@ export class Renderer {
     gl.disable(gl.CULL_FACE);
     gl.disable(gl.DEPTH_TEST);
     gl.disable(gl.DITHER);
+    /** @type {ExactPixels | null} */
+    this.exact = null;
     /** Pictures added up so far; all where no frame was drawn of what is to be seen now. */
     this.added = SHIFTS.length;
+    /** Whether exact pixels of the frame drawn last were begun. */
+    this.isGathering = false;
+    /** Whether some of them are not shown yet. */
+    this.hasUnshown = false;
     /** @type {WebGLSync | null} */
     this.fence = null;
   }
@@ -73,10 +80,13 @@ export class Renderer {
    * @param {Uint16Array} texels of the paints; the same array where these have not changed
    */
   setPicture(picture, texels) {
+    const isExact = this.exact !== null;
+    this.setExact(false);
     this.layers.setPicture(picture, texels);
     this.picture = picture;
     this.strokes.setPicture(picture);
     this.painter.setPicture(picture);
+    if (isExact) this.setExact(true);
     this.added = SHIFTS.length;
   }
 
@@ -90,9 +100,52 @@ export class Renderer {
     this.added = SHIFTS.length;
   }
 
+  /**
+   * Whether pixels are made exact when nothing moves: gatherMore().
+   * @param {boolean} isWanted
+   */
+  setExact(isWanted) {
+    if (isWanted) this.exact ??= new ExactPixels(this.gl, this.programs, this.picture);
+    else this.exact?.free();
+    if (!isWanted) this.exact = null;
+    this.painter.exact = this.exact;
+    this.isGathering = false;
+  }
+
+  /** Whether gatherMore() has more to do for the frame drawn last. */
+  get canGather() {
+    const { exact } = this;
+    if (!exact || exact.reason) return false;
+    return !this.isGathering || exact.isBusy || !exact.isDone;
+  }
+
+  /**
+   * Gathers exact pixels of the frame drawn last. They are shown by refine(), when they are wanted.
+   * @param {Frame} frame
+   */
+  gatherMore(frame) {
+    const { exact, painter } = this;
+    if (!exact || !this.canGather || exact.isBusy) return;
+    if (!this.isGathering) {
+      exact.begin(frame.size, frame.pixelFromArtboard, (item) =>
+        intersected(this.pageRect(frame, [0, 0]), painter.touched(item)),
+      );
+      this.isGathering = true;
+    }
+    this.hasUnshown = true;
+    if (!exact.isDone) exact.step();
+  }
+
+  /** What was gathered since is shown by refine(). */
+  showGathered() {
+    this.hasUnshown = false;
+    this.added = 0;
+  }
+
   /** Gives back all that it has on the GPU; nothing may be called afterwards. */
   free() {
     const { gl } = this;
+    this.exact?.free();
     this.layers.free();
     this.strokes.free();
     this.targets.free();
@@ -127,6 +180,8 @@ export class Renderer {
    */
   draw(frame) {
     this.targets.resize(frame.size);
+    this.exact?.leave();
+    this.isGathering = this.hasUnshown = false;
     this.added = 0;
     this.paint(frame, [0, 0], false);
     this.present(frame, this.targets.level(0).texture);

@@ -16,12 +16,13 @@ function tableFormats(gl) {
     scalar: { internal: gl.R32F, format: gl.RED, type: gl.FLOAT, size: 1 },
     point: { internal: gl.RG32F, format: gl.RG, type: gl.FLOAT, size: 2 },
     vector: { internal: gl.RGBA32F, format: gl.RGBA, type: gl.FLOAT, size: 4 },
+    bits: { internal: gl.RGBA32I, format: gl.RGBA_INTEGER, type: gl.INT, size: 4 },
     texel: { internal: gl.RGBA16UI, format: gl.RGBA_INTEGER, type: gl.UNSIGNED_SHORT, size: 4 },
   };
 }
 
 /** @typedef {keyof ReturnType<typeof tableFormats>} TableKind */
-/** @typedef {Float32Array | Uint32Array | Uint16Array | Uint8Array} TableValues */
+/** @typedef {Float32Array | Int32Array | Uint32Array | Uint16Array | Uint8Array} TableValues */
 
 /** Entries of an array: from, up to. @typedef {readonly [number, number] | number[]} Range */
 

@@ -1,6 +1,8 @@
 // The viewer: draws when something has changed, then makes it finer, then rests.
 
+import { isSoftware } from "./exact.js";
 import { makeTexels } from "./paints.js";
+import { readTexts } from "./payload.js";
 import { Renderer } from "./renderer.js";
 import { View } from "./view.js";
 import { Motion } from "./motion.js";
@@ -16,6 +18,9 @@ const PATIENCE = 1000;
 
 /** Longer than this a frame must not take, milliseconds: then the picture stands still. */
 const SLOWEST_FRAME = 1000;
+/** So often what was gathered is shown, milliseconds. */
+const SHOWN_EVERY = 400;
+
 /** Frames that were too slow, one after another, before it does; the first compiles shaders. */
 const SLOW_FRAMES = 2;
 
@@ -31,6 +36,10 @@ export class Viewer {
     this.view = new View(picture.viewport, () => !controls.isEmbedded);
     this.motion = new Motion(this.view);
     this.mesh = false;
+    /** Whether pixels are made exact when nothing moves. */
+    this.exact = false;
+    /** When gathered pixels were shown last. */
+    this.shownAt = 0;
     /** Frames that were shown, and those of them that were made finer. */
     this.frames = 0;
     this.size = [1, 1];
@@ -51,6 +60,8 @@ export class Viewer {
     this.waitingForFrame = [];
     /** @type {(() => void)[]} */
     this.waiting = [];
+    /** By their names. @type {Map<string, string>} */
+    this.shaders = new Map();
     /** @type {Uint16Array | null} */
     this.texels = null;
     /** @type {(state: ViewState) => void} */
@@ -70,7 +81,10 @@ export class Viewer {
     });
     if (!gl) throw new Error("This browser shows a still picture only: it has no WebGL 2.");
     this.gl = gl;
+    this.shaders = await readTexts(document.getElementById("shaders")?.textContent ?? "");
     this.texels = await makeTexels(gl, this.picture.paints);
+    // Software takes a minute for what a GPU does in a second.
+    this.exact = !isSoftware(gl);
     this.build();
     this.canvas.addEventListener("webglcontextlost", (event) => this.lose(event));
     this.canvas.addEventListener("webglcontextrestored", () => this.attempt(() => this.restore()));
@@ -88,7 +102,12 @@ export class Viewer {
   build() {
     const { gl, texels } = this;
     if (!gl || !texels || gl.isContextLost()) return;
-    this.renderer = new Renderer(gl, shaderText, this.picture, texels);
+    const textOf = (/** @type {string} */ name) => {
+      const text = this.shaders.get(name);
+      if (text === undefined) throw new Error(`The page has no shader ${name}.`);
+      return text;
+    };
+    this.renderer = new Renderer(gl, textOf, this.picture, texels);
     this.change();
   }
 
@@ -174,6 +193,33 @@ export class Viewer {
     this.change();
   }
 
+  /** @param {boolean} isWanted */
+  setExact(isWanted) {
+    this.exact = Boolean(isWanted);
+    // What is not wanted leaves at once.
+    if (!this.exact) this.renderer?.setExact(false);
+    this.change();
+    this.showExact();
+  }
+
+  /** How it stands with exact pixels. */
+  get exactState() {
+    const { exact } = this.renderer ?? {};
+    if (exact?.reason)
+      return { isOn: false, isPossible: false, word: "None", sentence: `not here: ${exact.reason}` };
+    const isPossible = true;
+    if (!this.exact) return { isOn: false, isPossible, word: "Off", sentence: "off" };
+    const share = exact && this.renderer?.isGathering ? exact.progress : 0;
+    if (share === 1 && !this.renderer?.canRefine)
+      return { isOn: true, isPossible, word: "Exact", sentence: "all that no curve cuts is exact" };
+    const percent = `${Math.floor(99 * share)} %`;
+    return { isOn: true, isPossible, word: percent, sentence: `gathered ${percent}` };
+  }
+
+  showExact() {
+    this.controls.showExact(this.exactState);
+  }
+
   /** Something is to be seen that was not drawn yet. */
   change() {
     this.isDirty = true;
@@ -220,9 +266,33 @@ export class Viewer {
       this.workSince = performance.now();
       renderer.refine(this.frame());
       if (!renderer.canRefine) this.frames += 1;
+    } else if (!motion.isMoving && this.exact) {
+      this.gather(renderer, now);
     }
-    if (motion.isMoving || this.workSince !== null) this.schedule();
+    this.showExact();
+    if (motion.isMoving || this.workSince !== null || this.isGathering) this.schedule();
     else this.settle();
+  }
+
+  /** Whether exact pixels of what is seen are still to come. */
+  get isGathering() {
+    const { renderer } = this;
+    if (!this.exact || !renderer || this.isStill) return false;
+    return !renderer.exact || renderer.canGather || renderer.hasUnshown || renderer.canRefine;
+  }
+
+  /**
+   * Nothing moves, and the last frame is as fine as patches get.
+   * @param {Renderer} renderer
+   * @param {number} now milliseconds
+   */
+  gather(renderer, now) {
+    if (!renderer.exact) renderer.setExact(true);
+    renderer.gatherMore(this.frame());
+    const isDue = !renderer.canGather || now - this.shownAt > SHOWN_EVERY;
+    if (!renderer.hasUnshown || !isDue) return;
+    this.shownAt = now;
+    renderer.showGathered();
   }
 
   /**
@@ -287,11 +357,4 @@ export class Viewer {
       this.schedule();
     });
   }
-}
-
-/** @param {string} name */
-function shaderText(name) {
-  const script = document.querySelector(`script[data-shader="${name}"]`);
-  if (!script) throw new Error(`The page has no shader ${name}.`);
-  return script.textContent ?? "";
 }

@@ -63,6 +63,53 @@ struct SoftEdge {
   float contrast = 1;
 };
 
+/// What a ray meets at a half-edge of an ExactLayer.
+enum class RayEdge : std::uint8_t {
+  open,  ///< nothing: it goes on into the triangle across
+  stop,  ///< an end that shows nothing: a barrier, or the border
+  side   ///< a side of a curve, which has a value
+};
+
+/// The side of a curve on which the triangle of a half-edge lies. Values, of
+/// ExactField::channel_count channels, are linear from the half-edge's origin to its target.
+struct ExactSide {
+  float from[4] = {};
+  float to[4] = {};
+  float weight = 1;     ///< k of eq. 4
+  float blur_from = 0;  ///< R of eq. 8, layer units; 0 at both ends: sharp
+  float blur_to = 0;
+};
+
+/// The free end of a curve, whose term is added to what is gathered (docs/mathematics.md, "Free
+/// ends").
+struct ExactEnd {
+  Vec2 position;            ///< layer frame
+  Vec2 direction;           ///< unit vector, out of the curve
+  float bend = 0;           ///< of the curve behind it
+  float reach = 0;          ///< where the term ends
+  float weight = 0;         ///< c k
+  float blur_positive = 0;  ///< radii of the side where cross(direction, p - position) > 0, and of
+  float blur_negative = 0;  ///< the other
+  float positive[4] = {};
+  float negative[4] = {};
+};
+
+/// One attribute on the triangles of an ExactLayer.
+struct ExactField {
+  int channel_count = 0;        ///< 3 for a colour, 1 for an opacity
+  std::vector<RayEdge> edge;    ///< 3 per triangle, as PatchLayer::edge_is_curve
+  std::vector<ExactSide> side;  ///< of the half-edges that are RayEdge::side, in order
+  std::vector<ExactEnd> end;
+};
+
+/// A layer as rays meet it, without patches: its curves as straight edges in a triangulation, and
+/// what they show. From this the exact value at any point is gathered (paper eq. 2 to 11).
+struct ExactLayer {
+  std::vector<Vec2> vertex_position;           ///< layer frame
+  std::vector<std::uint32_t> triangle_vertex;  ///< 3 per triangle, cross(01, 02) > 0
+  std::vector<ExactField> field;               ///< the colour, and the opacity if there is one
+};
+
 /// One solved layer: triangular patches over shared nodes (equations 6 and 10 of the paper).
 ///
 /// The colour at a point is channels 0 to 2 of `color`, in the space of Picture::interpolation,
@@ -79,6 +126,9 @@ struct PatchLayer {
   std::vector<SoftEdge> soft_edge;  ///< sorted by soft_edge_triangle()
   PatchField color{3, {}, {}, {}};  ///< 3 channels, and one for each of its shaders
   PatchField opacity;  ///< 1 channel, and one for each of its shaders; no channels: opaque
+  /// Without fields unless DiffuseOptions::exact_fields, and where a side has an image-domain
+  /// shader.
+  ExactLayer exact;
 
   /// The number of triangles; 0 where no instance shows any of the layer.
   std::uint32_t triangle_count() const {

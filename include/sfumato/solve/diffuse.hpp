@@ -37,6 +37,9 @@ struct DiffuseOptions {
   gather::Ends ends = gather::Ends::soft;  ///< what is ahead of the ends of open curves
   bool ignore_blur = false;  ///< draw diffusion curves sharp, as if their blur radii were 0
 
+  /// Whether layers get PatchLayer::exact, with which a viewer finds exact pixels by itself.
+  bool exact_fields = false;
+
   /// Exact comparison of all members.
   friend bool operator==(const DiffuseOptions&, const DiffuseOptions&) = default;
 };

@@ -26,15 +26,19 @@ using outputs::script_of_module;
 
 /// In the order in which they stand in the page, each after those that it imports; main.js begins.
 constexpr std::string_view kScripts[] = {
-    "affine.js",   "bytes.js",    "mesh.js",     "field.js",        "gl.js",     "tables.js",
-    "paints.js",   "segments.js", "payload.js",  "layer_tables.js", "layers.js", "strokes.js",
-    "targets.js",  "painter.js",  "renderer.js", "view.js",         "motion.js", "input.js",
-    "controls.js", "paper.js",    "viewer.js",   "main.js"};
+    "affine.js",       "bytes.js",       "mesh.js",       "field.js",        "gl.js",
+    "tables.js",       "paints.js",      "segments.js",   "payload.js",      "layer_tables.js",
+    "layers.js",       "strokes.js",     "targets.js",    "exact_fields.js", "exact_mesh.js",
+    "exact_tables.js", "exact_scene.js", "exact_work.js", "exact.js",        "painter.js",
+    "renderer.js",     "view.js",        "motion.js",     "input.js",        "controls.js",
+    "paper.js",        "viewer.js",      "main.js"};
 
-constexpr std::string_view kShaders[] = {"common.glsl",         "paint.glsl",   "patch.vert",
-                                         "patch.frag",          "screen.vert",  "composite.frag",
-                                         "present.frag",        "stroke.vert",  "stroke.frag",
-                                         "stroke_resolve.frag", "overlay.vert", "overlay.frag"};
+constexpr std::string_view kShaders[] = {
+    "common.glsl",      "paint.glsl",          "patch.vert",       "patch.frag",
+    "screen.vert",      "composite.frag",      "present.frag",     "stroke.vert",
+    "stroke.frag",      "stroke_resolve.frag", "overlay.vert",     "overlay.frag",
+    "edges.frag",       "exact.glsl",          "point_walk.glsl",  "exact.frag",
+    "exact_place.vert", "exact_place.frag",    "exact_edges.vert", "exact_copy.frag"};
 
 std::string scripts() {
   std::string text;
@@ -43,13 +47,18 @@ std::string scripts() {
   return text;
 }
 
-std::string shaders() {
+/// Name and text of each, all of which a zero byte ends, in zlib's format.
+Status append_shaders(const Context& context, OutputBuffer& page) {
   std::string text;
-  for (std::string_view name : kShaders) {
-    text += "<script type=\"text/plain\" data-shader=\"" + std::string(name) + "\">" +
-            condensed(display::embedded_file("shaders/" + std::string(name))) + "</script>\n";
+  for (const std::string_view name : kShaders) {
+    text += std::string(name) + '\0';
+    text += condensed(display::embedded_file("shaders/" + std::string(name))) + '\0';
   }
-  return text;
+  TableMemory memory("the viewer's shaders");
+  const auto* const bytes = reinterpret_cast<const std::uint8_t*>(text.data());
+  const auto packed = codecs::deflated(context, {bytes, text.size()}, memory);
+  if (packed) codecs::append_base64(context, *packed, page);
+  return packed.status();
 }
 
 bool is_media_type(std::string_view type) {
@@ -67,14 +76,15 @@ void append_fallback(const Context& context, const HtmlOptions& options, OutputB
 }
 
 /// What stands for the mark {{name}} of the page.
-void append_part(const Context& context, std::string_view name, const HtmlOptions& options,
-                 std::span<const std::uint8_t> payload, OutputBuffer& page) {
+Status append_part(const Context& context, std::string_view name, const HtmlOptions& options,
+                   std::span<const std::uint8_t> payload, OutputBuffer& page) {
   if (name == "title") page += escaped_html(options.title);
   if (name == "style") page += condensed(display::embedded_file("viewer.css"));
   if (name == "fallback") append_fallback(context, options, page);
-  if (name == "shaders") page += shaders();
+  if (name == "shaders") return append_shaders(context, page);
   if (name == "payload") codecs::append_base64(context, payload, page);
   if (name == "script") page += scripts();
+  return ok_status();
 }
 
 /// The page with its marks replaced; what replaces them is not looked through.
@@ -85,7 +95,8 @@ Result<std::vector<std::uint8_t>> filled(const Context& context, const HtmlOptio
   for (std::size_t begin; (begin = rest.find("{{")) != std::string_view::npos;) {
     page += rest.substr(0, begin);
     const std::size_t end = rest.find("}}", begin);
-    append_part(context, rest.substr(begin + 2, end - begin - 2), options, payload, page);
+    const std::string_view name = rest.substr(begin + 2, end - begin - 2);
+    if (Status status = append_part(context, name, options, payload, page); !status) return status;
     rest.remove_prefix(end + 2);
   }
   page += rest;

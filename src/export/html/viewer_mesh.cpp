@@ -18,6 +18,7 @@ constexpr std::size_t kTrianglesOnEdge = 4;
 
 /// Cells of the grid along an axis.
 constexpr double kGridCells = (1 << 22) - 1;
+constexpr int kGridMiddle = 1 << 21;
 
 /// Walks over the triangles and numbers them. A gate is a half-edge whose other side was not
 /// looked at yet.
@@ -185,10 +186,6 @@ class Walker {
   ByteWriter codes_;
 };
 
-struct GridPoint {
-  std::int32_t x = 0, y = 0;
-};
-
 /// Where a vertex is expected: opposite to the triangle that it was seen from.
 GridPoint predicted(const ViewerMesh& mesh, const std::vector<GridPoint>& known,
                     std::uint32_t vertex) {
@@ -202,21 +199,15 @@ GridPoint predicted(const ViewerMesh& mesh, const std::vector<GridPoint>& known,
 
 Status write_positions(const Context& context, const PatchLayer& layer, const ViewerMesh& mesh,
                        ByteWriter& out) {
-  Box bounds;
-  for (std::uint32_t v : mesh.vertex) bounds.extend(layer.vertex_position[v]);
-  if (mesh.vertex.empty()) bounds = {{0, 0}, {0, 0}};
-  const auto step_of = [](double extent) { return extent > 0 ? extent / kGridCells : 1; };
-  const Vec2 step{step_of(bounds.width()), step_of(bounds.height())};
-  for (double value : {bounds.min.x, bounds.min.y, step.x, step.y}) out.f64(value);
+  const ViewerGrid cells = grid_of(layer, mesh);
+  write_grid(cells, out);
   TableMemory memory("the viewer's positions");
   std::vector<GridPoint> grid;
   std::vector<std::uint32_t> miss_x, miss_y;
   Status status = memory.resize_all(context, mesh.vertex.size(), grid, miss_x, miss_y);
   if (!status) return status;
   for (std::uint32_t i = 0; i < grid.size(); ++i) {
-    const Vec2 p = layer.vertex_position[mesh.vertex[i]] - bounds.min;
-    grid[i] = {static_cast<std::int32_t>(std::lround(p.x / step.x)),
-               static_cast<std::int32_t>(std::lround(p.y / step.y))};
+    grid[i] = cells.nearest(layer.vertex_position[mesh.vertex[i]]);
     const GridPoint guess = predicted(mesh, grid, i);
     miss_x[i] = zigzag(grid[i].x - guess.x);
     miss_y[i] = zigzag(grid[i].y - guess.y);
@@ -235,12 +226,34 @@ Result<ViewerMesh> order_for_viewer(Context& context, const PatchLayer& layer) {
   return mesh;
 }
 
-Status write_mesh(const Context& context, const PatchLayer& layer, const ViewerMesh& mesh,
-                  ByteWriter& out) {
-  out.varint(mesh.triangle_count());
-  out.varint(mesh.vertex.size());
-  out.counted(mesh.codes);
-  if (Status status = write_positions(context, layer, mesh, out); !status) return status;
+GridPoint ViewerGrid::nearest(Vec2 position) const {
+  const Vec2 p = position - min;
+  return {static_cast<std::int32_t>(std::lround(p.x / step.x)),
+          static_cast<std::int32_t>(std::lround(p.y / step.y))};
+}
+
+ViewerGrid::Place ViewerGrid::place(GridPoint point) const {
+  return {static_cast<float>((point.x - kGridMiddle) * step.x),
+          static_cast<float>((point.y - kGridMiddle) * step.y)};
+}
+
+Vec2 ViewerGrid::middle() const {
+  return {min.x + kGridMiddle * step.x, min.y + kGridMiddle * step.y};
+}
+
+ViewerGrid grid_of(const PatchLayer& layer, const ViewerMesh& mesh) {
+  Box bounds;
+  for (std::uint32_t v : mesh.vertex) bounds.extend(layer.vertex_position[v]);
+  if (mesh.vertex.empty()) bounds = {{0, 0}, {0, 0}};
+  const auto step_of = [](double extent) { return extent > 0 ? extent / kGridCells : 1; };
+  return {bounds.min, {step_of(bounds.width()), step_of(bounds.height())}};
+}
+
+void write_grid(const ViewerGrid& grid, ByteWriter& out) {
+  for (double value : {grid.min.x, grid.min.y, grid.step.x, grid.step.y}) out.f64(value);
+}
+
+void write_curves(const PatchLayer& layer, const ViewerMesh& mesh, ByteWriter& out) {
   for (std::uint32_t t = 0; t < mesh.triangle_count(); ++t) {
     std::uint8_t curves = 0;
     for (std::uint32_t k = 0; k < 3; ++k) {
@@ -250,6 +263,15 @@ Status write_mesh(const Context& context, const PatchLayer& layer, const ViewerM
     }
     out.u8(curves);
   }
+}
+
+Status write_mesh(const Context& context, const PatchLayer& layer, const ViewerMesh& mesh,
+                  ByteWriter& out) {
+  out.varint(mesh.triangle_count());
+  out.varint(mesh.vertex.size());
+  out.counted(mesh.codes);
+  if (Status status = write_positions(context, layer, mesh, out); !status) return status;
+  write_curves(layer, mesh, out);
   return out.status();
 }
 

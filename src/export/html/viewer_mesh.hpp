@@ -31,6 +31,34 @@ struct ViewerMesh {
 /// Errors: limit (memory), cancelled. Cost: O(n log n).
 Result<ViewerMesh> order_for_viewer(Context& context, const PatchLayer& layer);
 
+struct GridPoint {
+  std::int32_t x = 0, y = 0;
+};
+
+/// Where vertices are put: 22 bits on each axis.
+struct ViewerGrid {
+  Vec2 min;   ///< layer frame
+  Vec2 step;  ///< above 0
+
+  GridPoint nearest(Vec2 position) const;
+  /// As the viewer has a point: relative to the middle of the grid, single precision.
+  struct Place {
+    float x = 0, y = 0;
+  };
+  Place place(GridPoint point) const;
+  /// The grid's middle, layer frame.
+  Vec2 middle() const;
+};
+
+/// The smallest that holds the vertices.
+ViewerGrid grid_of(const PatchLayer& layer, const ViewerMesh& mesh);
+
+/// Its corner and step.
+void write_grid(const ViewerGrid& grid, ByteWriter& out);
+
+/// A byte for each triangle: bit k where its edge k is a curve.
+void write_curves(const PatchLayer& layer, const ViewerMesh& mesh, ByteWriter& out);
+
 /// Positions on a grid over the layer's bounds, 22 bits on each axis, then topology and curve
 /// edges. Errors: limit (memory), cancelled.
 Status write_mesh(const Context& context, const PatchLayer& layer, const ViewerMesh& mesh,

@@ -9,6 +9,7 @@
 
 #include "base/limit_error.hpp"
 #include "document/rules.hpp"
+#include "export/html/viewer_exact.hpp"
 #include "export/html/viewer_field.hpp"
 #include "export/html/viewer_mesh.hpp"
 #include "export/html/viewer_paints.hpp"
@@ -74,6 +75,7 @@ class PayloadWriter {
       Status status = std::visit([this](const auto& x) { return write_item(x); }, item);
       if (!status) return status;
     }
+    if (tables_ == Tables::with) return write_exact(context_, picture_, out_);
     return out_.status();
   }
 

@@ -2,6 +2,7 @@
 // {{payload}} left for the editor. What stands in it, and in which order, src/export/html/html.cpp says.
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
+import { deflateSync } from "node:zlib";
 
 const file = (path) => fileURLToPath(new URL(`../../../${path}`, import.meta.url));
 const read = (path) => readFileSync(file(path), "utf8");
@@ -52,15 +53,17 @@ export function scriptOfModule(text) {
 
 const viewer = (name) => condensed(read(`web/viewer/${name}`));
 
+/** A shader's text; one stands elsewhere, since the library reads it, too. */
+const shader = (name) =>
+  name === "point_walk.glsl" ? condensed(read(`src/gather/${name}`)) : viewer(`shaders/${name}`);
+
 /** The template's text. */
 export function viewerPage() {
   const source = read(assembly);
-  const shaders = listed(source, "kShaders").map(
-    (name) => `<script type="text/plain" data-shader="${name}">${viewer(`shaders/${name}`)}</script>\n`,
-  );
+  const shaders = listed(source, "kShaders").map((name) => `${name}\0${shader(name)}\0`).join("");
   const parts = {
     style: viewer("viewer.css"),
-    shaders: shaders.join(""),
+    shaders: deflateSync(shaders, { level: 9 }).toString("base64"),
     script: listed(source, "kScripts").map((name) => scriptOfModule(viewer(name))).join(""),
   };
   return read("web/viewer/page.html").replace(/\{\{(\w+)\}\}/g, (mark, name) => parts[name] ?? mark);

@@ -1,0 +1,364 @@
+#include "export/html/viewer_exact.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdlib>
+#include <utility>
+
+#include "base/poll.hpp"
+#include "base/table_memory.hpp"
+#include "export/html/viewer_mesh.hpp"
+
+namespace sfumato::outputs {
+namespace {
+
+/// Of the part, should it ever change.
+constexpr std::uint8_t kExactVersion = 1;
+
+constexpr int kMissBytes = 4;
+constexpr double kLargestNumber = 1 << 28;
+
+/// Steps by which a number may miss what was guessed and still follow what came before.
+constexpr std::int32_t kSmallMiss = 3;
+
+/// Edges around a vertex that are looked at to find the next side.
+constexpr int kEdgesLookedAt = 64;
+
+/// Steps of a colour, and of an opacity: 1/64 of a code value is the most that a number misses.
+double exact_step(InterpolationSpace space) {
+  return space == InterpolationSpace::srgb ? 1.0 / (32 * 255) : 1.0 / (1 << 17);
+}
+
+std::int32_t quantized(double value, double step) {
+  const double steps = value / step;
+  if (!std::isfinite(steps)) return 0;
+  return static_cast<std::int32_t>(std::lround(std::clamp(steps, -kLargestNumber, kLargestNumber)));
+}
+
+/// The same triangles as patches; curves are where a field is not open.
+Result<PatchLayer> mesh_of(const Context& context, const ExactLayer& layer, TableMemory& memory) {
+  PatchLayer mesh;
+  Status status = memory.assign(context, layer.vertex_position, mesh.vertex_position);
+  if (status) status = memory.assign(context, layer.triangle_vertex, mesh.triangle_vertex);
+  if (status) status = memory.resize(context, mesh.edge_is_curve, mesh.triangle_vertex.size());
+  if (!status) return status;
+  for (const ExactField& field : layer.field) {
+    for (std::size_t h = 0; h < field.edge.size(); ++h)
+      if (field.edge[h] != RayEdge::open) mesh.edge_is_curve[h] = 1;
+  }
+  return mesh;
+}
+
+/// Half-edges on curves in the order in which what they bear is written: along the curves.
+struct CurveEdge {
+  std::uint32_t half_edge;  ///< of the viewer's order
+  bool continues;           ///< the one before
+  double length;
+};
+
+/// A guess at where a curve goes on: it turns as much as it did.
+GridPoint guessed(GridPoint a, GridPoint b, GridPoint c) {
+  const double ax = b.x - a.x, ay = b.y - a.y;
+  const double bx = c.x - b.x, by = c.y - b.y;
+  double cosine = ax * bx + ay * by, sine = ax * by - ay * bx;
+  const double length = std::sqrt(cosine * cosine + sine * sine);
+  if (!(cosine > 0)) cosine = length, sine = 0;
+  if (!(length > 0)) return c;
+  const double x = (cosine * bx - sine * by) / length, y = (sine * bx + cosine * by) / length;
+  return {c.x + static_cast<std::int32_t>(std::floor(x + 0.5)),
+          c.y + static_cast<std::int32_t>(std::floor(y + 0.5))};
+}
+
+/// The triangles of a layer, and where its curves run.
+class CurveWriter {
+ public:
+  CurveWriter(Context& context, const PatchLayer& layer, const ViewerMesh& mesh, ByteWriter& out)
+      : context_(context), layer_(layer), mesh_(mesh), grid_(grid_of(layer, mesh)), out_(out) {}
+
+  Status run() {
+    out_.varint(mesh_.triangle_count());
+    out_.varint(mesh_.vertex.size());
+    out_.counted(mesh_.codes);
+    write_curves(layer_, mesh_, out_);
+    Status status = find_twins();
+    if (status) status = find_order();
+    return status ? write_positions() : status;
+  }
+
+  const std::vector<CurveEdge>& order() const { return order_; }
+  const ViewerGrid& grid() const { return grid_; }
+
+  /// The layer's half-edge.
+  std::uint32_t source(std::uint32_t h) const {
+    const std::uint32_t t = h / 3;
+    return 3 * mesh_.triangle[t] + (mesh_.first_corner[t] + h % 3) % 3;
+  }
+  std::uint32_t origin(std::uint32_t h) const { return mesh_.corner_vertex[h]; }
+  std::uint32_t target(std::uint32_t h) const { return mesh_.corner_vertex[next_half_edge(h)]; }
+
+ private:
+  Status find_twins() {
+    Status status = memory_.resize(context_, twin_, mesh_.corner_vertex.size(), kNoHalfEdge);
+    for (std::uint32_t h = 0; status && h < twin_.size(); ++h) {
+      if (mesh_.mate[h] == kNoHalfEdge) continue;
+      twin_[h] = mesh_.mate[h];
+      twin_[mesh_.mate[h]] = h;
+    }
+    return status;
+  }
+
+  bool is_curve(std::uint32_t h) const { return layer_.edge_is_curve[source(h)] != 0; }
+
+  /// The edge where rays see what follows on this one at its origin or target.
+  template <class Turn>
+  std::uint32_t neighbour(std::uint32_t h, Turn turn) const {
+    std::uint32_t g = turn(h);
+    for (int i = 0; i < kEdgesLookedAt && !is_curve(g); ++i) {
+      if (twin_[g] == kNoHalfEdge) return kNoHalfEdge;
+      g = turn(twin_[g]);
+    }
+    return is_curve(g) ? g : kNoHalfEdge;
+  }
+
+  /// Those at which something begins come first; then closed ones.
+  Status find_order() {
+    std::vector<std::uint8_t> is_listed;
+    const std::size_t count = mesh_.corner_vertex.size();
+    Status status = memory_.resize(context_, is_listed, count);
+    RarePoll<4096> poll(context_);
+    for (const bool only_starts : {true, false}) {
+      for (std::uint32_t h = 0; status && h < count; ++h) {
+        if (poll.cancelled()) return context_.cancel_status();
+        if (!is_curve(h) || is_listed[h]) continue;
+        if (only_starts && neighbour(h, previous_half_edge) != kNoHalfEdge) continue;
+        for (std::uint32_t g = h; status && g != kNoHalfEdge && !is_listed[g];
+             g = neighbour(g, next_half_edge)) {
+          status = memory_.push_back(context_, order_, CurveEdge{g, g != h, 0});
+          is_listed[g] = 1;
+        }
+      }
+    }
+    return status;
+  }
+
+  /// First those on curves, then the others.
+  Status write_positions() {
+    const std::size_t count = mesh_.vertex.size();
+    Status status = memory_.resize_all(context_, count, place_, is_placed_);
+    if (status) status = memory_.reserve(context_, miss_x_, count);
+    if (status) status = memory_.reserve(context_, miss_y_, count);
+    if (!status) return status;
+    std::uint32_t first = 0, second = 0;  // vertices of the two edges before
+    int edges = 0;
+    for (CurveEdge& edge : order_) {
+      const std::uint32_t a = origin(edge.half_edge), b = target(edge.half_edge);
+      if (!edge.continues) edges = 0;
+      put(a, last_);
+      if (edges >= 2) put(b, guessed(place_[first], place_[second], place_[a]));
+      if (edges == 1) put(b, guessed(place_[second], place_[a], place_[a]));
+      put(b, place_[a]);
+      first = second;
+      second = a;
+      ++edges;
+      edge.length = length(a, b);
+    }
+    for (std::uint32_t v = 0; v < count; ++v) put(v, last_);
+    write_grid(grid_, out_);
+    out_.planes(miss_x_, kMissBytes);
+    out_.planes(miss_y_, kMissBytes);
+    return out_.status();
+  }
+
+  void put(std::uint32_t vertex, GridPoint guess) {
+    if (is_placed_[vertex]) return;
+    is_placed_[vertex] = 1;
+    place_[vertex] = last_ = grid_.nearest(layer_.vertex_position[mesh_.vertex[vertex]]);
+    miss_x_.push_back(zigzag(last_.x - guess.x));
+    miss_y_.push_back(zigzag(last_.y - guess.y));
+  }
+
+  /// As the viewer finds it.
+  double length(std::uint32_t from, std::uint32_t to) const {
+    const ViewerGrid::Place a = grid_.place(place_[from]), b = grid_.place(place_[to]);
+    const double x = double{b.x} - double{a.x}, y = double{b.y} - double{a.y};
+    return std::sqrt(x * x + y * y);
+  }
+
+  Context& context_;
+  const PatchLayer& layer_;
+  const ViewerMesh& mesh_;
+  ViewerGrid grid_;
+  TableMemory memory_{"the viewer's exact fields"};
+  std::vector<std::uint32_t> twin_;  ///< per half-edge
+  std::vector<CurveEdge> order_;
+  std::vector<GridPoint> place_;         ///< per vertex
+  std::vector<std::uint8_t> is_placed_;  ///< per vertex
+  GridPoint last_;
+  std::vector<std::uint32_t> miss_x_, miss_y_;
+  ByteWriter& out_;
+};
+
+/// One attribute on the curves.
+class FieldOnCurves {
+ public:
+  FieldOnCurves(Context& context, const ExactField& field, const CurveWriter& curves, double step,
+                ByteWriter& out)
+      : context_(context), field_(field), curves_(curves), step_(step), out_(out) {}
+
+  Status run() {
+    Status status = list_sides();
+    if (!status) return status;
+    out_.f32(static_cast<float>(step_));
+    for (int c = 0; c < field_.channel_count; ++c) {
+      write_numbers(step_, [c](const ExactSide& s) { return std::pair(s.from[c], s.to[c]); });
+    }
+    const ViewerGrid& grid = curves_.grid();
+    unit_ = static_cast<double>(static_cast<float>(std::max(grid.step.x, grid.step.y)));
+    out_.f32(static_cast<float>(unit_));
+    write_numbers(unit_, [](const ExactSide& s) { return std::pair(s.blur_from, s.blur_to); });
+    write_floats(sides_, [&](const Side& side) { return side.side->weight; });
+    return write_ends();
+  }
+
+ private:
+  struct Side {
+    const ExactSide* side;
+    double length;
+    bool continues;  ///< the one before
+    std::uint32_t from, to;
+  };
+
+  /// Writes what the curves' edges are.
+  Status list_sides() {
+    std::vector<std::uint32_t> index;
+    Status status = memory_.resize(context_, index, field_.edge.size());
+    if (status) status = memory_.reserve(context_, sides_, field_.side.size());
+    const std::size_t most = std::max(field_.side.size(), field_.end.size());
+    if (status) status = memory_.reserve(context_, from_miss_, most);
+    if (status) status = memory_.reserve(context_, to_miss_, most);
+    if (!status) return status;
+    std::uint32_t sides = 0;
+    for (std::size_t h = 0; h < index.size(); ++h)
+      if (field_.edge[h] == RayEdge::side) index[h] = sides++;
+    bool continues = false;
+    for (const CurveEdge& edge : curves_.order()) {
+      const std::uint32_t h = curves_.source(edge.half_edge);
+      out_.u8(static_cast<std::uint8_t>(field_.edge[h]));
+      const bool is_side = field_.edge[h] == RayEdge::side;
+      if (is_side) {
+        sides_.push_back({&field_.side[index[h]], edge.length, edge.continues && continues,
+                          curves_.origin(edge.half_edge), curves_.target(edge.half_edge)});
+      }
+      continues = is_side;
+    }
+    return out_.status();
+  }
+
+  /// A side begins as the one before ended, and changes as much per length as what came before,
+  /// back to where that was last guessed wrong.
+  template <class Numbers>
+  void write_numbers(double step, Numbers numbers) {
+    from_miss_.clear();
+    to_miss_.clear();
+    std::int32_t last = 0, base = 0;
+    double length = 0;  // from the base
+    for (const Side& side : sides_) {
+      const auto [a, b] = numbers(*side.side);
+      const std::int32_t from = quantized(double{a}, step), to = quantized(double{b}, step);
+      double change = 0;
+      if (side.continues && length > 0)
+        change = std::floor((static_cast<double>(last) - base) * side.length / length + 0.5);
+      if (!(std::fabs(change) <= kLargestNumber)) change = 0;
+      const std::int32_t miss = to - from - static_cast<std::int32_t>(change);
+      from_miss_.push_back(zigzag(from - last));
+      to_miss_.push_back(zigzag(miss));
+      const bool goes_on = side.continues && from == last && std::abs(miss) <= kSmallMiss;
+      if (!goes_on) base = from, length = 0;
+      length += side.length;
+      last = to;
+    }
+    out_.planes(from_miss_, kMissBytes);
+    out_.planes(to_miss_, kMissBytes);
+  }
+
+  template <class Items, class Number>
+  void write_floats(const Items& items, Number number) {
+    from_miss_.clear();
+    for (const auto& item : items)
+      from_miss_.push_back(std::bit_cast<std::uint32_t>(static_cast<float>(number(item))));
+    out_.planes(from_miss_, 4);
+  }
+
+  template <class Number>
+  void write_end_numbers(double step, Number number) {
+    from_miss_.clear();
+    for (const ExactEnd& end : field_.end)
+      from_miss_.push_back(zigzag(quantized(double{number(end)}, step)));
+    out_.planes(from_miss_, kMissBytes);
+  }
+
+  /// By columns.
+  Status write_ends() {
+    out_.varint(field_.end.size());
+    const Vec2 middle = curves_.grid().middle();
+    write_floats(field_.end, [&](const ExactEnd& end) { return end.position.x - middle.x; });
+    write_floats(field_.end, [&](const ExactEnd& end) { return end.position.y - middle.y; });
+    write_floats(field_.end, [](const ExactEnd& end) { return end.direction.x; });
+    write_floats(field_.end, [](const ExactEnd& end) { return end.direction.y; });
+    for (const auto number : {&ExactEnd::bend, &ExactEnd::reach, &ExactEnd::weight})
+      write_floats(field_.end, [number](const ExactEnd& end) { return end.*number; });
+    for (const auto number : {&ExactEnd::blur_positive, &ExactEnd::blur_negative})
+      write_end_numbers(unit_, [number](const ExactEnd& end) { return end.*number; });
+    for (int c = 0; c < field_.channel_count; ++c) {
+      write_end_numbers(step_, [c](const ExactEnd& end) { return end.positive[c]; });
+      write_end_numbers(step_, [c](const ExactEnd& end) { return end.negative[c]; });
+    }
+    return out_.status();
+  }
+
+  Context& context_;
+  const ExactField& field_;
+  const CurveWriter& curves_;
+  double step_;
+  double unit_ = 1;  ///< of radii
+  TableMemory memory_{"the viewer's exact fields"};
+  std::vector<Side> sides_;
+  std::vector<std::uint32_t> from_miss_, to_miss_;
+  ByteWriter& out_;
+};
+
+Status write_layer(Context& context, const ExactLayer& exact, InterpolationSpace space,
+                   ByteWriter& out) {
+  TableMemory memory("the viewer's exact fields");
+  const Result<PatchLayer> layer = mesh_of(context, exact, memory);
+  if (!layer) return layer.status();
+  const Result<ViewerMesh> mesh = order_for_viewer(context, *layer);
+  if (!mesh) return mesh.status();
+  CurveWriter curves(context, *layer, *mesh, out);
+  Status status = curves.run();
+  for (const ExactField& field : exact.field) {
+    if (!status) return status;
+    const bool is_color = field.channel_count == 3;
+    const double step = exact_step(is_color ? space : InterpolationSpace::srgb);
+    status = FieldOnCurves(context, field, curves, step, out).run();
+  }
+  return status;
+}
+
+}  // namespace
+
+Status write_exact(Context& context, const Picture& picture, ByteWriter& out) {
+  const auto has_fields = [](const PatchLayer& layer) { return !layer.exact.field.empty(); };
+  if (std::ranges::none_of(picture.layers, has_fields)) return out.status();
+  out.u8(kExactVersion);
+  for (const PatchLayer& layer : picture.layers) {
+    out.u8(has_fields(layer) ? 1 : 0);
+    if (!has_fields(layer)) continue;
+    Status status = write_layer(context, layer.exact, picture.interpolation, out);
+    if (!status) return status;
+  }
+  return out.status();
+}
+
+}  // namespace sfumato::outputs

@@ -1,0 +1,196 @@
+// Exact pixels, gathered in a page, against those of the library.
+import { readFileSync, readdirSync, writeFileSync } from "node:fs";
+import { deflateSync, inflateSync } from "node:zlib";
+import { PayloadError } from "../../web/viewer/bytes.js";
+import { readExactLayers } from "../../web/viewer/exact_fields.js";
+import { PictureReader } from "../../web/viewer/payload.js";
+import { check, pathOf, randomNumbers, settled } from "./harness.mjs";
+import { withServer } from "./updates.mjs";
+
+/** Code values. */
+const MOST_MISS = 0.05;
+
+const svg = (body, attributes = "") =>
+  `<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1" viewBox="0.0371 0.0193 48 40" ${attributes}>${body}</svg>`;
+
+/** Off the grid of pixels, so that no centre lies on a curve. */
+const DOCUMENTS = {
+  plain: svg(`<g sf:diffuse="true">
+    <path d="M-5 30 C10 5 30 40 55 10" sf:left="#236, #fc8" sf:right="#264, #f00, #08f"/>
+    <circle cx="15" cy="12" r="6.3" sf:left="#fff" sf:right="#420"/></g>`),
+  "free ends": svg(`<g sf:diffuse="true">
+    <path d="M8 30 C14 8 26 34 40 12" sf:left="#136" sf:right="#fe8"/>
+    <path d="M30 35 L44 30" sf:left="#f00" sf:right="#0f0"/></g>`),
+  blur: svg(`<g sf:diffuse="true">
+    <path d="M-5 30 C10 5 30 40 55 10" sf:left="#136" sf:right="#fe8" sf:blur="2, 9"/>
+    <circle cx="15" cy="12" r="7.3" sf:left="#fff" sf:right="#420" sf:blur="3"/></g>`),
+  opacity: svg(`<g sf:diffuse="true">
+    <path d="M-5 30 C10 5 30 40 55 10" sf:left="#136" sf:right="#fe8" sf:opacity="1, .2"/>
+    <circle cx="15" cy="12" r="7.3" sf:left="#fff" sf:right="#420" sf:opacity=".9"/></g>`),
+  linear: svg(
+    `<g sf:diffuse="true"><path d="M-5 30 C10 5 30 40 55 10" sf:left="#113, #fc8" sf:right="#264"/></g>`,
+    'sf:interpolation="linear"',
+  ),
+  oklab: svg(
+    `<g sf:diffuse="true"><path d="M-5 30 C10 5 30 40 55 10" sf:left="#113, #fc8" sf:right="#264"/></g>`,
+    'sf:interpolation="oklab"',
+  ),
+};
+
+const SIZE = [48, 40];
+const WHOLE = [1, 0, 0, 1, -0.0371, -0.0193];
+
+function documentOf(command, name) {
+  const path = command.file(`exact_${name.replace(" ", "_")}.svg`);
+  writeFileSync(path, DOCUMENTS[name]);
+  return path;
+}
+
+const payloadOf = (path) => readFileSync(path, "utf8").match(/id="payload">([^<]*)</)[1];
+
+function pageOf(command, name) {
+  const page = command.file(`exact_${name.replace(" ", "_")}.html`);
+  command.run("render", documentOf(command, name), "-o", page, "--quiet");
+  return page;
+}
+
+const shaderPaths = [
+  ...readdirSync(pathOf("web/viewer/shaders")).map((name) => `web/viewer/shaders/${name}`),
+  "src/gather/point_walk.glsl",
+].join(" ");
+
+/** What a page gathers of a payload. */
+async function gathered({ pages }, payload, wish) {
+  let result = null;
+  await withServer(payload, async (address) => {
+    await pages.visit(address, {}, async (page) => {
+      result = await page.evaluate(async (asked) => {
+        const module = await import("/tests/viewer/exact_page.js");
+        return module.gathered(asked);
+      }, wish);
+    });
+  }, { "/shaders": ["text/plain", shaderPaths] });
+  return result;
+}
+
+/** The library's pixels, 16 bits, premultiplied code values from 0 to 1. */
+function expectedOf({ command, PNG }, name) {
+  const path = command.file("exact_expected.png");
+  command.run("render", documentOf(command, name), "-o", path, "--method", "pixels", "--depth", 16,
+    "--width", SIZE[0], "--height", SIZE[1], "--quiet");
+  const { data, width, height } = PNG.sync.read(readFileSync(path), { skipRescale: true });
+  check(width === SIZE[0] && height === SIZE[1], `it is ${width} x ${height}`);
+  return data;
+}
+
+function compare(expected, pixels) {
+  let miss = 0,
+    found = 0;
+  for (let i = 0; i < pixels.length; i += 4) {
+    const alpha = pixels[i + 3];
+    if (alpha < 0) continue;
+    found += 1;
+    for (let c = 0; c < 3; ++c) {
+      const value = expected[i + c] / 65535;
+      miss = Math.max(miss, 255 * alpha * Math.abs(pixels[i + c] - value));
+    }
+    miss = Math.max(miss, 255 * Math.abs(alpha - expected[i + 3] / 65535));
+  }
+  return { miss, found };
+}
+
+async function testPixels(tap, tools) {
+  for (const name of Object.keys(DOCUMENTS)) {
+    await tap.test(`exact pixels are the library's: ${name}`, async () => {
+      const payload = payloadOf(pageOf(tools.command, name));
+      const { pixels, error } = await gathered(tools, payload, { size: SIZE, views: [WHOLE] });
+      const { miss, found } = compare(expectedOf(tools, name), pixels);
+      console.log(`# ${found} of ${pixels.length / 4} pixels, at most ${miss.toFixed(4)} off`);
+      check(error === 0, `GL says ${error}`);
+      check(found > 0.8 * SIZE[0] * SIZE[1], `only ${found} pixels were gathered`);
+      check(miss <= MOST_MISS, `${miss} code values off`);
+    });
+  }
+}
+
+async function testCache(tap, tools) {
+  const payload = payloadOf(pageOf(tools.command, "plain"));
+  const moved = [...WHOLE.slice(0, 4), WHOLE[4] - 5, WHOLE[5] + 3];
+  await tap.test("a view that is moved by whole pixels keeps what was gathered", async () => {
+    const whole = await gathered(tools, payload, { size: SIZE, views: [moved] });
+    const kept = await gathered(tools, payload, { size: SIZE, views: [WHOLE, moved] });
+    const all = SIZE[0] * SIZE[1];
+    check(whole.worked === all, `${whole.worked} pixels were asked for`);
+    check(kept.worked === all - (SIZE[0] - 5) * (SIZE[1] - 3), `${kept.worked} pixels`);
+    const worst = kept.pixels.reduce(
+      (most, value, i) => Math.max(most, Math.abs(value - whole.pixels[i])),
+      0,
+    );
+    check(worst < 1e-4, `they differ by ${worst}`);
+  });
+}
+
+async function testPage(tap, tools) {
+  const html = pageOf(tools.command, "plain");
+  const stateOf = (page) => page.evaluate(() => window.sfumatoViewer.exactState);
+  await tap.test("the button and its key switch exact pixels, and say so", () =>
+    tools.pages.open(html, { size: [200, 160] }, async (page) => {
+      await settled(page);
+      check((await stateOf(page)) === "off", "it is on where the driver is software");
+      await page.click("#exact");
+      await settled(page);
+      check((await stateOf(page)).includes("exact"), `it says ${await stateOf(page)}`);
+      check((await page.getAttribute("#exact", "aria-pressed")) === "true", "it is not pressed");
+      await page.keyboard.press("e");
+      await settled(page);
+      check((await page.getAttribute("#exact", "aria-pressed")) === "false", "it is pressed");
+    }),
+  );
+  await tap.test("a file without curves says that there are none", () => {
+    const path = tools.command.file("exact_none.html");
+    const text = readFileSync(html, "utf8");
+    const bytes = inflateSync(Buffer.from(payloadOf(html), "base64"));
+    const { exact } = new PictureReader(new Uint8Array(bytes)).run();
+    const rest = bytes.subarray(0, bytes.length - exact.length);
+    writeFileSync(path, text.replace(payloadOf(html), deflateSync(rest).toString("base64")));
+    return tools.pages.open(path, {}, async (page) => {
+      await page.click("#exact");
+      await settled(page);
+      check((await stateOf(page)).includes("holds no curves"), `it says ${await stateOf(page)}`);
+    });
+  });
+}
+
+const DAMAGES = 2000;
+
+function testDamage(tap, { command }) {
+  return tap.test("damaged curves are refused, never a crash", () => {
+    const random = randomNumbers(11);
+    let refused = 0;
+    for (const name of ["blur", "opacity"]) {
+      const packed = Buffer.from(payloadOf(pageOf(command, name)), "base64");
+      const picture = new PictureReader(new Uint8Array(inflateSync(packed))).run();
+      const hasOpacity = picture.layers.map((layer) => layer.opacity !== null);
+      check(readExactLayers(picture.exact, hasOpacity)[0] !== null, "it has no curves");
+      for (let i = 0; i < DAMAGES; ++i) {
+        const damaged = picture.exact.slice(0, i % 5 ? undefined : random.next().value % picture.exact.length);
+        for (let k = 0; k < 1 + (i % 3) && damaged.length > 0; ++k)
+          damaged[random.next().value % damaged.length] = random.next().value & 255;
+        try {
+          readExactLayers(damaged, hasOpacity);
+        } catch (error) {
+          if (!(error instanceof PayloadError)) throw error;
+          refused += 1;
+        }
+      }
+    }
+    check(refused > DAMAGES / 5, `only ${refused} were refused`);
+  });
+}
+
+export async function testExact(tap, tools) {
+  await testDamage(tap, tools);
+  await testPixels(tap, tools);
+  await testCache(tap, tools);
+  await testPage(tap, tools);
+}

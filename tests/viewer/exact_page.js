@@ -1,0 +1,57 @@
+// What runs in the page of exact.mjs: exact pixels of a picture, as they are gathered.
+import { Programs } from "/web/viewer/gl.js";
+import { ExactPixels } from "/web/viewer/exact.js";
+import { readPicture } from "/web/viewer/payload.js";
+
+const text = async (path) => (await fetch(path)).text();
+
+async function readShaders() {
+  const shaders = new Map();
+  for (const path of (await text("/shaders")).split(" "))
+    shaders.set(path.split("/").at(-1), await text(`/${path}`));
+  return shaders;
+}
+
+const frame = () => new Promise((resolve) => setTimeout(resolve, 1));
+
+/** @returns pixels as they stand in the image: red, green, blue, alpha; -1: not there */
+function pixelsOf(gl, exact, size) {
+  const [image] = exact.images.values();
+  const pixels = new Float32Array(4 * size[0] * size[1]);
+  gl.bindFramebuffer(gl.FRAMEBUFFER, image.target.resolved);
+  gl.readPixels(0, 0, ...size, gl.RGBA, gl.FLOAT, pixels);
+  return [...pixels];
+}
+
+/**
+ * Gathers all of it.
+ * views: maps from the artboard to pixels, one after another; the last is read.
+ * @returns pixels, gathered of the last view, or a reason
+ */
+export async function gathered({ size, views, limit }) {
+  const shaders = await readShaders();
+  const gl = document.createElement("canvas").getContext("webgl2");
+  const picture = await readPicture(await text("/payload"));
+  const programs = new Programs(gl, (name) => shaders.get(name));
+  gl.bindVertexArray(gl.createVertexArray());
+  const exact = new ExactPixels(gl, programs, picture);
+  if (exact.reason) return { reason: exact.reason };
+  exact.format = gl.RGBA32F;
+  if (limit) exact.stepLimit = limit;
+  let worked = 0;
+  for (const view of views) {
+    exact.begin(size, view, () => [0, 0, ...size]);
+    worked = 0;
+    for (const { work } of exact.images.values()) worked += work.left;
+    while (!exact.isDone) {
+      exact.pace.pixels = 1 << 14;
+      exact.step();
+      while (exact.isBusy) await frame();
+    }
+  }
+  const error = gl.getError();
+  const pixels = pixelsOf(gl, exact, size);
+  const images = exact.images.size;
+  exact.free();
+  return { pixels, worked, images, error };
+}

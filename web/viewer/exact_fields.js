@@ -1,0 +1,353 @@
+// The exact fields of a payload, its last part (docs/viewer.md, "Exact fields"): curves as rays meet
+// them. Read when they are first wanted, not before the picture is shown.
+
+import { ByteReader, PayloadError, unzigzag } from "./bytes.js";
+import { GRID_MIDDLE, NO_MATE, readCurves, readGridFrame, readTopology } from "./mesh.js";
+
+/** @import { Topology } from "./mesh.js" */
+
+const EXACT_VERSION = 1;
+
+/** The half-edge after h in its triangle. @param {number} h */
+export const nextEdge = (h) => (h % 3 === 2 ? h - 2 : h + 1);
+
+/** The half-edge before h in its triangle. @param {number} h */
+export const previousEdge = (h) => (h % 3 === 0 ? h + 2 : h - 1);
+
+/** As the writer's. */
+const EDGES_LOOKED_AT = 64;
+const LARGEST_NUMBER = 2 ** 28;
+const SMALL_MISS = 3;
+
+/** What rays meet at a half-edge: RayEdge of picture.hpp. */
+export const OPEN = 0;
+export const STOP = 1;
+export const SIDE = 2;
+
+/**
+ * The free end of a curve.
+ * @typedef {object} ExactEnd
+ * @property {number[]} position relative to the layer's origin
+ * @property {number[]} direction
+ * @property {number} bend
+ * @property {number} reach
+ * @property {number} weight
+ * @property {number[]} blur of the positive and the negative side
+ * @property {number[]} positive values
+ * @property {number[]} negative
+ */
+
+/**
+ * One attribute.
+ * @typedef {object} ExactField
+ * @property {number} channelCount 3 for a colour, 1 for an opacity
+ * @property {Uint8Array} edge per half-edge: OPEN, STOP or SIDE
+ * @property {Uint32Array} sideOf per half-edge: its side, if it is one
+ * @property {Float32Array} from channelCount a side: values at the half-edge's origin
+ * @property {Float32Array} to and at its target
+ * @property {Float32Array} blurFrom per side: radius, layer units
+ * @property {Float32Array} blurTo
+ * @property {Float32Array} weight per side
+ * @property {ExactEnd[]} ends
+ */
+
+/**
+ * Half-edge 3 t + k runs from corner k of triangle t to the next.
+ * @typedef {object} ExactLayer
+ * @property {number[]} origin what positions are relative to, layer frame
+ * @property {Float32Array} positions 2 a vertex
+ * @property {Uint32Array} triangleVertex 3 a triangle
+ * @property {Uint32Array} twin per half-edge: the one across, or NO_MATE
+ * @property {ExactField[]} fields colour, and opacity where there is one
+ */
+
+
+/**
+ * Which half-edges lie on one edge.
+ * @param {Topology} topology
+ */
+function twinsOf({ mate, cornerVertex }) {
+  const twin = new Uint32Array(mate.length).fill(NO_MATE);
+  for (let h = 0; h < mate.length; ++h) {
+    const other = mate[h];
+    if (other === NO_MATE) continue;
+    const isAcross =
+      cornerVertex[other] === cornerVertex[nextEdge(h)] &&
+      cornerVertex[nextEdge(other)] === cornerVertex[h];
+    if (!isAcross || twin[other] !== NO_MATE)
+      throw new PayloadError("its curves stand in no triangulation");
+    twin[h] = other;
+    twin[other] = h;
+  }
+  return twin;
+}
+
+/**
+ * A half-edge on a curve.
+ * @typedef {object} CurveEdge
+ * @property {number} h
+ * @property {boolean} continues the one before
+ * @property {number} length
+ */
+
+/**
+ * A guess at where a curve goes on: it turns as much as it did.
+ * @param {number[]} a
+ * @param {number[]} b
+ * @param {number[]} c
+ */
+function guessed([ax, ay], [bx, by], [cx, cy]) {
+  const ux = bx - ax,
+    uy = by - ay,
+    vx = cx - bx,
+    vy = cy - by;
+  let cosine = ux * vx + uy * vy,
+    sine = ux * vy - uy * vx;
+  const length = Math.sqrt(cosine * cosine + sine * sine);
+  if (!(cosine > 0)) [cosine, sine] = [length, 0];
+  if (!(length > 0)) return [cx, cy];
+  const x = (cosine * vx - sine * vy) / length,
+    y = (sine * vx + cosine * vy) / length;
+  return [cx + Math.floor(x + 0.5), cy + Math.floor(y + 0.5)];
+}
+
+/** Triangles, and where curves run in them. */
+class CurveReader {
+  /** @param {ByteReader} reader */
+  constructor(reader) {
+    this.reader = reader;
+    const topology = readTopology(reader);
+    this.corner = topology.cornerVertex;
+    this.vertexCount = topology.vertexCount;
+    this.twin = twinsOf(topology);
+    this.isCurve = readCurves(reader, topology.triangleCount);
+    this.order = this.findOrder();
+    const { min, step } = readGridFrame(reader);
+    this.origin = min.map((low, axis) => low + GRID_MIDDLE * step[axis]);
+    this.positions = this.readPositions(step);
+  }
+
+  /**
+   * The edge where rays see what follows on h, or NO_MATE.
+   * @param {number} h
+   * @param {(h: number) => number} turn
+   */
+  neighbour(h, turn) {
+    const { isCurve, twin } = this;
+    let g = turn(h);
+    for (let i = 0; i < EDGES_LOOKED_AT && !isCurve[g]; ++i) {
+      if (twin[g] === NO_MATE) return NO_MATE;
+      g = turn(twin[g]);
+    }
+    return isCurve[g] ? g : NO_MATE;
+  }
+
+  /** Edges along the curves; those at which something begins come first. */
+  findOrder() {
+    const { isCurve } = this;
+    const isListed = new Uint8Array(isCurve.length);
+    /** @type {CurveEdge[]} */
+    const order = [];
+    for (const onlyStarts of [true, false]) {
+      for (let h = 0; h < isCurve.length; ++h) {
+        if (!isCurve[h] || isListed[h]) continue;
+        if (onlyStarts && this.neighbour(h, previousEdge) !== NO_MATE) continue;
+        for (let g = h; g !== NO_MATE && !isListed[g]; g = this.neighbour(g, nextEdge)) {
+          order.push({ h: g, continues: g !== h, length: 0 });
+          isListed[g] = 1;
+        }
+      }
+    }
+    return order;
+  }
+
+  /** @param {number[]} step */
+  readPositions(step) {
+    const { reader, corner, vertexCount } = this;
+    const misses = [reader.planes(vertexCount, 4), reader.planes(vertexCount, 4)];
+    /** @type {number[][]} */
+    const place = new Array(vertexCount);
+    const positions = new Float32Array(2 * vertexCount);
+    let last = [0, 0],
+      count = 0;
+    const put = (/** @type {number} */ vertex, /** @type {number[]} */ guess) => {
+      if (place[vertex]) return;
+      last = guess.map((v, axis) => (v + unzigzag(misses[axis][count])) | 0);
+      place[vertex] = last;
+      count += 1;
+      for (const axis of [0, 1])
+        positions[2 * vertex + axis] = (last[axis] - GRID_MIDDLE) * step[axis];
+    };
+    let first = 0,
+      second = 0,
+      edges = 0;
+    for (const edge of this.order) {
+      const a = corner[edge.h],
+        b = corner[nextEdge(edge.h)];
+      if (!edge.continues) edges = 0;
+      put(a, last);
+      if (edges >= 2) put(b, guessed(place[first], place[second], place[a]));
+      if (edges === 1) put(b, guessed(place[second], place[a], place[a]));
+      put(b, place[a]);
+      [first, second] = [second, a];
+      edges += 1;
+      const x = positions[2 * b] - positions[2 * a],
+        y = positions[2 * b + 1] - positions[2 * a + 1];
+      edge.length = Math.sqrt(x * x + y * y);
+    }
+    for (let vertex = 0; vertex < vertexCount; ++vertex) put(vertex, last);
+    return positions;
+  }
+}
+
+class FieldReader {
+  /**
+   * @param {ByteReader} reader
+   * @param {number} channelCount
+   * @param {CurveReader} curves
+   */
+  constructor(reader, channelCount, curves) {
+    this.reader = reader;
+    this.channelCount = channelCount;
+    this.edge = new Uint8Array(curves.corner.length);
+    this.sideOf = new Uint32Array(curves.corner.length);
+    /** Sides, in the order of their numbers. @type {CurveEdge[]} */
+    this.sides = [];
+    this.readKinds(curves);
+  }
+
+  /** @returns {ExactField} */
+  run() {
+    const { reader, channelCount, edge, sideOf, sides } = this;
+    const count = sides.length;
+    const step = this.positive();
+    const from = new Float32Array(channelCount * count),
+      to = new Float32Array(channelCount * count);
+    for (let c = 0; c < channelCount; ++c) this.readNumbers(step, from, to, channelCount, c);
+    const unit = this.positive();
+    const blurFrom = new Float32Array(count),
+      blurTo = new Float32Array(count);
+    this.readNumbers(unit, blurFrom, blurTo, 1, 0);
+    const weight = reader.floatPlanes(count);
+    if (!weight.every((k) => k > 0 && k < Infinity))
+      throw new PayloadError("a weight of it is not above 0");
+    const ends = this.readEnds(step, unit);
+    return { channelCount, edge, sideOf, from, to, blurFrom, blurTo, weight, ends };
+  }
+
+  positive() {
+    const value = this.reader.f32();
+    if (!(value > 0 && value < Infinity)) throw new PayloadError("a step of it is not above 0");
+    return value;
+  }
+
+  /** @param {CurveReader} curves */
+  readKinds({ order, twin }) {
+    const { edge, reader } = this;
+    for (let h = 0; h < twin.length; ++h) if (twin[h] === NO_MATE) edge[h] = STOP;
+    let continues = false;
+    for (const curve of order) {
+      const kind = reader.u8();
+      if (kind > SIDE) throw new PayloadError("a number in it is too large");
+      if (kind !== OPEN) edge[curve.h] = kind;
+      if (kind === SIDE) {
+        this.sideOf[curve.h] = this.sides.length;
+        this.sides.push({ ...curve, continues: curve.continues && continues });
+      }
+      continues = kind === SIDE;
+    }
+  }
+
+  /**
+   * One number at both ends of each side: number `place` of `size`. It goes on as it was before.
+   * @param {number} step
+   * @param {Float32Array} from
+   * @param {Float32Array} to
+   * @param {number} size
+   * @param {number} place
+   */
+  readNumbers(step, from, to, size, place) {
+    const { sides, reader } = this;
+    const [fromMiss, toMiss] = [reader.planes(sides.length, 4), reader.planes(sides.length, 4)];
+    let last = 0,
+      base = 0,
+      length = 0;
+    sides.forEach((side, i) => {
+      let change = 0;
+      if (side.continues && length > 0)
+        change = Math.floor(((last - base) * side.length) / length + 0.5);
+      if (!(Math.abs(change) <= LARGEST_NUMBER)) change = 0;
+      const miss = unzigzag(toMiss[i]);
+      const start = (last + unzigzag(fromMiss[i])) | 0,
+        end = (start + change + miss) | 0;
+      const goesOn = side.continues && start === last && Math.abs(miss) <= SMALL_MISS;
+      if (!goesOn) [base, length] = [start, 0];
+      length += side.length;
+      last = end;
+      from[size * i + place] = step * start;
+      to[size * i + place] = step * end;
+    });
+  }
+
+  /**
+   * By columns.
+   * @param {number} step
+   * @param {number} unit
+   * @returns {ExactEnd[]}
+   */
+  readEnds(step, unit) {
+    const { reader, channelCount } = this;
+    const count = reader.count(36 + 8 * channelCount);
+    const steps = (/** @type {number} */ size) =>
+      Float32Array.from(reader.planes(count, 4), (miss) => size * unzigzag(miss));
+    const columns = [
+      ...Array.from({ length: 7 }, () => reader.floatPlanes(count)),
+      ...Array.from({ length: 2 }, () => steps(unit)),
+      ...Array.from({ length: 2 * channelCount }, () => steps(step)),
+    ];
+    if (!columns.every((column) => column.every(Number.isFinite)))
+      throw new PayloadError("a number in it is not finite");
+    return Array.from({ length: count }, (_, i) => {
+      const [x, y, dx, dy, bend, reach, weight, positiveBlur, negativeBlur, ...values] =
+        columns.map((column) => column[i]);
+      return {
+        position: [x, y],
+        direction: [dx, dy],
+        bend,
+        reach,
+        weight,
+        blur: [positiveBlur, negativeBlur],
+        positive: values.filter((_value, c) => c % 2 === 0),
+        negative: values.filter((_value, c) => c % 2 === 1),
+      };
+    });
+  }
+}
+
+/**
+ * @param {ByteReader} reader
+ * @param {number[]} channels of the fields
+ * @returns {ExactLayer}
+ */
+function readExactLayer(reader, channels) {
+  const curves = new CurveReader(reader);
+  const fields = channels.map((count) => new FieldReader(reader, count, curves).run());
+  const { origin, positions, corner, twin } = curves;
+  return { origin, positions, triangleVertex: corner, twin, fields };
+}
+
+/**
+ * Layers as rays meet them; null where one is not there. Throws PayloadError.
+ * @param {Uint8Array} bytes of that part; may be empty
+ * @param {boolean[]} hasOpacity of each layer of the picture
+ * @returns {(ExactLayer | null)[]}
+ */
+export function readExactLayers(bytes, hasOpacity) {
+  if (bytes.length === 0) return hasOpacity.map(() => null);
+  const reader = new ByteReader(bytes);
+  if (reader.u8() !== EXACT_VERSION)
+    throw new PayloadError("its exact fields have another version");
+  return hasOpacity.map((isTransparent) =>
+    reader.u8() === 0 ? null : readExactLayer(reader, isTransparent ? [3, 1] : [3]),
+  );
+}

@@ -1,0 +1,98 @@
+// A pixel's exact colour, gathered at its centre by gather/point_walk.glsl. Not premultiplied; what
+// is not found stays as it is, and has no alpha from 0 to 1.
+//
+// WITH_BLUR: some curve is blurred. WITH_OPACITY: a second field, whose triangles follow.
+uniform sampler2D places;
+uniform ivec2 first_place;
+uniform vec3 scene_from_pixel[2];
+uniform float negligible;
+uniform int step_limit;
+uniform int triangle_count;
+uniform int interpolation;
+uniform sampler2D end_table;
+uniform ivec2 end_count;
+
+out vec4 fragment;
+
+const int kHops = 64;
+const float kEndKnee = 25.0;
+
+float side_of(int ax, int ay, int bx, int by, vec2 p) {
+  vec2 a = intBitsToFloat(ivec2(ax, ay)), e = intBitsToFloat(ivec2(bx, by)) - a;
+  return e.x * (p.y - a.y) - e.y * (p.x - a.x);
+}
+
+/// From where the rasteriser found the point to where it is: its corners lie on a grid of 1/256
+/// pixels.
+int located(vec2 p, int t) {
+  for (int i = 0; i < kHops; ++i) {
+    ivec4 t0 = triangle_at(3 * t), t1 = triangle_at(3 * t + 1), t2 = triangle_at(3 * t + 2);
+    vec3 side = vec3(side_of(t0.x, t0.w, t0.y, t1.x, p), side_of(t0.y, t1.x, t0.z, t1.y, p),
+                     side_of(t0.z, t1.y, t0.x, t0.w, p));
+    float farthest = 0.0;
+    int across = -1;
+    for (int k = 0; k < 3; ++k) {
+      if (side[k] < farthest && t2[k + 1] >= 0) {
+        farthest = side[k];
+        across = t2[k + 1];
+      }
+    }
+    if (across < 0) break;
+    t = across / 3;
+  }
+  return t;
+}
+
+/// A point on a corner sees two edges under no angle: it is moved a thousandth inwards.
+vec2 off_corners(vec2 p, int t) {
+  ivec4 t0 = triangle_at(3 * t), t1 = triangle_at(3 * t + 1);
+  vec3 x = intBitsToFloat(t0.xyz), y = intBitsToFloat(ivec3(t0.w, t1.xy));
+  bool is_on = false;
+  for (int k = 0; k < 3; ++k) is_on = is_on || (x[k] == p.x && y[k] == p.y);
+  return is_on ? p + 1e-3 * (vec2(dot(x, vec3(1.0)), dot(y, vec3(1.0))) / 3.0 - p) : p;
+}
+
+/// Adds the terms of free ends, as gather/kernels/end_terms.hpp does. Returns the weight with them.
+float with_ends(vec2 p, int first, int count, float weight, inout vec4 mean) {
+  for (int i = first; i < first + count; ++i) {
+    vec4 a = table_value(end_table, 5 * i), b = table_value(end_table, 5 * i + 1);
+    vec2 d = p - a.xy;
+    float square = dot(d, d), x = square * b.y;
+    if (!(x < 1.0 && square > 0.0)) continue;
+    float fade = 1.0 - x;
+    float more = b.z * (fade * fade) / (square * (1.0 + kEndKnee * x));
+    weight += more;
+    float r = sqrt(square), sine = b.x * r, cosine = sqrt(max(1.0 - sine * sine, 0.0));
+    vec2 unbent = vec2(cosine * d.x + sine * d.y, cosine * d.y - sine * d.x);
+    float across = a.z * unbent.y - a.w * unbent.x, ahead = dot(a.zw, unbent);
+    float greater = sqrt(0.5 * (r + abs(ahead)) / r), other = across / (r + r) / greater;
+    float half_sine = ahead > 0.0 ? other : across < 0.0 ? -greater : greater;
+    float radius = across > 0.0 ? b.w : table_value(end_table, 5 * i + 2).x;
+    float y = 0.5 + 0.5 * abs(across) / max(radius, 1e-30);
+    float front = radius > abs(across) ? y * y * (3.0 - 2.0 * y) : 1.0;
+    float share = 0.5 + 0.5 * half_sine * (2.0 * front - 1.0);
+    vec4 z = mix(table_value(end_table, 5 * i + 4), table_value(end_table, 5 * i + 3), share);
+    mean += more / weight * (z - mean);
+  }
+  return weight;
+}
+
+void main() {
+  vec4 place = texelFetch(places, ivec2(gl_FragCoord.xy) - first_place, 0);
+  if (place.x < 0.0 || place.y == 0.0) discard;
+  vec2 p = mapped(scene_from_pixel, gl_FragCoord.xy);
+  int t = located(p, int(place.x));
+  p = off_corners(p, t);
+  gather(p, t, negligible, step_limit);
+  if (failed) discard;
+  vec4 color = weight > 0.0 ? value / weight : vec4(0.0);
+  float seen = with_ends(p, 0, end_count.x, weight, color), alpha = seen > 0.0 ? 1.0 : 0.0;
+#ifdef WITH_OPACITY
+  gather(p, t + triangle_count, negligible, step_limit);
+  if (failed) discard;
+  vec4 opacity = weight > 0.0 ? value / weight : vec4(0.0);
+  with_ends(p, end_count.x, end_count.y, weight, opacity);
+  alpha *= clamp(opacity.x, 0.0, 1.0);
+#endif
+  fragment = vec4(clamped_code(interpolation, color.rgb), alpha);
+}
