@@ -258,8 +258,7 @@ SFUMATO_API int32_t sfumato_set_curve_points(sfumato_context* context, sfumato_d
                                              uint32_t layer, uint32_t curve, const double* xy,
                                              size_t point_count);
 /** Writes at most `capacity` stops into `rows`, of 4 doubles for colours and of 2 for others, and
- * returns how many there are; 0 where there is no such side. `kind`, `space` and `rows` may be
- * NULL. */
+ * returns their number; 0 where there is no such side. `kind`, `space` and `rows` may be NULL. */
 SFUMATO_API size_t sfumato_curve_stops(const sfumato_document* document, uint32_t layer,
                                        uint32_t curve, uint32_t side, uint32_t attribute,
                                        int32_t* kind, int32_t* space, double* rows,
@@ -269,8 +268,7 @@ SFUMATO_API int32_t sfumato_set_curve_stops(sfumato_context* context, sfumato_do
                                             uint32_t layer, uint32_t curve, uint32_t side,
                                             uint32_t attribute, int32_t kind, int32_t space,
                                             const double* rows, size_t row_count);
-/** How strongly a curve counts beside others, above 0: sf:weight. 0 where there is no such curve.
- */
+/** How strongly a curve counts beside others, above 0: sf:weight. 0 where there is none. */
 SFUMATO_API double sfumato_curve_weight(const sfumato_document* document, uint32_t layer,
                                         uint32_t curve);
 /** Sets that weight; 1 is that of a curve without one. */
@@ -300,7 +298,7 @@ typedef struct sfumato_picture sfumato_picture;
  * picture, if all calls for it get this context. Without this option they do so from the first such
  * quick picture on. drag-triangles=N: the same for layers of no more than N triangles in all, those
  * that were dragged last and then the largest ones, and for the last one, or the only one, in any
- * case: about 1 kB a triangle. */
+ * case: about 1 kB a triangle. coherent: the first frame of a film, sfumato_solve_next(). */
 SFUMATO_API int32_t sfumato_solve(sfumato_context* context, const sfumato_document* document,
                                   const char* options, sfumato_picture** picture);
 /** Makes a picture that of `document`, with the options that it was solved with: only layers whose
@@ -310,21 +308,18 @@ SFUMATO_API int32_t sfumato_solve(sfumato_context* context, const sfumato_docume
  * `quick`, unless 0: a picture for looking at while a curve moves. Where one curve of the document
  * was set to other points or stops since the last time, and nothing else, its layer is not solved:
  * values are exact to a few code values, the mesh is as fine as it was where the curve has come
- * to, and the curve is drawn over the others of its layer. The first time for a curve costs as much
- * as solving its layer, and a fraction of that where exact pictures keep what it begins from; what
- * that prepares lasts until the next call without `quick`, or for another curve. A curve on which
- * a hundredth of the layer's mesh lies or more is drawn on a coarse mesh, as below.
+ * to, and the curve is drawn over the others of its layer. The first time for a curve costs up to
+ * what solving its layer does; what that prepares lasts until the next call without `quick`, or for
+ * another curve. A curve on which a hundredth of the layer's mesh lies is drawn on a coarse one.
  *
  * Where all that changed is the value of one stop of a colour or an opacity, or of all stops of a
  * list by the same difference, nothing is gathered but the first time for the stop: values are
  * exact, and but for the first time SFUMATO_COLOR_VALUES or SFUMATO_OPACITY_VALUES alone are new.
  *
  * Where more than that has changed, layers that would be solved are solved roughly: values are
- * exact, on a coarse mesh. That takes a fifth to a seventh of the time, and pixels differ from the
- * exact ones by less than half a code value in the mean. The other layers stay as they are, exact
- * ones exact and without new rows. Later quick pictures of one curve or stop begin from a rough
- * layer as they do from an exact one, and stay as coarse. The next call without `quick` solves
- * anew what is not exact. */
+ * exact, on a coarse mesh. The other layers stay as they are, exact ones exact and without new
+ * rows. Later quick pictures of one curve or stop begin from a rough layer as they do from an exact
+ * one, and stay as coarse. The next call without `quick` solves anew what is not exact. */
 SFUMATO_API int32_t sfumato_solve_again(sfumato_context* context, const sfumato_document* document,
                                         int32_t quick, sfumato_picture* picture);
 /** sfumato_solve_again() with `quick`, in little more than this time, where that can be: once
@@ -336,6 +331,14 @@ SFUMATO_API int32_t sfumato_solve_again(sfumato_context* context, const sfumato_
  * are solved roughly. */
 SFUMATO_API int32_t sfumato_solve_within(sfumato_context* context, const sfumato_document* document,
                                          double seconds, sfumato_picture* picture);
+/** Makes a picture, which has to be one of `coherent`, the next frame of its film: that of
+ * `document`, with the same options. Where nothing changes pixels differ by one code value at most:
+ * layers go on with their meshes, in which only curves that changed are placed anew, and the bound
+ * on the error holds. Where too little is as it was (docs/c-api.md) a layer is begun anew, and so
+ * it is each time where `context` is not that which solved the picture, which is charged for the
+ * meshes. Where it fails the picture is as before. */
+SFUMATO_API int32_t sfumato_solve_next(sfumato_context* context, const sfumato_document* document,
+                                       sfumato_picture* picture);
 /** Prepares a picture for quick ones in which this curve moves, so that the first of them comes as
  * soon as the others: when a pointer is above the curve, say. The picture stays as it is. Where
  * what they begin from was not kept, its layer is solved once more. What is prepared holds memory
@@ -359,8 +362,7 @@ SFUMATO_API int32_t sfumato_picture_viewport(const sfumato_picture* picture, dou
 SFUMATO_API uint32_t sfumato_picture_layer_count(const sfumato_picture* picture);
 
 /** Tables of a solved layer. How layers are stacked, gradients, textures and blurs finer than
- * triangles are not in them: to show a picture as it is takes sfumato_raster() or sfumato_export().
- */
+ * triangles are not in them: sfumato_raster() and sfumato_export() show a picture as it is. */
 enum sfumato_table {
   SFUMATO_VERTICES = 0,      /**< f64, 2 columns: positions in the frame of the layer */
   SFUMATO_TRIANGLES = 1,     /**< u32, 3 columns: vertices */
@@ -377,8 +379,7 @@ SFUMATO_API int32_t sfumato_picture_table(const sfumato_picture* picture, uint32
 /** The rows of a table that the last sfumato_solve_again() made anew: ranges, from and up to,
  * ascending and apart, as u32, 2 columns; all rows after sfumato_solve(). While one curve moves
  * these are few, from the second quick picture on or, where the layer is opaque, from the first,
- * and others are what they were, but for rows between near ones. A table may also have become
- * shorter. */
+ * and others are what they were, but for rows between near ones. Tables may have become shorter. */
 SFUMATO_API int32_t sfumato_picture_changes(const sfumato_picture* picture, uint32_t layer,
                                             uint32_t table, sfumato_view* view);
 
@@ -393,7 +394,10 @@ enum sfumato_statistic {
   SFUMATO_GEOMETRY_SECONDS = 5,      /**< curves flattened, and their attributes sampled */
   SFUMATO_TRIANGULATION_SECONDS = 6, /**< meshes and their refinement */
   SFUMATO_GATHER_SECONDS = 7,        /**< at nodes, and to find what has to be refined */
-  SFUMATO_WAITING_NODES = 8          /**< of the picture: sfumato_solve_within() */
+  SFUMATO_WAITING_NODES = 8,         /**< of the picture: sfumato_solve_within() */
+  SFUMATO_KEPT_LAYERS = 9,           /**< of a frame: nothing of them changed */
+  SFUMATO_CONTINUED_LAYERS = 10,     /**< of a frame: on the mesh of the one before */
+  SFUMATO_BEGUN_LAYERS = 11          /**< of a frame: on new meshes */
 };
 
 /** One of these numbers; 0 where there is no such. */
@@ -410,8 +414,7 @@ SFUMATO_API double sfumato_picture_statistic(const sfumato_picture* picture, uin
  * (sfumato_picture_changes()), which show what it showed and have a node for each colour that a
  * corner may come to have. The response lasts until the picture is solved again, but for quick
  * pictures in which that stop has another value, until the response to another stop, or until it is
- * freed. `picture` is to be that of its document: after quick pictures, solve it without `quick`.
- */
+ * freed. `picture` is to be that of its document, solved without `quick`. */
 SFUMATO_API int32_t sfumato_stop_response(sfumato_context* context, sfumato_picture* picture,
                                           uint32_t layer, uint32_t curve, uint32_t side,
                                           uint32_t attribute, uint32_t stop,
@@ -457,9 +460,7 @@ SFUMATO_API int32_t sfumato_raster(sfumato_context* context, const sfumato_pictu
 SFUMATO_API int32_t sfumato_export(sfumato_context* context, const sfumato_picture* picture,
                                    const char* format, const char* options, sfumato_bytes** bytes);
 /** Makes a file of the caller's pixels: png, jpg (SFUMATO_RGB8 alone) or webp (8 bits alone).
- * SFUMATO_UNAVAILABLE in WebAssembly.
- *
- * options: quality, lossless. */
+ * SFUMATO_UNAVAILABLE in WebAssembly. options: quality, lossless. */
 SFUMATO_API int32_t sfumato_encode(sfumato_context* context, const sfumato_image* image,
                                    const char* format, const char* options, sfumato_bytes** bytes);
 
@@ -573,8 +574,7 @@ SFUMATO_API void sfumato_weights_free(sfumato_weights* weights);
  * left out; the rest is scaled up. The weights of a point that sees stops alone add up to 1. */
 SFUMATO_API int32_t sfumato_weights_at(sfumato_context* context, sfumato_weights* weights,
                                        const double* xy, size_t point_count, double negligible);
-/** Tables of weights. Those of one value in a column have 3 columns for colours, 1 for opacities.
- */
+/** Tables of weights. Those of values have 3 columns for colours, 1 for opacities. */
 enum sfumato_weights_table_name {
   SFUMATO_ROW_BEGINS = 0, /**< u32, 1 column: for each point where its entries begin, and an end */
   SFUMATO_COLUMNS = 1,    /**< u32, 1 column: of each entry, ascending in a row */

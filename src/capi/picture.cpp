@@ -41,6 +41,12 @@ double statistic(const sfumato_picture& picture, std::uint32_t which) {
       return stats.gather_seconds;
     case SFUMATO_WAITING_NODES:
       return static_cast<double>(picture.solution ? picture.solution->waiting_nodes() : 0);
+    case SFUMATO_KEPT_LAYERS:
+      return static_cast<double>(picture.frame.kept);
+    case SFUMATO_CONTINUED_LAYERS:
+      return static_cast<double>(picture.frame.continued);
+    case SFUMATO_BEGUN_LAYERS:
+      return static_cast<double>(picture.frame.begun);
     default:
       return 0;
   }

@@ -66,6 +66,11 @@ struct sfumato_picture {
       : workshop(std::move(w)), read_charge(std::move(charge)), read(std::move(p)) {}
 
   const sfumato::Picture& picture() const { return solution ? solution->picture() : read; }
+  /// What was done to make it what it is.
+  void count(const sfumato::DiffuseStats& done, const sfumato::FrameLayers& made = {}) {
+    stats = done;
+    frame = made;
+  }
 
   std::shared_ptr<sfumato::capi::Workshop> workshop;         ///< first: it outlives the rest
   std::shared_ptr<sfumato::capi::Workshop> drag_workshop{};  ///< so does that of its drag
@@ -77,6 +82,7 @@ struct sfumato_picture {
   sfumato::Vec2 own_scale{1, 1};          ///< pixels per user unit at the document's own size
   std::vector<sfumato::capi::ChangedRows> changed{};  ///< of each layer
   sfumato::DiffuseStats stats{};                      ///< of the last time that it was solved
+  sfumato::FrameLayers frame{};                       ///< the same, where it is one of a film
   sfumato::capi::Revision shown{};                    ///< what it is a picture of
   sfumato::capi::Revision applied{};                  ///< what its solution's document is
   std::optional<sfumato::capi::CurvePlace> dragged{};

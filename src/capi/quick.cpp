@@ -39,7 +39,7 @@ Status drag(sfumato_context& context, CurvePlace place, const sfumato_document& 
   Status status = handle.solution->drag(context.workshop->context, curve, &stats, seconds);
   if (!status) return status;
   handle.has_moved = true;
-  handle.stats = stats;
+  handle.count(stats);
   note_changes(handle.picture(), handle.solution->take_delta(), changed);
   handle.changed = std::move(changed);
   note_shown(document, true, handle);
@@ -76,7 +76,7 @@ Status set_stop(sfumato_context& context, const StopChange& change, sfumato_pict
   if (!status) return status;
   note_stop(change.place, is_first, handle, changed);
   handle.changed = std::move(changed);
-  handle.stats = {};
+  handle.count({});
   handle.colored = change.place;
   return status;
 }
@@ -159,7 +159,7 @@ Status show_more(sfumato_context& context, double seconds, sfumato_picture& hand
   DiffuseStats stats;
   Status status = handle.solution->drag_more(context.workshop->context, &stats, seconds);
   if (!status) return status;
-  handle.stats = stats;
+  handle.count(stats);
   note_changes(handle.picture(), handle.solution->take_delta(), changed);
   handle.changed = std::move(changed);
   return status;

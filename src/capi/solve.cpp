@@ -54,8 +54,23 @@ RowRanges new_rows(const LayerRows& rows, std::uint32_t table, std::uint32_t cou
   }
 }
 
-/// How a picture is brought up to a document.
-using Solve = Status (Solution::*)(Context&, const DiffuseOptions&, DiffuseStats*);
+/// How a picture is brought up to a document. FrameLayers: of a film alone.
+using Solve = Status (*)(Context&, const DiffuseOptions&, DiffuseStats&, FrameLayers&, Solution&);
+
+Status solve_exactly(Context& context, const DiffuseOptions& options, DiffuseStats& stats,
+                     FrameLayers&, Solution& solution) {
+  return solution.solve(context, options, &stats);
+}
+
+Status solve_roughly(Context& context, const DiffuseOptions& options, DiffuseStats& stats,
+                     FrameLayers&, Solution& solution) {
+  return solution.solve_roughly(context, options, &stats);
+}
+
+Status solve_frame(Context& context, const DiffuseOptions& options, DiffuseStats& stats,
+                   FrameLayers& frame, Solution& solution) {
+  return solution.solve_next(context, options, &frame, &stats);
+}
 
 /// Brings the picture up to what its solution's document is. Whatever may fail comes before the
 /// handle changes.
@@ -64,8 +79,10 @@ Status bring_up(Context& context, Solve solve, sfumato_picture& handle) {
   std::vector<ChangedRows> changed(document.layers.size());
   const DiffuseOptions options = solve_options(handle.settings, document);
   DiffuseStats stats;
-  if (Status status = ((*handle.solution).*solve)(context, options, &stats); !status) return status;
-  handle.stats = stats;
+  FrameLayers frame;
+  Status status = solve(context, options, stats, frame, *handle.solution);
+  if (!status) return status;
+  handle.count(stats, frame);
   note_changes(handle.picture(), handle.solution->take_delta(), changed);
   handle.changed = std::move(changed);
   handle.own_scale = output::own_scale(document);
@@ -94,7 +111,8 @@ Outcome solve(Workshop& workshop, sfumato_context* context, const sfumato_docume
   auto handle =
       std::make_unique<sfumato_picture>(context->workshop, std::move(*solution), settings);
   if (own.drag_triangles) handle->solution->expect_drags(*own.drag_triangles);
-  Status status = bring_up(workshop.context, &Solution::solve, *handle);
+  Status status =
+      bring_up(workshop.context, settings.coherent ? solve_frame : solve_exactly, *handle);
   if (!status) return status;
   handle->shown = handle->applied = document.edits.now();
   *out = handle.release();
@@ -160,7 +178,7 @@ Outcome solve_quickly(sfumato_context& context, const sfumato_document& document
   if (handle.shown == document.edits.now()) {
     if (handle.solution->waiting_nodes() == 0) {
       for (ChangedRows& rows : handle.changed) rows = {};
-      handle.stats = {};
+      handle.count({});
       return {};
     }
     Status status = show_more(context, seconds, handle);
@@ -169,7 +187,7 @@ Outcome solve_quickly(sfumato_context& context, const sfumato_document& document
     Status status = show_change(context, *moved, document, seconds, handle);
     if (is_shown(status)) return status;
   }
-  return solve_all(*context.workshop, document, &Solution::solve_roughly, handle);
+  return solve_all(*context.workshop, document, solve_roughly, handle);
 }
 
 Outcome no_pair() {
@@ -181,7 +199,17 @@ Outcome solve_again(sfumato_context& context, const sfumato_document* document, 
   if (!document || !handle) return no_pair();
   if (!handle->solution) return no_solution();
   return quick != 0 ? solve_quickly(context, *document, kNoHurry, *handle)
-                    : solve_all(*context.workshop, *document, &Solution::solve, *handle);
+                    : solve_all(*context.workshop, *document, solve_exactly, *handle);
+}
+
+Outcome solve_next(Workshop& workshop, const sfumato_document* document, sfumato_picture* handle) {
+  if (!document || !handle) return no_pair();
+  if (!handle->solution) return no_solution();
+  if (!handle->settings.coherent) {
+    return bad_usage(
+        "a picture that is no frame of a film, expected one of sfumato_solve() with coherent");
+  }
+  return solve_all(workshop, *document, solve_frame, *handle);
 }
 
 Outcome solve_within(sfumato_context& context, const sfumato_document* document, double seconds,
@@ -237,6 +265,9 @@ Outcome read_solve_options(const char* text, options::Call call, options::Settin
   if (settings.method == options::Method::pixels) {
     return bad_usage("method: \"pixels\" given, which makes no picture; expected exact or rays");
   }
+  if (settings.coherent && settings.method != options::Method::exact) {
+    return bad_usage("coherent: expected with method=exact only");
+  }
   return {};
 }
 
@@ -263,6 +294,13 @@ int32_t sfumato_solve_within(sfumato_context* context, const sfumato_document* d
                              double seconds, sfumato_picture* picture) {
   return sfumato::capi::call(context, [&](sfumato::capi::Workshop&) {
     return sfumato::capi::solve_within(*context, document, seconds, picture);
+  });
+}
+
+int32_t sfumato_solve_next(sfumato_context* context, const sfumato_document* document,
+                           sfumato_picture* picture) {
+  return sfumato::capi::call(context, [&](sfumato::capi::Workshop& workshop) {
+    return sfumato::capi::solve_next(workshop, document, picture);
   });
 }
 

@@ -293,7 +293,8 @@ constexpr Option<Settings> kRenderOptions[] = {
       .kind = ValueKind::flag,
       .help = "Drawings are frames of a film: each goes on with the mesh\nof the one before, so "
               "that nothing flickers",
-      .group = Group::running},
+      .group = Group::running,
+      .calls = kSolve},
      [](Settings& s, const Value&) { s.coherent = true; }},
     {{.key = "threads",
       .kind = ValueKind::whole,

@@ -134,6 +134,18 @@ void hurry(Session& session, sfumato_context* c, Drawing& drawing) {
   session.take(sfumato_solve_within(c, drawing.document, 0, drawing.picture));
 }
 
+void begin_film(Session& session, sfumato_context* c, Drawing& drawing) {
+  begin_document(session, c, drawing);
+  if (!drawing.document) return;
+  session.take(sfumato_solve(c, drawing.document, "max-error=off coherent", &drawing.picture),
+               &drawing.picture);
+}
+
+void make_next_frame(Session& session, sfumato_context* c, Drawing& drawing) {
+  lay_curve(session, c, drawing, 5);
+  session.take(sfumato_solve_next(c, drawing.document, drawing.picture));
+}
+
 void insert_another(Session& session, sfumato_context* c, Drawing& drawing) {
   const double points[] = {0, 2, 3, 2, 6, 2, 8, 2}, blue[] = {0, 0, 0, 1};
   sfumato_document* const document = drawing.document;
@@ -264,6 +276,7 @@ INSTANTIATE_TEST_SUITE_P(Of, CAllocation,
                                          Part{"a_frame_in_a_hurry", begin_move, hurry},
                                          Part{"curves_that_change", begin_picture, move_two},
                                          Part{"the_end_of_changes", begin_move, end_changes},
+                                         Part{"a_frame_of_a_film", begin_film, make_next_frame},
                                          Part{"outputs", begin_picture, show},
                                          Part{"a_picture_file", begin_picture, keep},
                                          Part{"a_trace", begin_nothing, trace}),

@@ -158,7 +158,7 @@ TEST_F(CUsage, indices_past_the_end_are_errors) {
   EXPECT_EQ(sfumato_picture_table(picture.get(), 0, 7, &view), kUsage);
   EXPECT_EQ(sfumato_picture_changes(picture.get(), 0, 7, &view), kUsage);
   EXPECT_EQ(sfumato_picture_changes(picture.get(), 1, 0, &view), kUsage);
-  EXPECT_EQ(sfumato_picture_statistic(picture.get(), SFUMATO_WAITING_NODES + 1), 0);
+  EXPECT_EQ(sfumato_picture_statistic(picture.get(), SFUMATO_BEGUN_LAYERS + 1), 0);
 }
 
 TEST_F(CUsage, numbers_that_no_document_has_are_errors) {

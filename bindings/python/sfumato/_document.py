@@ -133,7 +133,7 @@ class Document(Handle):
 
         options: those of docs/c-api.md for sfumato_solve, as max_error, viewport=(x, y, width,
         height), width, height, scale, detail, no_blur. width, height and scale say how large the
-        largest output will be.
+        largest output will be. coherent: it is the first frame of a film, Picture.next().
 
         again: a picture of this document or another one, which becomes that of this one as it is now,
         by the options with which it was solved, and is returned: what has not changed is kept. quick:
@@ -152,7 +152,7 @@ class Document(Handle):
             return Picture(made, self._given)
         if options:
             raise TypeError("a picture is solved again by the options that it was solved with")
-        again._solve_again(self, held, quick)
+        again._follow("solve_again", self, held, int(quick))
         return again
 
     def render(self, width: Optional[int] = None, **options: Any) -> NDArray[Any]:

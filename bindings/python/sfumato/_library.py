@@ -127,6 +127,7 @@ _signatures: dict[str, tuple[Any, ...]] = {
     "remove_curve": (c_int32, _handle, _handle, c_uint32, c_uint32),
     "solve": (c_int32, _handle, _handle, c_char_p, _out),
     "solve_again": (c_int32, _handle, _handle, c_int32, _handle),
+    "solve_next": (c_int32, _handle, _handle, _handle),
     "picture_write": (c_int32, _handle, _handle, _out),
     "picture_read": (c_int32, _handle, c_char_p, c_size_t, _out),
     "picture_free": (None, _handle),

@@ -28,6 +28,7 @@ if TYPE_CHECKING:
 _statistics = (
     "curves", "segments", "triangles", "vertices", "nodes",
     "geometry_seconds", "triangulation_seconds", "gather_seconds", "waiting_nodes",
+    "kept_layers", "continued_layers", "begun_layers",
 )
 _tables = (
     "vertices", "triangles", "curve_edges",
@@ -90,7 +91,8 @@ class Picture(Handle):
 
     @property
     def statistics(self) -> dict[str, float]:
-        """Of the last time that it was solved: counts, and seconds of the steps."""
+        """Of the last time that it was solved: counts, and seconds of the steps. Of a frame also how many
+        layers did not change, went on with the mesh of the frame before, and were begun anew."""
         held = self._held()
         with held.lock:
             return {
@@ -214,8 +216,8 @@ class Picture(Handle):
         return self._table(layer, _library.OPACITY_VALUES)
 
     def changes(self, table: str, layer: int = 0) -> NDArray[np.uint32]:
-        """k × 2: which rows of a table, as "color_values", the last solve(again=…) made anew: from and
-        up to. A copy."""
+        """k × 2: which rows of a table, as "color_values", the last solve(again=…) or next() made anew:
+        from and up to. A copy."""
         if table not in _tables:
             raise UsageError(f"{table!r} is no table; expected one of {', '.join(_tables)}")
         view = View()
@@ -227,7 +229,6 @@ class Picture(Handle):
 
     def _table(self, layer: int, table: int) -> NDArray[Any]:
         held, view = self._held(), View()
-        held = self._held()
         with held.lock:
             self._check_layer(held.address, layer)
             lib.sfumato_picture_table(held.address, layer, table, ctypes.byref(view))
@@ -246,12 +247,23 @@ class Picture(Handle):
     def __reduce__(self) -> Any:
         return _unpickled, (self.to_bytes(SOLVED),)
 
-    def _solve_again(self, document: "Document", of: Resource, quick: bool) -> None:
+    def next(self, document: "Document") -> "Picture":
+        """Becomes the next frame of a film, and is returned: that of a document, by the options with which
+        the first one was solved, solve(coherent=True) among them. Where nothing changes pixels differ by
+        one code value at most. BufferError where arrays look at its tables."""
+        from ._document import Document
+
+        if not isinstance(document, Document):
+            raise TypeError(f"a frame is a Document's, not a {type(document).__name__}'s")
+        self._follow("solve_next", document, document._held())
+        return self
+
+    def _follow(self, name: str, document: "Document", of: Resource, *how: int) -> None:
         held = self._held()
         if len(self._exports) > 0:
             raise BufferError("arrays look at this picture's tables: copy them, or let go of them")
         document._session.call(
-            "solve_again", of.address, int(quick), held.address, reads=of, changes=held, slow=True
+            name, of.address, *how, held.address, reads=of, changes=held, slow=True
         )
 
     def _repr_png_(self) -> bytes:
@@ -282,7 +294,7 @@ def load_picture(
 ) -> Picture:
     """A picture that Picture.save() or `sfumato solve` wrote as .sfp: from a path, or from the bytes
     of such a file. It draws and exports what the one that was written does, to the last bit, but follows
-    no document: solve(again=…) is a UsageError."""
+    no document: solve(again=…) and next() are a UsageError."""
     if isinstance(source, (bytes, bytearray, memoryview)):
         data = bytes(source)
     else:

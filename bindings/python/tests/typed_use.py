@@ -32,9 +32,10 @@ def look(drawing: sfumato.Document) -> None:
         picture.save("picture.sfp")
     kept: sfumato.Picture = sfumato.load_picture("picture.sfp", session=session)
     kept = sfumato.load_picture(kept.to_bytes("sfp"))
+    frame: sfumato.Picture = drawing.solve(coherent=True).next(drawing)
     weights = drawing.field().weights(vertices)
     values: NDArray[np.float64] = weights.values
     found: list[sfumato.Curve] = drawing.layers[0].curves[1:3]
     one: sfumato.Curve = drawing.layers[0].curves[0]
     traced = sfumato.trace(image, session=session, on_round=lambda state, by_then: by_then.copy())
-    print(values, found, one, traced)
+    print(values, found, one, traced, frame.statistics["kept_layers"])
