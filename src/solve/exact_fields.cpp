@@ -111,6 +111,15 @@ Result<ExactLayer> exact_layer(Context& context, const mesh::TriangleMesh& mesh,
   return layer;
 }
 
+/// The coarsest of what is shown.
+double tolerance_of(const curves::FlattenOptions& options) {
+  if (options.focuses.empty()) return options.tolerance;
+  double tolerance = 0;
+  for (const curves::FlattenFocus& focus : options.focuses)
+    tolerance = std::max(tolerance, focus.tolerance);
+  return tolerance;
+}
+
 /// The first steps of prepare_layer(), for points.
 Result<ExactLayer> exact_layer_of(Context& context, const Document& document, std::uint32_t layer,
                                   const LayerSight& sight, const DiffuseOptions& options,
@@ -130,7 +139,9 @@ Result<ExactLayer> exact_layer_of(Context& context, const Document& document, st
   if (!mesher) return mesher.status();
   const Result<mesh::TriangleMesh> mesh = mesher->visibility_mesh(context);
   if (!mesh) return mesh.status();
-  return exact_layer(context, *mesh, *sampled, options.ends, memory);
+  Result<ExactLayer> exact = exact_layer(context, *mesh, *sampled, options.ends, memory);
+  if (exact) exact->tolerance = tolerance_of(units.flatten_options());
+  return exact;
 }
 
 }  // namespace

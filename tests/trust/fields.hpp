@@ -137,8 +137,8 @@ inline auto fields(ExactField& v) {
   return std::tie(channel_count, edge, side, end);
 }
 inline auto fields(ExactLayer& v) {
-  auto& [vertex_position, triangle_vertex, field] = v;
-  return std::tie(vertex_position, triangle_vertex, field);
+  auto& [tolerance, vertex_position, triangle_vertex, field] = v;
+  return std::tie(tolerance, vertex_position, triangle_vertex, field);
 }
 inline auto fields(PatchLayer& v) {
   auto& [frame, order, vertex_position, triangle_vertex, edge_is_curve, soft_edge, color, opacity,

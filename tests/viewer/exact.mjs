@@ -113,6 +113,62 @@ async function testPixels(tap, tools) {
   }
 }
 
+/** Where a row changes from its left value to its right one, by how much of it is like the left. */
+function crossing(pixels, width, row) {
+  const at = (x) => pixels[4 * (width * row + x)];
+  const left = at(0),
+    right = at(width - 1);
+  let sum = 0;
+  for (let x = 0; x < width; ++x) sum += (at(x) - right) / (left - right);
+  return sum;
+}
+
+/** How far points are from their best parabola at most. */
+function strayOf(values) {
+  const n = values.length;
+  const basis = values.map((_, i) => {
+    const t = (2 * i + 1) / n - 1;
+    return [1, t, 1.5 * t * t - 0.5];
+  });
+  // Legendre's polynomials are about orthogonal on even steps; twice is enough.
+  let rest = values;
+  for (let pass = 0; pass < 8; ++pass) {
+    for (let k = 0; k < 3; ++k) {
+      const dot = rest.reduce((sum, v, i) => sum + v * basis[i][k], 0);
+      const size = basis.reduce((sum, row) => sum + row[k] ** 2, 0);
+      rest = rest.map((v, i) => v - (dot / size) * basis[i][k]);
+    }
+  }
+  return Math.max(...rest.map(Math.abs));
+}
+
+async function testZoom(tap, tools) {
+  for (const zoom of [64, 1000]) {
+    await tap.test(`outlines are curves at ${zoom} times`, async () => {
+      const payload = payloadOf(pageOf(tools.command, "plain"));
+      const view = [zoom, 0, 0, zoom, SIZE[0] / 2 - zoom * 21.3, SIZE[1] / 2 - zoom * 12];
+      const { pixels } = await gathered(tools, payload, { size: SIZE, views: [view] });
+      const rows = Array.from({ length: SIZE[1] }, (_, row) => crossing(pixels, SIZE[0], row));
+      const stray = strayOf(rows);
+      console.log(`# the outline strays ${stray.toFixed(3)} pixels from a parabola`);
+      check(Math.min(...rows) > 1 && Math.max(...rows) < SIZE[0] - 1, "the outline is not there");
+      check(stray < 0.2, `it strays ${stray} pixels`);
+      check(pixels.every((value) => value >= 0), "a pixel is not there");
+    });
+  }
+}
+
+async function testLimit(tap, tools) {
+  await tap.test("a pixel that takes too many steps is left to the patches", async () => {
+    const payload = payloadOf(pageOf(tools.command, "plain"));
+    const wish = { size: SIZE, views: [WHOLE], limit: 1 };
+    const { pixels } = await gathered(tools, payload, wish);
+    const { miss, found } = compare(expectedOf(tools, "plain"), pixels);
+    check(found < 0.5 * SIZE[0] * SIZE[1], `${found} pixels need no more than a step`);
+    check(miss <= MOST_MISS, `${miss} code values off`);
+  });
+}
+
 async function testCache(tap, tools) {
   const payload = payloadOf(pageOf(tools.command, "plain"));
   const moved = [...WHOLE.slice(0, 4), WHOLE[4] - 5, WHOLE[5] + 3];
@@ -144,6 +200,26 @@ async function testPage(tap, tools) {
       await page.keyboard.press("e");
       await settled(page);
       check((await page.getAttribute("#exact", "aria-pressed")) === "false", "it is pressed");
+    }),
+  );
+  await tap.test("exact pixels come back after the graphics were lost", () =>
+    tools.pages.open(html, { size: [60, 50] }, async (page) => {
+      await page.evaluate(() => {
+        window.sfumatoViewer.exact = true;
+        const gl = document.getElementById("canvas").getContext("webgl2");
+        window.lose = gl.getExtension("WEBGL_lose_context");
+        setTimeout(() => window.lose.loseContext(), 300);
+      });
+      await page.waitForFunction(() => !document.getElementById("message").hidden);
+      await page.evaluate(() => window.lose.restoreContext());
+      await page.waitForFunction(() => document.getElementById("message").hidden);
+      // All of it takes a while: drivers in software are slow after that.
+      await page.waitForFunction(() => /[1-9]|exact/.test(window.sfumatoViewer.exactState));
+      await page.evaluate(() => {
+        window.sfumatoViewer.exact = false;
+      });
+      await settled(page);
+      check((await stateOf(page)) === "off", `it says ${await stateOf(page)}`);
     }),
   );
   await tap.test("a file without curves says that there are none", () => {
@@ -191,6 +267,8 @@ function testDamage(tap, { command }) {
 export async function testExact(tap, tools) {
   await testDamage(tap, tools);
   await testPixels(tap, tools);
+  await testZoom(tap, tools);
+  await testLimit(tap, tools);
   await testCache(tap, tools);
   await testPage(tap, tools);
 }

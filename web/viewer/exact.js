@@ -18,6 +18,8 @@ import { intersected, Target } from "./targets.js";
 const NEGLIGIBLE = 6e-5;
 /** Triangles that one pixel may walk through; beyond, the patches' pixel stays. */
 const STEP_LIMIT = 1 << 15;
+/** Of a pixel that a curve cuts, where its chords are finer than those of the patches. */
+const CUT_SAMPLES = 16;
 /** Bytes that the pictures may take, and of a pixel in them. */
 const MOST_BYTES = 1 << 28;
 const PIXEL_BYTES = 8;
@@ -90,7 +92,7 @@ export class ExactPixels {
     this.picture = picture;
     this.format = gl.RGBA16F;
     this.stepLimit = STEP_LIMIT;
-    this.pace = new Pace();
+    this.pace = new Pace(isSoftware(gl));
     /** @type {Map<Layer, ExactScene>} */
     this.scenes = new Map();
     /** @type {Map<Instance, ExactImage>} */
@@ -309,6 +311,7 @@ export class ExactPixels {
       .float("negligible", NEGLIGIBLE)
       .int("step_limit", this.stepLimit)
       .int("triangle_count", triangleCount)
+      .int("cut_samples", scene.isRefined ? CUT_SAMPLES : 0)
       .int("interpolation", picture.interpolation);
     gl.uniform2i(program.place("first_place"), tile[0], tile[1]);
     gl.drawArrays(gl.TRIANGLES, 0, 3);

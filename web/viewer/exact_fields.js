@@ -54,6 +54,7 @@ export const SIDE = 2;
 /**
  * Half-edge 3 t + k runs from corner k of triangle t to the next.
  * @typedef {object} ExactLayer
+ * @property {number} tolerance how far edges are from their curves, layer units
  * @property {number[]} origin what positions are relative to, layer frame
  * @property {Float32Array} positions 2 a vertex
  * @property {Uint32Array} triangleVertex 3 a triangle
@@ -330,10 +331,13 @@ class FieldReader {
  * @returns {ExactLayer}
  */
 function readExactLayer(reader, channels) {
+  const tolerance = reader.f32();
+  if (!(tolerance >= 0 && tolerance < Infinity))
+    throw new PayloadError("a number in it is not finite");
   const curves = new CurveReader(reader);
   const fields = channels.map((count) => new FieldReader(reader, count, curves).run());
   const { origin, positions, corner, twin } = curves;
-  return { origin, positions, triangleVertex: corner, twin, fields };
+  return { tolerance, origin, positions, triangleVertex: corner, twin, fields };
 }
 
 /**

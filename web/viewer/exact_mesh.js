@@ -71,6 +71,14 @@ export class ExactMesh {
     this.vertex = Array.from(layer.triangleVertex);
     this.twin = Array.from(layer.twin);
     this.fields = layer.fields.map((field) => new MeshField(field));
+    /** Where half-edges are that had another place. @type {Map<number, number>} */
+    this.moved = new Map();
+  }
+
+  /** The present place of what was half-edge h when the mesh was made. @param {number} h */
+  placeOf(h) {
+    for (let next = this.moved.get(h); next !== undefined; next = this.moved.get(h)) h = next;
+    return h;
   }
 
   get triangleCount() {
@@ -119,7 +127,8 @@ export class ExactMesh {
   }
 
   /**
-   * Puts a vertex between the ends of h, where hasRoom() says that it fits, on both sides.
+   * Puts a vertex between the ends of h, where hasRoom() says that it fits, on both sides. Returns
+   * the second part of h.
    * @param {number} h
    * @param {number} x
    * @param {number} y
@@ -131,10 +140,11 @@ export class ExactMesh {
     this.y.push(y);
     const across = this.twin[h];
     const rest = this.part(h, middle, u);
-    if (across === NO_MATE) return;
+    if (across === NO_MATE) return rest;
     const restAcross = this.part(across, middle, 1 - u);
     this.join(h, restAcross);
     this.join(rest, across);
+    return rest;
   }
 
   /**
@@ -152,6 +162,7 @@ export class ExactMesh {
     vertex[next] = middle;
     twin.push(NO_MATE, beyond, NO_MATE);
     if (beyond !== NO_MATE) twin[beyond] = first + 1;
+    this.moved.set(next, first + 1);
     for (const field of this.fields) {
       field.cut(h, first, u);
       field.move(next, first + 1);

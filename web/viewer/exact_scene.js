@@ -3,6 +3,7 @@
 import { inverted, mapped, mappedBox } from "./affine.js";
 import { END, exactTables } from "./exact_tables.js";
 import { ExactMesh } from "./exact_mesh.js";
+import { MOST_STRAY, Refiner } from "./exact_refine.js";
 import { arraySource, DataTable } from "./tables.js";
 
 /** @import { Affine } from "./affine.js" */
@@ -12,6 +13,10 @@ import { arraySource, DataTable } from "./tables.js";
 
 /** So many windows away from the origin single precision still holds a hundredth of a pixel. */
 const MOST_WINDOWS = 32;
+/** Chords are made finer in so much around the window, of its extent, for views near to this one. */
+const ROOM_AROUND = 0.5;
+/** And so much finer than they need be. */
+const FINER = 1.5;
 
 const NAMES = /** @type {const} */ (["beyond", "hit", "blend", "triangle"]);
 
@@ -30,6 +35,9 @@ export class ExactScene {
     this.ends = new DataTable(gl, "vector");
     /** @type {ExactTables | null} */
     this.made = null;
+    /** Where chords are fine enough for a scale; none: everywhere. @type {number[]} */
+    this.fineBox = [];
+    this.fineScale = 0;
   }
 
   /**
@@ -45,12 +53,51 @@ export class ExactScene {
     const isNear =
       made !== null &&
       Math.hypot(middle[0] - made.origin[0], middle[1] - made.origin[1]) < MOST_WINDOWS * extent;
-    if (!isNear) this.make(middle);
+    const scale = largestScale(pixelFromLayer);
+    if (isNear && this.isFine(seen, scale)) return;
+    const room = ROOM_AROUND * extent;
+    const box = [seen[0] - room, seen[1] - room, seen[2] + room, seen[3] + room];
+    this.make(middle, box, scale);
   }
 
-  /** @param {number[]} origin */
-  make(origin) {
-    const made = exactTables(new ExactMesh(this.layer), origin);
+  /**
+   * Whether chords are fine enough, and not much too fine.
+   * @param {number[]} box
+   * @param {number} scale
+   */
+  isFine(box, scale) {
+    const { fineBox, fineScale } = this;
+    if (this.needsNone(scale)) return fineScale === 0;
+    const isInside =
+      box[0] >= fineBox[0] && box[1] >= fineBox[1] && box[2] <= fineBox[2] && box[3] <= fineBox[3];
+    return isInside && scale <= fineScale && scale > fineScale / 8;
+  }
+
+  /** Whether chords are fine enough as they are. @param {number} scale */
+  needsNone(scale) {
+    return this.layer.tolerance * scale <= MOST_STRAY;
+  }
+
+  /** Whether some chords are finer than those of the patches. */
+  get isRefined() {
+    return this.fineScale > 0;
+  }
+
+  /**
+   * @param {number[]} origin
+   * @param {number[]} box of what is seen, layer frame
+   * @param {number} scale pixels to a layer unit
+   */
+  make(origin, box, scale) {
+    const mesh = new ExactMesh(this.layer);
+    this.fineScale = this.needsNone(scale) ? 0 : FINER * scale;
+    this.fineBox = box;
+    if (this.isRefined) {
+      const [x, y] = mesh.origin;
+      const near = [box[0] - x, box[1] - y, box[2] - x, box[3] - y];
+      new Refiner(mesh, this.layer.tolerance).refine(near, this.fineScale);
+    }
+    const made = exactTables(mesh, origin);
     for (const name of NAMES) this.tables.get(name)?.write(arraySource(made[name], 4));
     this.made = made;
   }
@@ -106,6 +153,13 @@ export class ExactScene {
     this.ends.free();
     this.made = null;
   }
+}
+
+/** Pixels to a layer unit, where that is most. @param {Affine} map */
+function largestScale([a, b, c, d]) {
+  const squares = a * a + b * b + c * c + d * d,
+    area = a * d - b * c;
+  return Math.sqrt((squares + Math.sqrt(Math.max(0, squares * squares - 4 * area * area))) / 2);
 }
 
 /**

@@ -7,22 +7,28 @@ import { intersected, isEmptyRect } from "./targets.js";
 /** Side of the squares that are worked on one after another, pixels. */
 export const TILE = 256;
 
-/** GPU time of one frame's share, milliseconds: it is aimed at, and what a share may grow to. */
+/**
+ * Time of one frame's share that is aimed at, milliseconds; and where software draws, for which every
+ * share takes some time, however small.
+ */
 const AIM = 6;
-const ROOM_TO_GROW = 4;
+const SOFTWARE_AIM = 60;
 const FIRST_SHARE = 256;
 const LEAST_SHARE = 64;
 const MOST_SHARE = 1 << 22;
 
 /** Pixels that may be gathered in a frame, by how long those of the frames before took. */
 export class Pace {
-  constructor() {
+  /** @param {boolean} isSoftware */
+  constructor(isSoftware) {
+    this.aim = isSoftware ? SOFTWARE_AIM : AIM;
     this.pixels = FIRST_SHARE;
   }
 
   /** @param {number} elapsed milliseconds that a share took */
   learn(elapsed) {
-    const factor = elapsed < ROOM_TO_GROW ? 2 : elapsed > AIM + 2 ? AIM / elapsed : 1;
+    const { aim } = this;
+    const factor = elapsed < 0.7 * aim ? 2 : elapsed > 1.3 * aim ? aim / elapsed : 1;
     const pixels = Math.round(this.pixels * Math.max(factor, 1 / 8));
     this.pixels = Math.min(MOST_SHARE, Math.max(LEAST_SHARE, pixels));
   }

@@ -105,6 +105,9 @@ struct ExactField {
 /// A layer as rays meet it, without patches: its curves as straight edges in a triangulation, and
 /// what they show. From this the exact value at any point is gathered (paper eq. 2 to 11).
 struct ExactLayer {
+  /// How far edges are from their curves at most, layer units, where they were flattened as finely
+  /// as what is shown needs.
+  double tolerance = 0;
   std::vector<Vec2> vertex_position;           ///< layer frame
   std::vector<std::uint32_t> triangle_vertex;  ///< 3 per triangle, cross(01, 02) > 0
   std::vector<ExactField> field;               ///< the colour, and the opacity if there is one

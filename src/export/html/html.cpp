@@ -26,12 +26,12 @@ using outputs::script_of_module;
 
 /// In the order in which they stand in the page, each after those that it imports; main.js begins.
 constexpr std::string_view kScripts[] = {
-    "affine.js",       "bytes.js",       "mesh.js",       "field.js",        "gl.js",
-    "tables.js",       "paints.js",      "segments.js",   "payload.js",      "layer_tables.js",
-    "layers.js",       "strokes.js",     "targets.js",    "exact_fields.js", "exact_mesh.js",
-    "exact_tables.js", "exact_scene.js", "exact_work.js", "exact.js",        "painter.js",
-    "renderer.js",     "view.js",        "motion.js",     "input.js",        "controls.js",
-    "paper.js",        "viewer.js",      "main.js"};
+    "affine.js",       "bytes.js",        "mesh.js",        "field.js",        "gl.js",
+    "tables.js",       "paints.js",       "segments.js",    "payload.js",      "layer_tables.js",
+    "layers.js",       "strokes.js",      "targets.js",     "exact_fields.js", "exact_mesh.js",
+    "exact_refine.js", "exact_tables.js", "exact_scene.js", "exact_work.js",   "exact.js",
+    "painter.js",      "renderer.js",     "view.js",        "motion.js",       "input.js",
+    "controls.js",     "paper.js",        "viewer.js",      "main.js"};
 
 constexpr std::string_view kShaders[] = {
     "common.glsl",      "paint.glsl",          "patch.vert",       "patch.frag",

@@ -335,6 +335,7 @@ Status write_layer(Context& context, const ExactLayer& exact, InterpolationSpace
   if (!layer) return layer.status();
   const Result<ViewerMesh> mesh = order_for_viewer(context, *layer);
   if (!mesh) return mesh.status();
+  out.f32(static_cast<float>(exact.tolerance));
   CurveWriter curves(context, *layer, *mesh, out);
   Status status = curves.run();
   for (const ExactField& field : exact.field) {

@@ -9,6 +9,8 @@ uniform float negligible;
 uniform int step_limit;
 uniform int triangle_count;
 uniform int interpolation;
+/// In a pixel that a curve cuts: 16, or 0, where it is left out.
+uniform int cut_samples;
 uniform sampler2D end_table;
 uniform ivec2 end_count;
 
@@ -77,22 +79,40 @@ float with_ends(vec2 p, int first, int count, float weight, inout vec4 mean) {
   return weight;
 }
 
-void main() {
-  vec4 place = texelFetch(places, ivec2(gl_FragCoord.xy) - first_place, 0);
-  if (place.x < 0.0 || place.y == 0.0) discard;
-  vec2 p = mapped(scene_from_pixel, gl_FragCoord.xy);
-  int t = located(p, int(place.x));
-  p = off_corners(p, t);
+/// The colour at p, premultiplied; alpha -1 where it was not found.
+vec4 color_at(vec2 p, int t) {
   gather(p, t, negligible, step_limit);
-  if (failed) discard;
+  if (failed) return vec4(-1.0);
   vec4 color = weight > 0.0 ? value / weight : vec4(0.0);
   float seen = with_ends(p, 0, end_count.x, weight, color), alpha = seen > 0.0 ? 1.0 : 0.0;
 #ifdef WITH_OPACITY
   gather(p, t + triangle_count, negligible, step_limit);
-  if (failed) discard;
+  if (failed) return vec4(-1.0);
   vec4 opacity = weight > 0.0 ? value / weight : vec4(0.0);
   with_ends(p, end_count.x, end_count.y, weight, opacity);
   alpha *= clamp(opacity.x, 0.0, 1.0);
 #endif
-  fragment = vec4(clamped_code(interpolation, color.rgb), alpha);
+  return vec4(alpha * clamped_code(interpolation, color.rgb), alpha);
+}
+
+/// Point i of the samples of a pixel, evenly spread, relative to its centre.
+vec2 sample_place(int i) {
+  vec2 cell = vec2(i & 3, i >> 2);
+  return (cell - 1.5) / 4.0 + (cell.yx - 1.5) * vec2(1.0, -1.0) / 16.0;
+}
+
+void main() {
+  vec4 place = texelFetch(places, ivec2(gl_FragCoord.xy) - first_place, 0);
+  int count = place.y == 0.0 ? cut_samples : 1;
+  if (place.x < 0.0 || count == 0) discard;
+  int t = int(place.x);
+  vec4 sum = vec4(0.0);
+  for (int i = 0; i < count; ++i) {
+    vec2 p = mapped(scene_from_pixel, gl_FragCoord.xy + (count == 1 ? vec2(0.0) : sample_place(i)));
+    t = located(p, t);
+    vec4 color = color_at(off_corners(p, t), t);
+    if (color.a < 0.0) discard;
+    sum += color;
+  }
+  fragment = vec4(sum.a > 0.0 ? sum.rgb / sum.a : vec3(0.0), sum.a / float(count));
 }
