@@ -1,6 +1,8 @@
 """One wheel for every Python 3 of a platform: no extension module, but shared libraries beside the
 text. The C library is built by CMake from the checkout that this folder is part of, or is the one
-that SFUMATO_LIBRARY names; what it needs and a system may lack goes with it.
+that SFUMATO_LIBRARY names; what it needs and a system may lack goes with it. With
+SFUMATO_LIBRARY=system there is text alone, which loads the system's libsfumato.so.1: so Debian's
+package is made.
 """
 
 import os
@@ -17,6 +19,7 @@ from wheel.bdist_wheel import bdist_wheel
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 LIBRARY = "libsfumato.so.1"
+CARRIES = os.environ.get("SFUMATO_LIBRARY") != "system"
 
 # Every Linux for which such wheels are has these, by the policies of PyPI; they belong together with
 # the system's own.
@@ -100,6 +103,10 @@ class Build(build_py):
         target = Path(self.build_lib) / "sfumato"
         shutil.rmtree(target, ignore_errors=True)  # what an earlier build left
         super().run()
+        if CARRIES:
+            self.carry(target)
+
+    def carry(self, target):
         given = os.environ.get("SFUMATO_LIBRARY")
         library = Path(given) if given else built(HERE / "build" / "library")
         if b"\0$ORIGIN\0" not in library.read_bytes():
@@ -118,9 +125,11 @@ class Build(build_py):
 class Wheel(bdist_wheel):
     def finalize_options(self):
         super().finalize_options()
-        self.root_is_pure = False
+        self.root_is_pure = not CARRIES
 
     def get_tag(self):
+        if not CARRIES:
+            return "py3", "none", "any"
         platform = super().get_tag()[2]
         build = self.get_finalized_command("build_py")
         libraries = sorted((Path(build.build_lib) / "sfumato").glob("*.so.*"))
@@ -132,7 +141,7 @@ class Wheel(bdist_wheel):
 
 class WithLibrary(Distribution):
     def has_ext_modules(self):
-        return True
+        return CARRIES
 
 
 setup(cmdclass={"build_py": Build, "bdist_wheel": Wheel}, distclass=WithLibrary)

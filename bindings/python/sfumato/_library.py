@@ -153,9 +153,10 @@ _signatures: dict[str, tuple[Any, ...]] = {
 
 
 def _load() -> Any:
-    """The library that lies beside this file, or the one that SFUMATO_LIBRARY names."""
-    beside = os.path.join(os.path.dirname(os.path.abspath(__file__)), "libsfumato.so.1")
-    path = os.environ.get("SFUMATO_LIBRARY") or beside
+    """The library that SFUMATO_LIBRARY names, that which lies beside this file, or the system's."""
+    name = "libsfumato.so.1"
+    beside = os.path.join(os.path.dirname(os.path.abspath(__file__)), name)
+    path = os.environ.get("SFUMATO_LIBRARY") or (beside if os.path.exists(beside) else name)
     try:
         loaded = ctypes.CDLL(path)
     except OSError as error:

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import ctypes
+import ctypes.util
 import importlib.metadata
 import os
 import re
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -134,6 +136,26 @@ def test_the_example_fits_colours_to_a_photo(tmp_path):
 def test_the_example_moves_a_curve(tmp_path):
     before, after, away = run_example("optimize.py", tmp_path / "out.svg")
     assert before > 20 and after < 0.1 and away < 0.1
+
+
+def test_without_a_library_beside_it_the_system_s_is_loaded(tmp_path):
+    package = tmp_path / "sfumato"
+    package.mkdir()
+    for text in FOLDER.glob("*.py"):
+        shutil.copy(text, package)
+    beside = Path(os.environ.get("SFUMATO_LIBRARY") or FOLDER / "libsfumato.so.1").parent
+    rest = {name: value for name, value in os.environ.items() if name != "SFUMATO_LIBRARY"}
+    program = "import sfumato; print(sfumato.__file__, sfumato.__version__)"
+
+    def run(**environment):
+        return subprocess.run([sys.executable, "-B", "-c", program], capture_output=True, text=True,
+                              env={**rest, **environment}, cwd=tmp_path)
+
+    found = run(LD_LIBRARY_PATH=str(beside))
+    assert found.stdout == f"{package / '__init__.py'} {sfumato.__version__}\n", found.stderr
+    if ctypes.util.find_library("sfumato") is None:
+        lost = run()
+        assert lost.returncode == 1 and "ImportError: Sfumato's library cannot be loaded" in lost.stderr
 
 
 def test_a_library_that_is_none_is_an_import_error(tmp_path):
