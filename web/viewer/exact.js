@@ -14,8 +14,8 @@ import { intersected, Target } from "./targets.js";
 /** @import { Instance, Layer, Picture } from "./payload.js" */
 /** @import { Rect } from "./targets.js" */
 
-/** kNegligible of src/gather/kernels. */
-const NEGLIGIBLE = 6e-5;
+/** kPointNegligible of src/gather/kernels. */
+const NEGLIGIBLE = 1e-5;
 /** Triangles that one pixel may walk through; beyond, the patches' pixel stays. */
 const STEP_LIMIT = 1 << 15;
 /** Of a pixel that a curve cuts, where its chords are finer than those of the patches. */
