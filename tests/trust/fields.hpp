@@ -224,11 +224,12 @@ inline auto fields(Deadline& v) {
   return std::tie(seconds);
 }
 inline auto fields(Context& v) {
-  auto& [executor, progress, budget, limits, cancel, deadline, simd, poll_watch, outer] = v;
+  auto& [executor, progress, budget, limits, cancel, deadline, simd, point_source, poll_watch,
+         outer] = v;
   // Pointers are the caller's; limits, budget and what is behind pointers have tests of their own.
   static_cast<void>(executor), static_cast<void>(progress), static_cast<void>(budget);
   static_cast<void>(limits), static_cast<void>(cancel), static_cast<void>(poll_watch);
-  static_cast<void>(outer);
+  static_cast<void>(outer), static_cast<void>(point_source);
   return std::tie(deadline, simd);
 }
 
