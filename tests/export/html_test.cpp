@@ -53,7 +53,7 @@ TEST(Html, holds_all_that_it_needs) {
   EXPECT_TRUE(html.starts_with("<!DOCTYPE html>"));
   EXPECT_TRUE(html.ends_with("</html>\n"));
   EXPECT_EQ(html.find("http"), html.find("http-equiv"));
-  EXPECT_EQ(count(html, "src="), 0u);
+  EXPECT_EQ(count(html, " src="), 0u);  // of an element, not of a script
   for (const char* mark :
        {"{{title", "{{style", "{{fallback", "{{shaders", "{{payload", "{{script"})
     EXPECT_EQ(count(html, mark), 0u) << mark;

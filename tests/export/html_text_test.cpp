@@ -51,6 +51,15 @@ TEST(HtmlText, what_only_looks_like_a_module_stays) {
   EXPECT_EQ(script_of_module(""), "");
 }
 
+TEST(HtmlText, blanks_that_a_script_can_do_without_are_left_out) {
+  EXPECT_EQ(squeezed("const a = [1, 2];\nif (a in b) return -1;\nf(a + +b, a - -b, a + -b);\n"),
+            "const a=[1,2];\nif(a in b)return-1;\nf(a+ +b,a- -b,a+-b);\n");
+  EXPECT_EQ(squeezed("f(\"a  b\", 'c \" d', \"e \\\" f\", g);"),
+            "f(\"a  b\",'c \" d',\"e \\\" f\",g);");
+  for (const char* as_it_is : {"const a = / \" /;", "f(`a  ${b}`, c);", "a = b / c;", "\n", ""})
+    EXPECT_EQ(squeezed(as_it_is), as_it_is);
+}
+
 TEST(HtmlText, nothing_stays_nothing) {
   EXPECT_EQ(condensed(""), "");
   EXPECT_EQ(condensed("/* open"), "");

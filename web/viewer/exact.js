@@ -46,8 +46,7 @@ function layersOrReason(gl, picture) {
   if (!gl.getExtension("EXT_color_buffer_float")) return "the graphics driver lacks float targets";
   if (!picture.exact || picture.exact.length === 0) return "this file holds no curves for them";
   try {
-    const hasOpacity = picture.layers.map((layer) => layer.opacity !== null);
-    const layers = readExactLayers(picture.exact, hasOpacity);
+    const layers = readExactLayers(picture.exact, picture.layers);
     const used = new Set(picture.stack.map((item) => (item.kind === "instance" ? item.layer : -1)));
     const found = layers.filter((layer) => layer !== null);
     const isWhole = layers.every(

@@ -92,30 +92,20 @@ function twinsOf({ mate, cornerVertex }) {
  */
 
 /**
- * A guess at where a curve goes on: it turns as much as it did.
- * @param {number[]} a
- * @param {number[]} b
- * @param {number[]} c
+ * What of a picture's layer is needed to read its curves.
+ * @typedef {object} LayerOfCurves
+ * @property {number[]} origin
+ * @property {Float32Array} positions
+ * @property {object | null} opacity
  */
-function guessed([ax, ay], [bx, by], [cx, cy]) {
-  const ux = bx - ax,
-    uy = by - ay,
-    vx = cx - bx,
-    vy = cy - by;
-  let cosine = ux * vx + uy * vy,
-    sine = ux * vy - uy * vx;
-  const length = Math.sqrt(cosine * cosine + sine * sine);
-  if (!(cosine > 0)) [cosine, sine] = [length, 0];
-  if (!(length > 0)) return [cx, cy];
-  const x = (cosine * vx - sine * vy) / length,
-    y = (sine * vx + cosine * vy) / length;
-  return [cx + Math.floor(x + 0.5), cy + Math.floor(y + 0.5)];
-}
 
 /** Triangles, and where curves run in them. */
 class CurveReader {
-  /** @param {ByteReader} reader */
-  constructor(reader) {
+  /**
+   * @param {ByteReader} reader
+   * @param {LayerOfCurves} layer
+   */
+  constructor(reader, layer) {
     this.reader = reader;
     const topology = readTopology(reader);
     this.corner = topology.cornerVertex;
@@ -123,9 +113,8 @@ class CurveReader {
     this.twin = twinsOf(topology);
     this.isCurve = readCurves(reader, topology.triangleCount);
     this.order = this.findOrder();
-    const { min, step } = readGridFrame(reader);
-    this.origin = min.map((low, axis) => low + GRID_MIDDLE * step[axis]);
-    this.positions = this.readPositions(step);
+    this.origin = layer.origin;
+    this.positions = this.readPositions(layer);
   }
 
   /**
@@ -162,41 +151,48 @@ class CurveReader {
     return order;
   }
 
-  /** @param {number[]} step */
-  readPositions(step) {
-    const { reader, corner, vertexCount } = this;
-    const misses = [reader.planes(vertexCount, 4), reader.planes(vertexCount, 4)];
-    /** @type {number[][]} */
-    const place = new Array(vertexCount);
+  /** Most vertices are those of patches. @param {LayerOfCurves} layer */
+  readPositions(layer) {
+    const { reader, corner, vertexCount, origin } = this;
+    const numbers = reader.planes(vertexCount, 4);
+    const { min, step } = readGridFrame(reader);
+    const shift = min.map((low, axis) => low + GRID_MIDDLE * step[axis] - origin[axis]);
+    const others = reader.count(8);
+    const misses = [reader.planes(others, 4), reader.planes(others, 4)];
     const positions = new Float32Array(2 * vertexCount);
-    let last = [0, 0],
-      count = 0;
-    const put = (/** @type {number} */ vertex, /** @type {number[]} */ guess) => {
-      if (place[vertex]) return;
-      last = guess.map((v, axis) => (v + unzigzag(misses[axis][count])) | 0);
-      place[vertex] = last;
-      count += 1;
-      for (const axis of [0, 1])
-        positions[2 * vertex + axis] = (last[axis] - GRID_MIDDLE) * step[axis];
+    const isPlaced = new Uint8Array(vertexCount);
+    const last = [0, 0];
+    let lastNumber = 0,
+      count = 0,
+      other = 0;
+    const put = (/** @type {number} */ vertex) => {
+      if (isPlaced[vertex]) return;
+      isPlaced[vertex] = 1;
+      const number = numbers[count++];
+      if (number > 0) {
+        lastNumber += unzigzag(number - 1);
+        if (!(lastNumber >= 0 && 2 * lastNumber < layer.positions.length))
+          throw new PayloadError("a vertex of it is not there");
+        positions.set(layer.positions.subarray(2 * lastNumber, 2 * lastNumber + 2), 2 * vertex);
+        return;
+      }
+      if (other === others) throw new PayloadError("a vertex of it is not there");
+      for (const axis of [0, 1]) {
+        last[axis] = (last[axis] + unzigzag(misses[axis][other])) | 0;
+        positions[2 * vertex + axis] = (last[axis] - GRID_MIDDLE) * step[axis] + shift[axis];
+      }
+      other += 1;
     };
-    let first = 0,
-      second = 0,
-      edges = 0;
     for (const edge of this.order) {
       const a = corner[edge.h],
         b = corner[nextEdge(edge.h)];
-      if (!edge.continues) edges = 0;
-      put(a, last);
-      if (edges >= 2) put(b, guessed(place[first], place[second], place[a]));
-      if (edges === 1) put(b, guessed(place[second], place[a], place[a]));
-      put(b, place[a]);
-      [first, second] = [second, a];
-      edges += 1;
+      put(a);
+      put(b);
       const x = positions[2 * b] - positions[2 * a],
         y = positions[2 * b + 1] - positions[2 * a + 1];
       edge.length = Math.sqrt(x * x + y * y);
     }
-    for (let vertex = 0; vertex < vertexCount; ++vertex) put(vertex, last);
+    for (let vertex = 0; vertex < vertexCount; ++vertex) put(vertex);
     return positions;
   }
 }
@@ -327,14 +323,15 @@ class FieldReader {
 
 /**
  * @param {ByteReader} reader
- * @param {number[]} channels of the fields
+ * @param {LayerOfCurves} layer
  * @returns {ExactLayer}
  */
-function readExactLayer(reader, channels) {
+function readExactLayer(reader, layer) {
+  const channels = layer.opacity ? [3, 1] : [3];
   const tolerance = reader.f32();
   if (!(tolerance >= 0 && tolerance < Infinity))
     throw new PayloadError("a number in it is not finite");
-  const curves = new CurveReader(reader);
+  const curves = new CurveReader(reader, layer);
   const fields = channels.map((count) => new FieldReader(reader, count, curves).run());
   const { origin, positions, corner, twin } = curves;
   return { tolerance, origin, positions, triangleVertex: corner, twin, fields };
@@ -343,15 +340,13 @@ function readExactLayer(reader, channels) {
 /**
  * Layers as rays meet them; null where one is not there. Throws PayloadError.
  * @param {Uint8Array} bytes of that part; may be empty
- * @param {boolean[]} hasOpacity of each layer of the picture
+ * @param {LayerOfCurves[]} layers of the picture
  * @returns {(ExactLayer | null)[]}
  */
-export function readExactLayers(bytes, hasOpacity) {
-  if (bytes.length === 0) return hasOpacity.map(() => null);
+export function readExactLayers(bytes, layers) {
+  if (bytes.length === 0) return layers.map(() => null);
   const reader = new ByteReader(bytes);
   if (reader.u8() !== EXACT_VERSION)
     throw new PayloadError("its exact fields have another version");
-  return hasOpacity.map((isTransparent) =>
-    reader.u8() === 0 ? null : readExactLayer(reader, isTransparent ? [3, 1] : [3]),
-  );
+  return layers.map((layer) => (reader.u8() === 0 ? null : readExactLayer(reader, layer)));
 }

@@ -23,6 +23,7 @@ using display::embedded_file;
 using outputs::condensed;
 using outputs::escaped_html;
 using outputs::script_of_module;
+using outputs::squeezed;
 
 /// In the order in which they stand in the page, each after those that it imports; main.js begins.
 constexpr std::string_view kScripts[] = {
@@ -43,7 +44,7 @@ constexpr std::string_view kShaders[] = {
 std::string scripts() {
   std::string text;
   for (std::string_view name : kScripts)
-    text += script_of_module(condensed(display::embedded_file(name)));
+    text += squeezed(script_of_module(condensed(display::embedded_file(name))));
   return text;
 }
 

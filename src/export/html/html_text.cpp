@@ -1,5 +1,7 @@
 #include "export/html/html_text.hpp"
 
+#include <algorithm>
+
 #include "base/utf8.hpp"
 
 namespace sfumato::outputs {
@@ -50,6 +52,34 @@ std::string_view behind_statement(std::string_view text) {
   return text.starts_with('\n') ? text.substr(1) : text;
 }
 
+bool is_of_word(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+         c == '$' || static_cast<unsigned char>(c) >= 0x80;
+}
+
+/// Whether two characters would be read as one thing without a blank between them.
+bool would_join(char a, char b) {
+  return (is_of_word(a) && is_of_word(b)) || ((a == '+' || a == '-') && a == b);
+}
+
+void append_squeezed(std::string_view line, std::string& out) {
+  const std::size_t begin = out.size();
+  char quote = 0;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const char c = line[i];
+    const bool ends = i + 1 == line.size() || out.size() == begin;
+    if (quote == 0 && c == ' ' && (ends || !would_join(out.back(), line[i + 1]))) continue;
+    out += c;
+    if (quote == 0 && (c == '"' || c == '\'')) {
+      quote = c;
+    } else if (quote != 0 && c == '\\' && i + 1 < line.size()) {
+      out += line[++i];
+    } else if (c == quote) {
+      quote = 0;
+    }
+  }
+}
+
 }  // namespace
 
 std::string escaped_html(std::string_view text) {
@@ -86,6 +116,24 @@ std::string condensed(std::string_view source) {
       result += '\n';
     }
     source.remove_prefix(end == std::string_view::npos ? source.size() : end + 1);
+  }
+  return result;
+}
+
+std::string squeezed(std::string_view condensed_script) {
+  std::string result;
+  while (!condensed_script.empty()) {
+    const std::size_t end = std::min(condensed_script.find('\n'), condensed_script.size());
+    const std::string_view line = condensed_script.substr(0, end);
+    if (line.find_first_of("/`") == std::string_view::npos) {
+      append_squeezed(line, result);
+    } else {
+      result += line;
+    }
+    condensed_script.remove_prefix(end);
+    if (condensed_script.empty()) break;
+    result += '\n';
+    condensed_script.remove_prefix(1);
   }
   return result;
 }

@@ -19,4 +19,8 @@ std::string condensed(std::string_view source);
 /// default.
 std::string script_of_module(std::string_view condensed_module);
 
+/// A condensed script without the blanks that it can do without. Lines with a slash or a template
+/// stay as they are: what looks like a string may be none there.
+std::string squeezed(std::string_view condensed_script);
+
 }  // namespace sfumato::outputs

@@ -57,24 +57,60 @@ struct CurveEdge {
   double length;
 };
 
-/// A guess at where a curve goes on: it turns as much as it did.
-GridPoint guessed(GridPoint a, GridPoint b, GridPoint c) {
-  const double ax = b.x - a.x, ay = b.y - a.y;
-  const double bx = c.x - b.x, by = c.y - b.y;
-  double cosine = ax * bx + ay * by, sine = ax * by - ay * bx;
-  const double length = std::sqrt(cosine * cosine + sine * sine);
-  if (!(cosine > 0)) cosine = length, sine = 0;
-  if (!(length > 0)) return c;
-  const double x = (cosine * bx - sine * by) / length, y = (sine * bx + cosine * by) / length;
-  return {c.x + static_cast<std::int32_t>(std::floor(x + 0.5)),
-          c.y + static_cast<std::int32_t>(std::floor(y + 0.5))};
-}
+/// The vertices of a layer's patches by their positions, and where the viewer has them.
+class PatchVertices {
+ public:
+  static constexpr std::uint32_t kNone = 0xffffffff;
+
+  Status list(Context& context, const PatchLayer& layer) {
+    const Result<ViewerMesh> mesh = order_for_viewer(context, layer);
+    if (!mesh) return mesh.status();
+    grid_ = grid_of(layer, *mesh);
+    Status status = memory_.resize(context, vertex_, mesh->vertex.size());
+    if (!status) return status;
+    for (std::uint32_t i = 0; i < vertex_.size(); ++i)
+      vertex_[i] = {layer.vertex_position[mesh->vertex[i]], i};
+    return TableMemory::sort(context, vertex_, is_before);
+  }
+
+  /// The number of the one at a position, or kNone.
+  std::uint32_t at(Vec2 position) const {
+    const Vertex wanted{position, 0};
+    const auto found = std::ranges::lower_bound(vertex_, wanted, is_before);
+    const bool is_there = found != vertex_.end() && found->position.x == position.x &&
+                          found->position.y == position.y;
+    return is_there ? found->number : kNone;
+  }
+
+  const ViewerGrid& grid() const { return grid_; }
+
+ private:
+  struct Vertex {
+    Vec2 position;
+    std::uint32_t number;
+  };
+  static bool is_before(const Vertex& a, const Vertex& b) {
+    if (a.position.x != b.position.x) return a.position.x < b.position.x;
+    if (a.position.y != b.position.y) return a.position.y < b.position.y;
+    return a.number < b.number;
+  }
+
+  ViewerGrid grid_{};
+  TableMemory memory_{"the viewer's exact fields"};
+  std::vector<Vertex> vertex_;
+};
 
 /// The triangles of a layer, and where its curves run.
 class CurveWriter {
  public:
-  CurveWriter(Context& context, const PatchLayer& layer, const ViewerMesh& mesh, ByteWriter& out)
-      : context_(context), layer_(layer), mesh_(mesh), grid_(grid_of(layer, mesh)), out_(out) {}
+  CurveWriter(Context& context, const PatchLayer& layer, const ViewerMesh& mesh,
+              const PatchVertices& patches, ByteWriter& out)
+      : context_(context),
+        layer_(layer),
+        mesh_(mesh),
+        patches_(patches),
+        grid_(grid_of(layer, mesh)),
+        out_(out) {}
 
   Status run() {
     out_.varint(mesh_.triangle_count());
@@ -88,6 +124,8 @@ class CurveWriter {
 
   const std::vector<CurveEdge>& order() const { return order_; }
   const ViewerGrid& grid() const { return grid_; }
+  /// What positions are relative to.
+  Vec2 middle() const { return patches_.grid().middle(); }
 
   /// The layer's half-edge.
   std::uint32_t source(std::uint32_t h) const {
@@ -146,56 +184,59 @@ class CurveWriter {
   Status write_positions() {
     const std::size_t count = mesh_.vertex.size();
     Status status = memory_.resize_all(context_, count, place_, is_placed_);
-    if (status) status = memory_.reserve(context_, miss_x_, count);
-    if (status) status = memory_.reserve(context_, miss_y_, count);
+    for (std::vector<std::uint32_t>* table : {&numbers_, &miss_x_, &miss_y_})
+      if (status) status = memory_.reserve(context_, *table, count);
     if (!status) return status;
-    std::uint32_t first = 0, second = 0;  // vertices of the two edges before
-    int edges = 0;
     for (CurveEdge& edge : order_) {
       const std::uint32_t a = origin(edge.half_edge), b = target(edge.half_edge);
-      if (!edge.continues) edges = 0;
-      put(a, last_);
-      if (edges >= 2) put(b, guessed(place_[first], place_[second], place_[a]));
-      if (edges == 1) put(b, guessed(place_[second], place_[a], place_[a]));
-      put(b, place_[a]);
-      first = second;
-      second = a;
-      ++edges;
-      edge.length = length(a, b);
+      put(a);
+      put(b);
+      const double x = double{place_[b].x} - double{place_[a].x};
+      const double y = double{place_[b].y} - double{place_[a].y};
+      edge.length = std::sqrt(x * x + y * y);
     }
-    for (std::uint32_t v = 0; v < count; ++v) put(v, last_);
+    for (std::uint32_t v = 0; v < count; ++v) put(v);
+    out_.planes(numbers_, kMissBytes);
     write_grid(grid_, out_);
+    out_.varint(miss_x_.size());
     out_.planes(miss_x_, kMissBytes);
     out_.planes(miss_y_, kMissBytes);
     return out_.status();
   }
 
-  void put(std::uint32_t vertex, GridPoint guess) {
+  /// Most are vertices of patches.
+  void put(std::uint32_t vertex) {
     if (is_placed_[vertex]) return;
     is_placed_[vertex] = 1;
-    place_[vertex] = last_ = grid_.nearest(layer_.vertex_position[mesh_.vertex[vertex]]);
-    miss_x_.push_back(zigzag(last_.x - guess.x));
-    miss_y_.push_back(zigzag(last_.y - guess.y));
-  }
-
-  /// As the viewer finds it.
-  double length(std::uint32_t from, std::uint32_t to) const {
-    const ViewerGrid::Place a = grid_.place(place_[from]), b = grid_.place(place_[to]);
-    const double x = double{b.x} - double{a.x}, y = double{b.y} - double{a.y};
-    return std::sqrt(x * x + y * y);
+    const Vec2 position = layer_.vertex_position[mesh_.vertex[vertex]];
+    const std::uint32_t number = patches_.at(position);
+    if (number != PatchVertices::kNone) {
+      numbers_.push_back(1 + zigzag(static_cast<std::int32_t>(number - last_number_)));
+      last_number_ = number;
+      place_[vertex] = patches_.grid().place(patches_.grid().nearest(position));
+      return;
+    }
+    numbers_.push_back(0);
+    const GridPoint point = grid_.nearest(position);
+    miss_x_.push_back(zigzag(point.x - last_.x));
+    miss_y_.push_back(zigzag(point.y - last_.y));
+    last_ = point;
+    place_[vertex] = grid_.place(point, middle());
   }
 
   Context& context_;
   const PatchLayer& layer_;
   const ViewerMesh& mesh_;
+  const PatchVertices& patches_;
   ViewerGrid grid_;
   TableMemory memory_{"the viewer's exact fields"};
   std::vector<std::uint32_t> twin_;  ///< per half-edge
   std::vector<CurveEdge> order_;
-  std::vector<GridPoint> place_;         ///< per vertex
-  std::vector<std::uint8_t> is_placed_;  ///< per vertex
+  std::vector<ViewerGrid::Place> place_;  ///< per vertex
+  std::vector<std::uint8_t> is_placed_;   ///< per vertex
+  std::uint32_t last_number_ = 0;
   GridPoint last_;
-  std::vector<std::uint32_t> miss_x_, miss_y_;
+  std::vector<std::uint32_t> numbers_, miss_x_, miss_y_;
   ByteWriter& out_;
 };
 
@@ -301,7 +342,7 @@ class FieldOnCurves {
   /// By columns.
   Status write_ends() {
     out_.varint(field_.end.size());
-    const Vec2 middle = curves_.grid().middle();
+    const Vec2 middle = curves_.middle();
     write_floats(field_.end, [&](const ExactEnd& end) { return end.position.x - middle.x; });
     write_floats(field_.end, [&](const ExactEnd& end) { return end.position.y - middle.y; });
     write_floats(field_.end, [](const ExactEnd& end) { return end.direction.x; });
@@ -328,16 +369,20 @@ class FieldOnCurves {
   ByteWriter& out_;
 };
 
-Status write_layer(Context& context, const ExactLayer& exact, InterpolationSpace space,
+Status write_layer(Context& context, const PatchLayer& patches, InterpolationSpace space,
                    ByteWriter& out) {
+  const ExactLayer& exact = patches.exact;
   TableMemory memory("the viewer's exact fields");
   const Result<PatchLayer> layer = mesh_of(context, exact, memory);
   if (!layer) return layer.status();
   const Result<ViewerMesh> mesh = order_for_viewer(context, *layer);
   if (!mesh) return mesh.status();
+  PatchVertices vertices;
+  Status status = vertices.list(context, patches);
+  if (!status) return status;
   out.f32(static_cast<float>(exact.tolerance));
-  CurveWriter curves(context, *layer, *mesh, out);
-  Status status = curves.run();
+  CurveWriter curves(context, *layer, *mesh, vertices, out);
+  status = curves.run();
   for (const ExactField& field : exact.field) {
     if (!status) return status;
     const bool is_color = field.channel_count == 3;
@@ -356,7 +401,7 @@ Status write_exact(Context& context, const Picture& picture, ByteWriter& out) {
   for (const PatchLayer& layer : picture.layers) {
     out.u8(has_fields(layer) ? 1 : 0);
     if (!has_fields(layer)) continue;
-    Status status = write_layer(context, layer.exact, picture.interpolation, out);
+    Status status = write_layer(context, layer, picture.interpolation, out);
     if (!status) return status;
   }
   return out.status();

@@ -237,6 +237,12 @@ ViewerGrid::Place ViewerGrid::place(GridPoint point) const {
           static_cast<float>((point.y - kGridMiddle) * step.y)};
 }
 
+ViewerGrid::Place ViewerGrid::place(GridPoint point, Vec2 origin) const {
+  const Vec2 shift = middle() - origin;
+  return {static_cast<float>((point.x - kGridMiddle) * step.x + shift.x),
+          static_cast<float>((point.y - kGridMiddle) * step.y + shift.y)};
+}
+
 Vec2 ViewerGrid::middle() const {
   return {min.x + kGridMiddle * step.x, min.y + kGridMiddle * step.y};
 }

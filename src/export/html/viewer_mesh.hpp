@@ -46,6 +46,8 @@ struct ViewerGrid {
     float x = 0, y = 0;
   };
   Place place(GridPoint point) const;
+  /// The same, relative to another point of the layer frame.
+  Place place(GridPoint point, Vec2 origin) const;
   /// The grid's middle, layer frame.
   Vec2 middle() const;
 };

@@ -51,6 +51,28 @@ export function scriptOfModule(text) {
   return result;
 }
 
+/** As squeezed() there. */
+export function squeezed(text) {
+  const isWord = (c) => /[\w$]|[^\0-\x7f]/.test(c);
+  const joins = (a, b) => (isWord(a) && isWord(b)) || (/[+-]/.test(a) && a === b);
+  const squeezedLine = (line) => {
+    if (/[/`]/.test(line)) return line;
+    let result = "",
+      quote = "";
+    for (let i = 0; i < line.length; ++i) {
+      const c = line[i];
+      const ends = i + 1 === line.length || result === "";
+      if (quote === "" && c === " " && (ends || !joins(result.at(-1), line[i + 1]))) continue;
+      result += c;
+      if (quote === "" && /["']/.test(c)) quote = c;
+      else if (quote !== "" && c === "\\" && i + 1 < line.length) result += line[++i];
+      else if (c === quote) quote = "";
+    }
+    return result;
+  };
+  return text.split("\n").map(squeezedLine).join("\n");
+}
+
 const viewer = (name) => condensed(read(`web/viewer/${name}`));
 
 /** A shader's text; one stands elsewhere, since the library reads it, too. */
@@ -64,7 +86,7 @@ export function viewerPage() {
   const parts = {
     style: viewer("viewer.css"),
     shaders: deflateSync(shaders, { level: 9 }).toString("base64"),
-    script: listed(source, "kScripts").map((name) => scriptOfModule(viewer(name))).join(""),
+    script: listed(source, "kScripts").map((name) => squeezed(scriptOfModule(viewer(name)))).join(""),
   };
   return read("web/viewer/page.html").replace(/\{\{(\w+)\}\}/g, (mark, name) => parts[name] ?? mark);
 }
