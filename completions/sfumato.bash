@@ -28,7 +28,7 @@ _sfumato() {
     --format) options='png jpg webp html pdf eps svg glb sfv npz ply json rgb24 rgba rgb48le rgba64le' ;;
     --svg) options='image vector' ;;
     --pdf-flatten) options='auto always never' ;;
-    --device) options='cpu gpu' ;;
+    --device | --gather) options='cpu gpu' ;;
     --background) options='none white black' ;;
     --limit)
       options='input-bytes= unpack-ratio= xml-depth= xml-elements= xml-attributes= style-values=
@@ -65,14 +65,14 @@ _sfumato() {
       options='--output --out-dir --shard --newer-only --format --allow-files --viewport --width --height --scale
         --window --detail --method --rays --seed --tolerance --ends --no-blur --max-error --max-area
         --min-angle --order --mesh-overlay --background --depth --dither --no-dither --quality
-        --lossless --dpi --svg --force --pdf-flatten --title --device --no-antialias --coherent --threads
-        --stats --quiet
+        --lossless --dpi --svg --force --pdf-flatten --title --device --no-antialias --coherent --gather
+        --threads --stats --quiet
         --max-memory --max-time --limit --help'
       ;;
     solve)
       options='--output --out-dir --allow-files --viewport --width --height --scale --detail
         --method --rays --seed --tolerance --ends --no-blur --max-error --max-area --min-angle
-        --order --threads --stats --quiet
+        --order --gather --threads --stats --quiet
         --max-memory --max-time --limit --help'
       ;;
     tiles)

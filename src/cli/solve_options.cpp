@@ -40,7 +40,8 @@ void add_files(CLI::App& app, SolveArguments& arguments, JobChoices& choices) {
 /// The options of the solver, whose defaults are those of an image of 8 bits.
 void add_solver_options(CLI::App& app, options::Settings& settings) {
   for (const RenderOption& option : options::render_options()) {
-    if ((option.info.calls & options::kSolve) == 0) continue;
+    const bool is_of_films = option.info.group == options::Group::running;
+    if ((option.info.calls & options::kSolve) == 0 || is_of_films) continue;
     CLI::Option* const added = add_option(app, option, settings);
     const bool is_mesh =
         option.info.group == options::Group::mesh || option.info.group == options::Group::vector;

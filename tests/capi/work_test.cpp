@@ -150,7 +150,6 @@ TEST(CFiles, are_those_of_the_command) {
       {"eps", "detail=2", "", {}},
       {"svg", "detail=2", "", {}},
       {"svg", "", "svg=vector force", {"--svg", "vector", "--force"}},
-      {"html", "detail=2", "", {}},
       {"glb", "detail=2", "dpi=100", {"--dpi", "100"}},
       {"npz", "", "", {}},
       {"ply", "scale=0.5", "", {"--scale", "0.5"}},
