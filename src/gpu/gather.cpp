@@ -1,6 +1,5 @@
 #include "sfumato/gpu/gather.hpp"
 
-#include <limits>
 #include <memory>
 #include <utility>
 
@@ -37,7 +36,7 @@ std::string GpuGather::device_name() const {
 }
 
 bool GpuGather::is_lost() const {
-  return device_ && device_->least_points() == std::numeric_limits<std::size_t>::max();
+  return device_ && device_->is_lost();
 }
 
 }  // namespace sfumato

@@ -20,7 +20,7 @@ Result<std::unique_ptr<GatherDevice>> GatherDevice::create(const WalkShape& shap
     return make_error(StatusCode::unavailable,
                       "no GPU can be used: EGL gives no context of OpenGL ES 3.1");
   }
-  std::unique_ptr<GatherDevice> device(new GatherDevice(shape, faults));
+  std::unique_ptr<GatherDevice> device(new GatherDevice(faults));
   try {
     device->thread_ = std::thread([&it = *device] { it.serve(); });
   } catch (const std::system_error&) {
@@ -37,8 +37,7 @@ Result<std::unique_ptr<GatherDevice>> GatherDevice::create(const WalkShape& shap
   return device;
 }
 
-GatherDevice::GatherDevice(const WalkShape& shape, const GatherFaults& faults)
-    : shape_(shape), faults_(faults) {}
+GatherDevice::GatherDevice(const GatherFaults& faults) : faults_(faults) {}
 
 GatherDevice::~GatherDevice() {
   if (!thread_.joinable()) return;

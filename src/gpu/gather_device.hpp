@@ -34,18 +34,19 @@ class GatherDevice final : public PointSource {
   GatherDevice& operator=(const GatherDevice&) = delete;
 
   const std::string& name() const { return name_; }
+  /// Whether it answers no more.
+  bool is_lost() const { return is_lost_; }
 
   std::size_t least_points() const override;
   Status sum(Context& context, const gather::Scene& scene, std::span<const gather::WalkPoint> point,
              std::span<float> sums) override;
 
  private:
-  GatherDevice(const WalkShape& shape, const GatherFaults& faults);
+  explicit GatherDevice(const GatherFaults& faults);
   void serve();
   /// Has the thread call `job`, and waits for it.
   Status do_there(const std::function<Status()>& job);
 
-  WalkShape shape_;
   GatherFaults faults_;
   std::string name_;
   std::unique_ptr<Walker> walker_;  ///< of the thread
