@@ -25,6 +25,12 @@ __device__ float intBitsToFloat(int bits) {
 __device__ int floatBitsToInt(float number) {
   return __float_as_int(number);
 }
+__device__ float uintBitsToFloat(unsigned int bits) {
+  return __uint_as_float(bits);
+}
+__device__ unsigned int floatBitsToUint(float number) {
+  return __float_as_uint(number);
+}
 __device__ float min(float a, float b) {
   return b < a ? b : a;
 }

@@ -29,16 +29,16 @@ bool failed;    // there were more than allowed; the sums are of no use
 
 FN float number(int bits) { return intBitsToFloat(bits); }
 
-// base/lanes.hpp, bit for bit.
+// base/lanes.hpp, bit for bit. Unsigned: differences may wrap.
 FN float reciprocal(float a) {
-  P float y = intBitsToFloat(0x7EF338D3 - floatBitsToInt(a));
+  P float y = uintBitsToFloat(0x7EF338D3u - floatBitsToUint(a));
   P float z = y * (2.00128007f - a * y);
   P float r = z * (2.00000072f - a * z);
   return r;
 }
 
 FN float reciprocal_sqrt(float a) {
-  P float y = intBitsToFloat(0x5F1FFFF9 - (floatBitsToInt(a) >> 1));
+  P float y = uintBitsToFloat(0x5F1FFFF9u - uint(floatBitsToInt(a) >> 1));
   P float z = y * (1.33492804f - 0.558729529f * (a * (y * y)));
   P float r = z * (1.88988197f - a * (z * z));
   return r;

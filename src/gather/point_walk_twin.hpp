@@ -26,11 +26,19 @@ struct ivec4 {
   std::int32_t x, y, z, w;
 };
 
+using uint = std::uint32_t;
+
 inline float intBitsToFloat(std::int32_t bits) {
   return std::bit_cast<float>(bits);
 }
 inline std::int32_t floatBitsToInt(float number) {
   return std::bit_cast<std::int32_t>(number);
+}
+inline float uintBitsToFloat(uint bits) {
+  return std::bit_cast<float>(bits);
+}
+inline uint floatBitsToUint(float number) {
+  return std::bit_cast<uint>(number);
 }
 inline float min(float a, float b) {
   return b < a ? b : a;

@@ -77,6 +77,11 @@ bool is_whole(const ExactField& field, int channels, const ExactLayer& layer) {
          std::ranges::all_of(field.end, is_placed);
 }
 
+/// The triangulation of rays reaches beyond the outermost coordinates by a part of its size.
+bool are_around_coordinates(const std::vector<Vec2>& positions) {
+  return std::ranges::all_of(positions, [](Vec2 p) { return rules::is_coordinate(p / 2); });
+}
+
 /// All exact fields that the layer has, or none.
 bool is_exact(const PatchLayer& layer) {
   const ExactLayer& exact = layer.exact;
@@ -84,7 +89,7 @@ bool is_exact(const PatchLayer& layer) {
   const std::size_t fields = is_absent(layer.opacity) ? 1 : 2;
   return exact.triangle_vertex.size() % 3 == 0 &&
          all_below(exact.triangle_vertex, exact.vertex_position.size()) &&
-         are_coordinates(exact.vertex_position) && exact.field.size() == fields &&
+         are_around_coordinates(exact.vertex_position) && exact.field.size() == fields &&
          is_whole(exact.field[0], 3, exact) && (fields == 1 || is_whole(exact.field[1], 1, exact));
 }
 
