@@ -66,9 +66,10 @@ std::string unpacked_shaders(const std::string& html) {
   const std::string mark = "id=\"shaders\">";
   const std::size_t begin = html.find(mark) + mark.size();
   const std::string coded = html.substr(begin, html.find('<', begin) - begin);
+  const Context context;  // first: it outlives what is charged to it
   TableMemory memory("test");
   std::vector<std::uint8_t> packed;
-  EXPECT_TRUE(codecs::decode_base64(Context(), coded, memory, packed));
+  EXPECT_TRUE(codecs::decode_base64(context, coded, memory, packed));
   std::string text(1 << 20, ' ');
   uLongf size = text.size();
   EXPECT_EQ(uncompress(reinterpret_cast<Bytef*>(text.data()), &size, packed.data(), packed.size()),
