@@ -350,8 +350,8 @@ SFUMATO_API int32_t sfumato_expect_drag(sfumato_context* context, sfumato_pictur
 SFUMATO_API int32_t sfumato_picture_write(sfumato_context* context, const sfumato_picture* picture,
                                           sfumato_bytes** bytes);
 /** Reads such a file, whose content is checked as that of a stranger. The picture shows and exports
- * what the one that was written does, to the last bit, but follows no document: to solve it again,
- * to drag in it and to ask for responses is SFUMATO_BAD_USAGE. It is charged to the budget. */
+ * what the one that was written does, to the last bit, but that HTML has no exact pixels. It follows
+ * no document: what needs one, as to solve it again, is SFUMATO_BAD_USAGE. It is charged. */
 SFUMATO_API int32_t sfumato_picture_read(sfumato_context* context, const void* bytes,
                                          size_t byte_count, sfumato_picture** picture);
 /** Gives a picture back. */
@@ -464,18 +464,21 @@ SFUMATO_API int32_t sfumato_export(sfumato_context* context, const sfumato_pictu
 SFUMATO_API int32_t sfumato_encode(sfumato_context* context, const sfumato_image* image,
                                    const char* format, const char* options, sfumato_bytes** bytes);
 
-/** Makes what the HTML viewer draws, the bytes of docs/viewer.md, "Payload", not deflated.
- *
- * options: background [the document's, else white]. */
+/** Makes what the HTML viewer draws, the bytes of docs/viewer.md, "Payload", not deflated. options:
+ * background [the document's, else white]. */
 SFUMATO_API int32_t sfumato_viewer_payload(sfumato_context* context, const sfumato_picture* picture,
                                            const char* options, sfumato_bytes** bytes);
 /** Makes those bytes without the meshes and fields of the layers, for who draws these from
  * sfumato_picture_table(): instances, local curves, groups, paints, and of each layer its order and
  * the paints of its colour and its opacity. Its time does not depend on the layers' tables.
- *
  * options: background [the document's, else white]. */
 SFUMATO_API int32_t sfumato_picture_stack(sfumato_context* context, const sfumato_picture* picture,
                                           const char* options, sfumato_bytes** bytes);
+/** Makes what exact pixels of a layer are gathered from (docs/viewer.md, "Exact fields"), in about
+ * the time of meshing it. Two bytes where nothing is seen, and where sides have paints.
+ * SFUMATO_BAD_INPUT without such a layer; SFUMATO_BAD_USAGE for a picture that was read. */
+SFUMATO_API int32_t sfumato_exact_layer(sfumato_context* context, const sfumato_picture* picture,
+                                        uint32_t layer, sfumato_bytes** bytes);
 
 /** Hands in the pixels of an image that the caller has decoded: where a document that the context
  * reads later has a texture whose file is these `byte_count` bytes, these are its pixels. The

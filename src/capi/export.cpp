@@ -80,7 +80,20 @@ Result<Bytes> make_image(Context& context, const sfumato_picture& handle, Output
   return output::encode_image(context, *image, kind, settings.output);
 }
 
-/// The exporters take the background from the picture: where it is another, from a copy.
+/// Gives all layers what exact pixels are gathered from.
+Status add_exact_layers(Context& context, const Solution& solution, ScopedCharge& charge,
+                        Picture& picture) {
+  for (std::uint32_t i = 0; i < picture.layers.size(); ++i) {
+    Result<ExactLayer> exact = solution.exact_layer(context, i);
+    if (!exact) return exact.status();
+    if (Status status = charge.add(context, bytes_of(*exact), "exact fields"); !status)
+      return status;
+    picture.layers[i].exact = std::move(*exact);
+  }
+  return ok_status();
+}
+
+/// The exporters take all from the picture: where it lacks something, from a copy.
 Result<Bytes> make_drawing(Context& context, const sfumato_picture& handle, OutputKind kind,
                            const options::Settings& settings, ExportNotes& notes) {
   const Picture& picture = handle.picture();
@@ -89,7 +102,8 @@ Result<Bytes> make_drawing(Context& context, const sfumato_picture& handle, Outp
   drawing.max_error = handle.settings.diffuse.max_error;
   if (drawing.output.title.empty()) drawing.output.title = kDefaultTitle;
   const std::optional<Rgb> background = background_of(settings, kind, picture);
-  if (background == picture.background) {
+  const bool is_exact = kind == OutputKind::html && handle.solution;
+  if (background == picture.background && !is_exact) {
     return output::export_picture(context, picture, drawing, &notes);
   }
   ScopedCharge charge;
@@ -97,6 +111,8 @@ Result<Bytes> make_drawing(Context& context, const sfumato_picture& handle, Outp
   if (!status) return status;
   Picture copy = picture;
   copy.background = background;
+  if (is_exact) status = add_exact_layers(context, *handle.solution, charge, copy);
+  if (!status) return status;
   return output::export_picture(context, copy, drawing, &notes);
 }
 

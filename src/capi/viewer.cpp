@@ -5,6 +5,7 @@
 #include "capi/bytes.hpp"
 #include "capi/picture.hpp"
 #include "capi/read_options.hpp"
+#include "export/html/viewer_exact.hpp"
 #include "export/html/viewer_payload.hpp"
 #include "options/tables.hpp"
 
@@ -30,8 +31,30 @@ Outcome make_payload(Writer write, Workshop& workshop, const sfumato_picture* ha
   return {};
 }
 
+Outcome make_exact_layer(Context& context, const sfumato_picture* handle, std::uint32_t layer,
+                         sfumato_bytes** out) {
+  if (!handle) return bad_usage("NULL given, expected a picture");
+  if (!handle->solution) return no_solution();
+  const Result<ExactLayer> exact = handle->solution->exact_layer(context, layer);
+  if (!exact) return exact.status();
+  ScopedCharge charge;
+  Status status = charge.add(context, bytes_of(*exact), "exact fields");
+  if (!status) return status;
+  auto bytes = outputs::exact_alone(context, *exact, handle->picture().interpolation);
+  if (!bytes) return bytes.status();
+  *out = new sfumato_bytes{std::move(*bytes)};
+  return {};
+}
+
 }  // namespace
 }  // namespace sfumato::capi
+
+int32_t sfumato_exact_layer(sfumato_context* context, const sfumato_picture* picture,
+                            uint32_t layer, sfumato_bytes** bytes) {
+  return sfumato::capi::make(context, bytes, [&](sfumato::capi::Workshop& workshop) {
+    return sfumato::capi::make_exact_layer(workshop.context, picture, layer, bytes);
+  });
+}
 
 int32_t sfumato_viewer_payload(sfumato_context* context, const sfumato_picture* picture,
                                const char* options, sfumato_bytes** bytes) {

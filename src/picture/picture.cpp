@@ -8,6 +8,8 @@ std::size_t bytes_of(const PatchField& field) {
          field.node_value.capacity() * sizeof(float);
 }
 
+}  // namespace
+
 std::size_t bytes_of(const ExactLayer& layer) {
   std::size_t bytes = layer.vertex_position.capacity() * sizeof(Vec2) +
                       layer.triangle_vertex.capacity() * sizeof(std::uint32_t) +
@@ -18,8 +20,6 @@ std::size_t bytes_of(const ExactLayer& layer) {
   }
   return bytes;
 }
-
-}  // namespace
 
 std::size_t bytes_of(const PatchLayer& layer) {
   return bytes_of(layer.exact) + layer.vertex_position.capacity() * sizeof(Vec2) +

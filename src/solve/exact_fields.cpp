@@ -89,9 +89,8 @@ Result<ExactField> field_of(Context& context, const mesh::TriangleMesh& mesh,
   return field;
 }
 
-Result<ExactLayer> exact_layer(Context& context, const mesh::TriangleMesh& mesh,
-                               const SampledFields& sampled, gather::Ends ends,
-                               TableMemory& memory) {
+Result<ExactLayer> layer_of(Context& context, const mesh::TriangleMesh& mesh,
+                            const SampledFields& sampled, gather::Ends ends, TableMemory& memory) {
   ExactLayer layer;
   const auto has_shaders = [](const SampledField& field) {
     return !field.attributes.shader.empty();
@@ -120,10 +119,12 @@ double tolerance_of(const curves::FlattenOptions& options) {
   return tolerance;
 }
 
+}  // namespace
+
 /// The first steps of prepare_layer(), for points.
-Result<ExactLayer> exact_layer_of(Context& context, const Document& document, std::uint32_t layer,
-                                  const LayerSight& sight, const DiffuseOptions& options,
-                                  TableMemory& memory) {
+Result<ExactLayer> exact_layer(Context& context, const Document& document, std::uint32_t layer,
+                               const LayerSight& sight, const DiffuseOptions& options,
+                               TableMemory& memory) {
   const std::vector<Curve>& curves = document.layers[layer].curves;
   const LayerUnits units(document.artboard, sight, options);
   const Result<curves::FlatCurves> flat =
@@ -139,12 +140,10 @@ Result<ExactLayer> exact_layer_of(Context& context, const Document& document, st
   if (!mesher) return mesher.status();
   const Result<mesh::TriangleMesh> mesh = mesher->visibility_mesh(context);
   if (!mesh) return mesh.status();
-  Result<ExactLayer> exact = exact_layer(context, *mesh, *sampled, options.ends, memory);
+  Result<ExactLayer> exact = layer_of(context, *mesh, *sampled, options.ends, memory);
   if (exact) exact->tolerance = tolerance_of(units.flatten_options());
   return exact;
 }
-
-}  // namespace
 
 Status add_exact_fields(Context& context, const Document& document, const DiffuseOptions& options,
                         Picture* picture) {
@@ -152,7 +151,7 @@ Status add_exact_fields(Context& context, const Document& document, const Diffus
   for (std::uint32_t i = 0; i < picture->layers.size(); ++i) {
     if (picture->layers[i].triangle_count() == 0) continue;
     const LayerSight sight = sight_of_layer(document, i, picture->viewport);
-    Result<ExactLayer> exact = exact_layer_of(context, document, i, sight, options, memory);
+    Result<ExactLayer> exact = exact_layer(context, document, i, sight, options, memory);
     if (!exact) return exact.status();
     picture->layers[i].exact = std::move(*exact);
   }

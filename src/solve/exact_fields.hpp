@@ -1,12 +1,24 @@
 #pragma once
 
+#include <cstdint>
+
+#include "base/table_memory.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
 #include "sfumato/document/document.hpp"
 #include "sfumato/picture/picture.hpp"
 #include "sfumato/solve/diffuse.hpp"
+#include "solve/prepare_layer.hpp"
 
 namespace sfumato::solve {
+
+/// A layer as rays meet it; without fields where it has image-domain shaders.
+/// sight    of which something is seen
+/// memory   charged with it
+/// Errors   limit, cancelled
+Result<ExactLayer> exact_layer(Context& context, const Document& document, std::uint32_t layer,
+                               const LayerSight& sight, const DiffuseOptions& options,
+                               TableMemory& memory);
 
 /// Gives the layers of a picture of the document their exact fields, but for those of which nothing
 /// is seen, and those with image-domain shaders. Errors: limit, cancelled.

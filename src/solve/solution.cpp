@@ -9,6 +9,7 @@
 
 #include "base/public_verb.hpp"
 #include "base/table_memory.hpp"
+#include "solve/exact_fields.hpp"
 #include "solve/kept_layers.hpp"
 #include "solve/layer_rows.hpp"
 #include "solve/rough.hpp"
@@ -181,6 +182,11 @@ Status Solution::State::solve_layers(Context& context, const Box& viewport, Solv
   return status ? kept : status;
 }
 
+/// Of a layer that is solved.
+const PatchLayer& Solution::State::patches_of(const LayerState& layer) const {
+  return layer.fresh ? *layer.fresh : picture.layers[*layer.in_picture];
+}
+
 /// Solves an exact layer of the picture once more, for what drags begin from.
 Status Solution::State::refine(Context& context, std::uint32_t layer) {
   const solve::LayerTask task{layer, layers[layer].sight, last_drag[layer]};
@@ -213,8 +219,7 @@ void Solution::State::give_up_beyond() {
   for (std::uint32_t i = 0; i < layers.size(); ++i) {
     const LayerState& layer = layers[i];
     if (!layer.refined) continue;
-    const PatchLayer& patches = layer.fresh ? *layer.fresh : picture.layers[*layer.in_picture];
-    kept.push_back({i, drag_of(i), patches.triangle_count()});
+    kept.push_back({i, drag_of(i), patches_of(layer).triangle_count()});
   }
   const std::size_t most = most_kept.value_or(kAllTriangles);
   for (const std::uint32_t i : solve::layers_beyond(std::move(kept), most))
@@ -295,6 +300,14 @@ Status Solution::State::assemble(Context& context, const Box& viewport) {
   delta = std::move(news);
   frame_changed = false;
   return ok_status();
+}
+
+Result<ExactLayer> Solution::State::exact_layer(Context& context, std::uint32_t layer) const {
+  if (layer >= layers.size() || !layers[layer].is_solved())
+    return make_error(StatusCode::bad_input, "there is no such layer that is solved");
+  if (patches_of(layers[layer]).triangle_count() == 0) return ExactLayer{};
+  TableMemory memory("exact fields");
+  return solve::exact_layer(context, document, layer, layers[layer].sight, *options, memory);
 }
 
 Solution& Solution::operator=(Solution&& other) noexcept {
@@ -392,6 +405,10 @@ void Solution::end_drag() {
 
 const Picture& Solution::picture() const {
   return state_->picture;
+}
+
+Result<ExactLayer> Solution::exact_layer(Context& context, std::uint32_t layer) const {
+  return public_verb(context, [&] { return state_->exact_layer(context, layer); });
 }
 
 PictureDelta Solution::take_delta() {

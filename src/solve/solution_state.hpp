@@ -68,6 +68,7 @@ struct Solution::State {
   Status drag_more(Context& context, const solve::FrameTime& time, DiffuseStats* stats);
   Status begin_color(Context& context, const StopPlace& place);
   Status color_to(Context& context, const StopValue& value);
+  Result<ExactLayer> exact_layer(Context& context, std::uint32_t layer) const;
   void end_drag() {
     drag.reset();
     coloring.reset();
@@ -100,6 +101,7 @@ struct Solution::State {
   void carry_over(const Document& old, std::vector<LayerState> next);
   std::optional<std::size_t> find_same(const Document& old, std::size_t index) const;
   void forget(const DiffuseOptions& wanted);
+  const PatchLayer& patches_of(const LayerState& layer) const;
   bool drop_refined();
   template <class Work>
   Status run_with_all_memory(const Work& work, bool keeps = false);

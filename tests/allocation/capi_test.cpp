@@ -178,6 +178,8 @@ void show(Session& session, sfumato_context* c, Drawing& drawing) {
   sfumato_bytes_free(bytes);
   session.take(sfumato_picture_stack(c, drawing.picture, "background=red", &bytes), &bytes);
   sfumato_bytes_free(bytes);
+  session.take(sfumato_exact_layer(c, drawing.picture, 0, &bytes), &bytes);
+  sfumato_bytes_free(bytes);
 }
 
 void keep(Session& session, sfumato_context* c, Drawing& drawing) {

@@ -45,9 +45,15 @@ TEST_F(PictureFileOfC, a_picture_that_is_read_exports_what_the_other_does) {
   const PictureHandle again = read(bytes);
   ASSERT_NE(again, nullptr);
   EXPECT_EQ(bytes_of(again.get()), bytes);
-  for (const char* format : {"png", "jpg", "html", "pdf", "eps", "svg", "glb", "sfv"}) {
+  for (const char* format : {"png", "jpg", "pdf", "eps", "svg", "glb", "sfv"}) {
     EXPECT_EQ(exported(again.get(), format), exported(picture.get(), format)) << format;
   }
+  // A page holds curves for exact pixels, too, which a file of patches does not have.
+  const std::string page = exported(again.get(), "html");
+  EXPECT_NE(page.find("id=\"payload\""), std::string::npos);
+  EXPECT_LT(page.size(), exported(picture.get(), "html").size());
+  sfumato_bytes* bytes_out = nullptr;
+  EXPECT_EQ(sfumato_exact_layer(c, again.get(), 0, &bytes_out), SFUMATO_BAD_USAGE);
 }
 
 TEST_F(PictureFileOfC, its_tables_and_numbers_are_those_of_the_other) {

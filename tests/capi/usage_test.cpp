@@ -89,6 +89,7 @@ TEST_F(CUsage, null_is_an_error_everywhere) {
   EXPECT_EQ(sfumato_encode(c, nullptr, "png", nullptr, &out_b), kUsage);
   EXPECT_EQ(sfumato_viewer_payload(c, nullptr, nullptr, &out_b), kUsage);
   EXPECT_EQ(sfumato_picture_stack(c, nullptr, nullptr, &out_b), kUsage);
+  EXPECT_EQ(sfumato_exact_layer(c, nullptr, 0, &out_b), kUsage);
   EXPECT_EQ(sfumato_add_image(nullptr, "x", 1, nullptr), kUsage);
   EXPECT_EQ(sfumato_add_image(c, nullptr, 1, nullptr), kUsage);
   EXPECT_EQ(sfumato_add_image(c, "x", 0, nullptr), kUsage);

@@ -147,6 +147,7 @@ TEST(CFiles, are_those_of_the_command) {
        "detail=2",
        "title=\"A b\" background=gold",
        {"--title", "A b", "--background", "gold"}},
+      {"html", "detail=2", "", {}},
       {"eps", "detail=2", "", {}},
       {"svg", "detail=2", "", {}},
       {"svg", "", "svg=vector force", {"--svg", "vector", "--force"}},
@@ -226,6 +227,32 @@ TEST(CPictureStack, takes_what_the_viewer_could_not_and_no_unknown_option) {
   EXPECT_EQ(bytes, nullptr);
   EXPECT_EQ(sfumato_picture_stack(c, picture.get(), "", &bytes), SFUMATO_OK);
   const BytesHandle stack(bytes);
+}
+
+TEST(CExactLayer, is_of_what_was_solved_last) {
+  const ContextHandle context = context_of();
+  sfumato_context* c = context.get();
+  const DocumentHandle document = read_text(c, example("evening.xml"));
+  const PictureHandle picture = solve(c, document.get());
+  const auto exact = [&](std::int32_t expected = SFUMATO_OK, std::uint32_t layer = 0) {
+    sfumato_bytes* bytes = nullptr;
+    EXPECT_EQ(sfumato_exact_layer(c, picture.get(), layer, &bytes), expected);
+    return bytes ? text_of(BytesHandle(bytes).get()) : "";
+  };
+  const std::string before = exact();
+  EXPECT_EQ(before.substr(0, 2), "\x01\x02");
+  EXPECT_TRUE(exact() == before);
+  EXPECT_EQ(exact(SFUMATO_BAD_INPUT, 1), "");
+  sfumato_view view{};
+  ASSERT_EQ(sfumato_curve_points(document.get(), 0, 0, &view), SFUMATO_OK);
+  const auto* first = static_cast<const double*>(view.data);
+  std::vector<double> points(first, first + 2 * view.rows);
+  for (double& coordinate : points) coordinate += 3;
+  ASSERT_EQ(sfumato_set_curve_points(c, document.get(), 0, 0, points.data(), view.rows), SFUMATO_OK)
+      << sfumato_error_text(c);
+  EXPECT_TRUE(exact() == before);
+  ASSERT_EQ(sfumato_solve_again(c, document.get(), 1, picture.get()), SFUMATO_OK);
+  EXPECT_FALSE(exact() == before);
 }
 
 TEST(CPixels, encoded_are_the_file_that_is_exported) {
@@ -498,6 +525,20 @@ TEST(CField, mixes_paints_as_pictures_do) {
   const auto [least, most] = std::ranges::minmax(rgba);
   EXPECT_GE(least, 0);
   EXPECT_LE(most, 1);
+}
+
+TEST(CExactLayer, is_of_no_side_with_a_paint) {
+  const ContextHandle context = context_of();
+  sfumato_context* c = context.get();
+  const DocumentHandle document = read_text(
+      c,
+      "<svg xmlns='http://www.w3.org/2000/svg' xmlns:sf='urn:sfumato:1' viewBox='0 0 64 64'><defs>"
+      "<linearGradient id='g' gradientUnits='userSpaceOnUse' x2='9'><stop/></linearGradient></defs>"
+      "<g sf:diffuse='true'><path d='M8 8h48' sf:left='gold' sf:right='url(#g)'/></g></svg>");
+  const PictureHandle picture = solve(c, document.get());
+  sfumato_bytes* bytes = nullptr;
+  ASSERT_EQ(sfumato_exact_layer(c, picture.get(), 0, &bytes), SFUMATO_OK);
+  EXPECT_EQ(text_of(BytesHandle(bytes).get()), std::string("\x01\0", 2));
 }
 
 }  // namespace

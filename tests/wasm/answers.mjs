@@ -38,6 +38,8 @@ const CASES = [
   ["payload", CONTROLS, ""],
   ["stack", EVENING, ""],
   ["stack", CONTROLS, ""],
+  ["exact", EVENING, ""],
+  ["exact", scene("lady_bug"), "width=700"],
   ["file", EVENING, ""],
   ["file", CONTROLS, "max-error=off"],
   ["lint", CONTROLS, "verbose"],
@@ -86,6 +88,7 @@ const ANSWERS = {
     return context.writePicture(context.readPicture(bytes));
   },
   stack: (context, document, options) => context.pictureStack(context.solve(document, options)),
+  exact: (context, document, options) => context.exactLayer(context.solve(document, options), 0),
 };
 
 export async function testAnswers(tap, sfumato, program) {

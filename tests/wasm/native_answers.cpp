@@ -134,6 +134,9 @@ bool answer(const std::string& question, Work& work) {
   if (question == "stack" && solve(work)) {
     sfumato_picture_stack(work.context, work.picture, "", &bytes);
   }
+  if (question == "exact" && solve(work)) {
+    sfumato_exact_layer(work.context, work.picture, 0, &bytes);
+  }
   return put_and_free(bytes);
 }
 
@@ -143,7 +146,7 @@ int main(int argc, char** argv) {
   if (argc < 3) {
     std::fputs(
         "usage: native_answers tables|dragged|colors|pixels|traced|svg|payload|stack|"
-        "file|lint IN [OPTIONS]\n",
+        "exact|file|lint IN [OPTIONS]\n",
         stderr);
     return 2;
   }

@@ -1,6 +1,6 @@
 // Contexts of the library: sfumato.mjs has all of it.
 import { SfumatoDocument } from "./document.mjs";
-import { addressOf, Handle } from "./handle.mjs";
+import { addressOf, expectIndices, Handle } from "./handle.mjs";
 import { optionText, SfumatoError, Status } from "./library.mjs";
 import { SfumatoField, SfumatoPicture } from "./picture.mjs";
 
@@ -285,6 +285,15 @@ export class SfumatoContext extends Handle {
     return this.#withOptions(options, (text) =>
       this.library.takeBytes(this.make("sfumato_picture_stack", this.#pictureOf(picture), text)),
     );
+  }
+
+  /**
+   * What web/viewer's readExactLayer() reads: a layer's curves as rays meet them. Of a picture that was
+   * solved, not read.
+   */
+  exactLayer(picture, layer) {
+    expectIndices(layer);
+    return this.library.takeBytes(this.make("sfumato_exact_layer", this.#pictureOf(picture), layer));
   }
 
   /**

@@ -174,6 +174,7 @@ struct Picture {
 /// Roughly the bytes of memory that the object's vectors take, without the object itself. diffuse()
 /// charges these to the Budget only while it works; a caller who keeps a picture may charge them
 /// again.
+std::size_t bytes_of(const ExactLayer& layer);
 std::size_t bytes_of(const PatchLayer& layer);
 std::size_t bytes_of(const Picture& picture);
 /// @}

@@ -219,6 +219,14 @@ class Solution {
   /// The last picture that solve(), solve_roughly(), solve_next(), drag() or color() finished.
   const Picture& picture() const;
 
+  /// A layer of the document as rays meet it, for exact values at points: what diffuse() adds to
+  /// its picture with DiffuseOptions::exact_fields. Without fields where nothing of the layer is
+  /// seen, and where a side has an image-domain shader.
+  ///
+  /// Errors: bad_input (no such layer, or it has changed since it was solved), limit, cancelled,
+  /// out_of_memory. Cost: that of meshing the layer.
+  Result<ExactLayer> exact_layer(Context& context, std::uint32_t layer) const;
+
   /// What of picture() is new since the last call of this function. The first call after the first
   /// picture names everything.
   PictureDelta take_delta();

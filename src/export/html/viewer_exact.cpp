@@ -16,6 +16,9 @@ namespace {
 /// Of the part, should it ever change.
 constexpr std::uint8_t kExactVersion = 1;
 
+/// What follows of a layer.
+enum class ExactKind : std::uint8_t { none = 0, with_patches = 1, alone = 2 };
+
 constexpr int kMissBytes = 4;
 constexpr double kLargestNumber = 1 << 28;
 
@@ -73,6 +76,9 @@ class PatchVertices {
     return TableMemory::sort(context, vertex_, is_before);
   }
 
+  /// In place of list(): there are none.
+  void list_none(const ViewerGrid& grid) { grid_ = grid; }
+
   /// The number of the one at a position, or kNone.
   std::uint32_t at(Vec2 position) const {
     const Vertex wanted{position, 0};
@@ -103,14 +109,10 @@ class PatchVertices {
 /// The triangles of a layer, and where its curves run.
 class CurveWriter {
  public:
+  /// grid   for vertices that are none of patches
   CurveWriter(Context& context, const PatchLayer& layer, const ViewerMesh& mesh,
-              const PatchVertices& patches, ByteWriter& out)
-      : context_(context),
-        layer_(layer),
-        mesh_(mesh),
-        patches_(patches),
-        grid_(grid_of(layer, mesh)),
-        out_(out) {}
+              const PatchVertices& patches, const ViewerGrid& grid, ByteWriter& out)
+      : context_(context), layer_(layer), mesh_(mesh), patches_(patches), grid_(grid), out_(out) {}
 
   Status run() {
     out_.varint(mesh_.triangle_count());
@@ -369,20 +371,29 @@ class FieldOnCurves {
   ByteWriter& out_;
 };
 
-Status write_layer(Context& context, const PatchLayer& patches, InterpolationSpace space,
-                   ByteWriter& out) {
-  const ExactLayer& exact = patches.exact;
-  TableMemory memory("the viewer's exact fields");
-  const Result<PatchLayer> layer = mesh_of(context, exact, memory);
+/// A layer's triangles, ready to be written.
+struct ExactMesh {
+  PatchLayer layer;
+  ViewerMesh mesh;
+  TableMemory memory{"the viewer's exact fields"};
+};
+
+Status make_mesh(Context& context, const ExactLayer& exact, ExactMesh& made) {
+  Result<PatchLayer> layer = mesh_of(context, exact, made.memory);
   if (!layer) return layer.status();
-  const Result<ViewerMesh> mesh = order_for_viewer(context, *layer);
+  made.layer = std::move(*layer);
+  Result<ViewerMesh> mesh = order_for_viewer(context, made.layer);
   if (!mesh) return mesh.status();
-  PatchVertices vertices;
-  Status status = vertices.list(context, patches);
-  if (!status) return status;
+  made.mesh = std::move(*mesh);
+  return ok_status();
+}
+
+Status write_layer(Context& context, const ExactLayer& exact, const ExactMesh& made,
+                   const PatchVertices& vertices, const ViewerGrid& grid, InterpolationSpace space,
+                   ByteWriter& out) {
   out.f32(static_cast<float>(exact.tolerance));
-  CurveWriter curves(context, *layer, *mesh, vertices, out);
-  status = curves.run();
+  CurveWriter curves(context, made.layer, made.mesh, vertices, grid, out);
+  Status status = curves.run();
   for (const ExactField& field : exact.field) {
     if (!status) return status;
     const bool is_color = field.channel_count == 3;
@@ -392,6 +403,41 @@ Status write_layer(Context& context, const PatchLayer& patches, InterpolationSpa
   return status;
 }
 
+Status write_with_patches(Context& context, const PatchLayer& patches, InterpolationSpace space,
+                          ByteWriter& out) {
+  ExactMesh made;
+  Status status = make_mesh(context, patches.exact, made);
+  PatchVertices vertices;
+  if (status) status = vertices.list(context, patches);
+  if (!status) return status;
+  const ViewerGrid grid = grid_of(made.layer, made.mesh);
+  return write_layer(context, patches.exact, made, vertices, grid, space, out);
+}
+
+/// Around the same middle, 16 times as fine.
+ViewerGrid finer(const ViewerGrid& grid) {
+  const Vec2 step = grid.step / 16;
+  const ViewerGrid fine{{0, 0}, step};
+  return {grid.middle() - fine.middle(), step};
+}
+
+Status write_alone(Context& context, const ExactLayer& layer, InterpolationSpace space,
+                   ByteWriter& out) {
+  out.u8(kExactVersion);
+  if (layer.field.empty()) {
+    out.u8(static_cast<std::uint8_t>(ExactKind::none));
+    return out.status();
+  }
+  out.u8(static_cast<std::uint8_t>(ExactKind::alone));
+  ExactMesh made;
+  Status status = make_mesh(context, layer, made);
+  if (!status) return status;
+  const ViewerGrid grid = finer(grid_of(made.layer, made.mesh));
+  PatchVertices vertices;
+  vertices.list_none(grid);
+  return write_layer(context, layer, made, vertices, grid, space, out);
+}
+
 }  // namespace
 
 Status write_exact(Context& context, const Picture& picture, ByteWriter& out) {
@@ -399,12 +445,20 @@ Status write_exact(Context& context, const Picture& picture, ByteWriter& out) {
   if (std::ranges::none_of(picture.layers, has_fields)) return out.status();
   out.u8(kExactVersion);
   for (const PatchLayer& layer : picture.layers) {
-    out.u8(has_fields(layer) ? 1 : 0);
-    if (!has_fields(layer)) continue;
-    Status status = write_layer(context, layer, picture.interpolation, out);
+    const ExactKind kind = has_fields(layer) ? ExactKind::with_patches : ExactKind::none;
+    out.u8(static_cast<std::uint8_t>(kind));
+    if (kind == ExactKind::none) continue;
+    Status status = write_with_patches(context, layer, picture.interpolation, out);
     if (!status) return status;
   }
   return out.status();
+}
+
+Result<std::vector<std::uint8_t>> exact_alone(Context& context, const ExactLayer& layer,
+                                              InterpolationSpace space) {
+  ByteWriter out(context);
+  if (Status status = write_alone(context, layer, space, out); !status) return status;
+  return out.finish();
 }
 
 }  // namespace sfumato::outputs

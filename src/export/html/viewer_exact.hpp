@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "export/html/viewer_bytes.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
@@ -10,5 +13,10 @@ namespace sfumato::outputs {
 /// The exact fields of the layers, the last part of a payload (docs/viewer.md); nothing where no
 /// layer has any. Errors: limit (memory), cancelled.
 Status write_exact(Context& context, const Picture& picture, ByteWriter& out);
+
+/// The same for a layer by itself, whose positions are on a grid of their own: 26 bits on each
+/// axis. `space`: in which colours are interpolated. Errors: limit (memory), cancelled.
+Result<std::vector<std::uint8_t>> exact_alone(Context& context, const ExactLayer& layer,
+                                              InterpolationSpace space);
 
 }  // namespace sfumato::outputs
