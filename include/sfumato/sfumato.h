@@ -350,8 +350,8 @@ SFUMATO_API int32_t sfumato_expect_drag(sfumato_context* context, sfumato_pictur
 SFUMATO_API int32_t sfumato_picture_write(sfumato_context* context, const sfumato_picture* picture,
                                           sfumato_bytes** bytes);
 /** Reads such a file, whose content is checked as that of a stranger. The picture shows and exports
- * what the one that was written does, to the last bit, but that HTML has no exact pixels. It follows
- * no document: what needs one, as to solve it again, is SFUMATO_BAD_USAGE. It is charged. */
+ * what the one that was written does, to the last bit, but HTML without exact pixels. It follows no
+ * document: what needs one, as to solve it again, is SFUMATO_BAD_USAGE. It is charged. */
 SFUMATO_API int32_t sfumato_picture_read(sfumato_context* context, const void* bytes,
                                          size_t byte_count, sfumato_picture** picture);
 /** Gives a picture back. */

@@ -40,24 +40,33 @@ export function isSoftware(gl) {
  * Layers as rays meet them, or why there can be no exact pixels.
  * @param {WebGL2RenderingContext} gl
  * @param {Picture} picture
- * @returns {ExactLayer[] | string}
+ * @param {(ExactLayer | null)[] | null} known null: they are in the payload
+ * @returns {(ExactLayer | null)[] | string}
  */
-function layersOrReason(gl, picture) {
+function layersOrReason(gl, picture, known) {
   if (!gl.getExtension("EXT_color_buffer_float")) return "the graphics driver lacks float targets";
+  if (known) return wholeOrReason(picture, known);
   if (!picture.exact || picture.exact.length === 0) return "this file holds no curves for them";
   try {
-    const layers = readExactLayers(picture.exact, picture.layers);
-    const used = new Set(picture.stack.map((item) => (item.kind === "instance" ? item.layer : -1)));
-    const found = layers.filter((layer) => layer !== null);
-    const isWhole = layers.every(
-      (layer, i) => layer || !used.has(i) || picture.layers[i].triangleVertex.length === 0,
-    );
-    if (found.length === 0) return "this picture has no layers of curves";
-    return isWhole ? /** @type {ExactLayer[]} */ (layers) : "a layer has image-domain shaders";
+    return wholeOrReason(picture, readExactLayers(picture.exact, picture.layers));
   } catch (error) {
     if (error instanceof PayloadError) return "the curves in this file are damaged";
     throw error;
   }
+}
+
+/**
+ * Layers, or which lack curves.
+ * @param {Picture} picture
+ * @param {(ExactLayer | null)[]} layers
+ */
+function wholeOrReason(picture, layers) {
+  const used = new Set(picture.stack.map((item) => (item.kind === "instance" ? item.layer : -1)));
+  const isWhole = layers.every(
+    (layer, i) => layer || !used.has(i) || picture.layers[i].triangleVertex.length === 0,
+  );
+  if (layers.every((layer) => layer === null)) return "this picture has no layers of curves";
+  return isWhole ? layers : "a layer has image-domain shaders";
 }
 
 /** What was gathered of one instance. */
@@ -84,8 +93,9 @@ export class ExactPixels {
    * @param {WebGL2RenderingContext} gl
    * @param {Programs} programs
    * @param {Picture} picture
+   * @param {(ExactLayer | null)[] | null} known its layers as rays meet them; null: read them
    */
-  constructor(gl, programs, picture) {
+  constructor(gl, programs, picture, known) {
     this.gl = gl;
     this.programs = programs;
     this.picture = picture;
@@ -106,7 +116,7 @@ export class ExactPixels {
     this.fence = null;
     /** Why there are none; empty: there can be. */
     this.reason = "";
-    const layers = layersOrReason(gl, picture);
+    const layers = layersOrReason(gl, picture, known);
     if (typeof layers === "string") {
       this.reason = layers;
       return;

@@ -7,6 +7,10 @@ import { GRID_MIDDLE, NO_MATE, readCurves, readGridFrame, readTopology } from ".
 /** @import { Topology } from "./mesh.js" */
 
 const EXACT_VERSION = 1;
+/** What follows of a layer: nothing, curves on the vertices of its patches, or on a grid of their own. */
+const NONE = 0;
+const WITH_PATCHES = 1;
+const ALONE = 2;
 
 /** The half-edge after h in its triangle. @param {number} h */
 export const nextEdge = (h) => (h % 3 === 2 ? h - 2 : h + 1);
@@ -56,7 +60,7 @@ export const SIDE = 2;
  * @typedef {object} ExactLayer
  * @property {number} tolerance how far edges are from their curves, layer units
  * @property {number[]} origin what positions are relative to, layer frame
- * @property {Float32Array} positions 2 a vertex
+ * @property {Float32Array | Float64Array} positions 2 a vertex
  * @property {Uint32Array} triangleVertex 3 a triangle
  * @property {Uint32Array} twin per half-edge: the one across, or NO_MATE
  * @property {ExactField[]} fields colour, and opacity where there is one
@@ -103,7 +107,7 @@ function twinsOf({ mate, cornerVertex }) {
 class CurveReader {
   /**
    * @param {ByteReader} reader
-   * @param {LayerOfCurves} layer
+   * @param {LayerOfCurves | null} layer null: they stand alone
    */
   constructor(reader, layer) {
     this.reader = reader;
@@ -113,7 +117,7 @@ class CurveReader {
     this.twin = twinsOf(topology);
     this.isCurve = readCurves(reader, topology.triangleCount);
     this.order = this.findOrder();
-    this.origin = layer.origin;
+    this.origin = layer?.origin ?? [0, 0];
     this.positions = this.readPositions(layer);
   }
 
@@ -151,15 +155,18 @@ class CurveReader {
     return order;
   }
 
-  /** Most vertices are those of patches. @param {LayerOfCurves} layer */
+  /** Most vertices are those of patches. @param {LayerOfCurves | null} layer */
   readPositions(layer) {
-    const { reader, corner, vertexCount, origin } = this;
+    const { reader, corner, vertexCount } = this;
     const numbers = reader.planes(vertexCount, 4);
     const { min, step } = readGridFrame(reader);
-    const shift = min.map((low, axis) => low + GRID_MIDDLE * step[axis] - origin[axis]);
+    const middle = min.map((low, axis) => low + GRID_MIDDLE * step[axis]);
+    if (!layer) this.origin = middle;
+    const known = layer?.positions ?? new Float32Array();
+    const shift = middle.map((place, axis) => place - this.origin[axis]);
     const others = reader.count(8);
     const misses = [reader.planes(others, 4), reader.planes(others, 4)];
-    const positions = new Float32Array(2 * vertexCount);
+    const positions = layer ? new Float32Array(2 * vertexCount) : new Float64Array(2 * vertexCount);
     const isPlaced = new Uint8Array(vertexCount);
     const last = [0, 0];
     let lastNumber = 0,
@@ -171,9 +178,9 @@ class CurveReader {
       const number = numbers[count++];
       if (number > 0) {
         lastNumber += unzigzag(number - 1);
-        if (!(lastNumber >= 0 && 2 * lastNumber < layer.positions.length))
+        if (!(lastNumber >= 0 && 2 * lastNumber < known.length))
           throw new PayloadError("a vertex of it is not there");
-        positions.set(layer.positions.subarray(2 * lastNumber, 2 * lastNumber + 2), 2 * vertex);
+        positions.set(known.subarray(2 * lastNumber, 2 * lastNumber + 2), 2 * vertex);
         return;
       }
       if (other === others) throw new PayloadError("a vertex of it is not there");
@@ -188,8 +195,9 @@ class CurveReader {
         b = corner[nextEdge(edge.h)];
       put(a);
       put(b);
-      const x = positions[2 * b] - positions[2 * a],
-        y = positions[2 * b + 1] - positions[2 * a + 1];
+      const [x, y] = [0, 1].map(
+        (axis) => Math.fround(positions[2 * b + axis]) - Math.fround(positions[2 * a + axis]),
+      );
       edge.length = Math.sqrt(x * x + y * y);
     }
     for (let vertex = 0; vertex < vertexCount; ++vertex) put(vertex);
@@ -323,11 +331,12 @@ class FieldReader {
 
 /**
  * @param {ByteReader} reader
- * @param {LayerOfCurves} layer
+ * @param {boolean} hasOpacity
+ * @param {LayerOfCurves | null} layer null: they stand alone
  * @returns {ExactLayer}
  */
-function readExactLayer(reader, layer) {
-  const channels = layer.opacity ? [3, 1] : [3];
+function readCurvesOf(reader, hasOpacity, layer) {
+  const channels = hasOpacity ? [3, 1] : [3];
   const tolerance = reader.f32();
   if (!(tolerance >= 0 && tolerance < Infinity))
     throw new PayloadError("a number in it is not finite");
@@ -338,6 +347,28 @@ function readExactLayer(reader, layer) {
 }
 
 /**
+ * The next layer, if it is one.
+ * @param {ByteReader} reader
+ * @param {boolean} hasOpacity
+ * @param {LayerOfCurves | null} layer null: it has no patches
+ */
+function readNext(reader, hasOpacity, layer) {
+  const kind = reader.u8();
+  if (kind === NONE) return null;
+  if (kind === ALONE) return readCurvesOf(reader, hasOpacity, null);
+  if (kind !== WITH_PATCHES || !layer) throw new PayloadError("a number in it is too large");
+  return readCurvesOf(reader, hasOpacity, layer);
+}
+
+/** @param {Uint8Array} bytes */
+function readerOf(bytes) {
+  const reader = new ByteReader(bytes);
+  if (reader.u8() !== EXACT_VERSION)
+    throw new PayloadError("its exact fields have another version");
+  return reader;
+}
+
+/**
  * Layers as rays meet them; null where one is not there. Throws PayloadError.
  * @param {Uint8Array} bytes of that part; may be empty
  * @param {LayerOfCurves[]} layers of the picture
@@ -345,8 +376,16 @@ function readExactLayer(reader, layer) {
  */
 export function readExactLayers(bytes, layers) {
   if (bytes.length === 0) return layers.map(() => null);
-  const reader = new ByteReader(bytes);
-  if (reader.u8() !== EXACT_VERSION)
-    throw new PayloadError("its exact fields have another version");
-  return layers.map((layer) => (reader.u8() === 0 ? null : readExactLayer(reader, layer)));
+  const reader = readerOf(bytes);
+  return layers.map((layer) => readNext(reader, layer.opacity !== null, layer));
+}
+
+/**
+ * A layer as rays meet it, by itself: what sfumato_exact_layer makes. Throws PayloadError.
+ * @param {Uint8Array} bytes
+ * @param {boolean} hasOpacity whether the layer has one
+ * @returns {ExactLayer | null} null where it has no curves that rays meet
+ */
+export function readExactLayer(bytes, hasOpacity) {
+  return readNext(readerOf(bytes), hasOpacity, null);
 }

@@ -9,6 +9,7 @@ import { intersected, isEmptyRect, Target, Targets } from "./targets.js";
 import { Painter } from "./painter.js";
 
 /** @import { Affine } from "./affine.js" */
+/** @import { ExactLayer } from "./exact_fields.js" */
 /** @import { LayerDelta } from "./layer_tables.js" */
 /** @import { Layer, Picture } from "./payload.js" */
 
@@ -103,9 +104,10 @@ export class Renderer {
   /**
    * Whether pixels are made exact when nothing moves: gatherMore().
    * @param {boolean} isWanted
+   * @param {(ExactLayer | null)[] | null} known the layers as rays meet them; null: in the payload
    */
-  setExact(isWanted) {
-    if (isWanted) this.exact ??= new ExactPixels(this.gl, this.programs, this.picture);
+  setExact(isWanted, known = null) {
+    if (isWanted) this.exact ??= new ExactPixels(this.gl, this.programs, this.picture, known);
     else this.exact?.free();
     if (!isWanted) this.exact = null;
     this.painter.exact = this.exact;

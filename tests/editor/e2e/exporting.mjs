@@ -102,6 +102,8 @@ async function testHtml(editor, browser) {
     const colors = async () => new Set(decode(await page.screenshot()).data).size;
     for (let i = 0; i < 100 && (await colors()) < 64; ++i);
     check((await colors()) >= 64, "the exported page shows no picture");
+    await page.evaluate(() => void (window.sfumatoViewer.exact = true));
+    await page.waitForFunction(() => / is exact$/.test(window.sfumatoViewer.exactState));
     checkEqual([errors, await page.title()], [[], "small"], "the exported page");
   } finally {
     await page.close();

@@ -8,6 +8,7 @@ import { pathToFileURL } from "node:url";
 import { launch, serve, Tap } from "./harness.mjs";
 import { testAccess } from "./access.mjs";
 import { testDraw } from "./draw.mjs";
+import { testExact } from "./exact.mjs";
 import { testExporting } from "./exporting.mjs";
 import { testFiles } from "./files.mjs";
 import { testFocus } from "./focus.mjs";
@@ -46,6 +47,7 @@ const themes = [
   testRobust,
   testRecover,
   testDraw,
+  testExact,
   testServedDrawing,
 ];
 

@@ -2,6 +2,7 @@
 // text, and what comes late does not undo what came later.
 import { afterEach, describe, expect, it } from "vitest";
 import { loadSfumato, Status, Table } from "../../../web/wasm/sfumato.mjs";
+import { SIDE, type ExactLayer } from "../../../web/viewer/exact_fields.js";
 import { WorkerEngine } from "../../../web/editor/src/engine/engine.js";
 import { LayerMirror, type MirroredLayer } from "../../../web/editor/src/engine/mirror.js";
 import type { Host } from "../../../web/editor/src/engine/seat.js";
@@ -67,6 +68,21 @@ class Page {
     this.isExact = false;
     this.engine.show(text, moving, quick);
   }
+}
+
+/** Where sides of curves begin, artboard units of a layer that is not transformed. */
+function endsOfSides({ fields: [{ edge }], positions, origin, triangleVertex }: ExactLayer) {
+  const ends = [...edge.keys()].filter((h) => edge[h] === SIDE).map((h) => triangleVertex[h]);
+  const along = (axis: 0 | 1) => ends.map((vertex) => positions[2 * vertex + axis] + origin[axis]);
+  return { x: along(0), y: along(1) };
+}
+
+/** How far a point is from a cubic curve, nearly. */
+function distanceTo([x0, y0, x1, y1, x2, y2, x3, y3]: number[], x: number, y: number): number {
+  const at = (t: number, a: number, b: number, c: number, d: number) =>
+    a * (1 - t) ** 3 + 3 * b * t * (1 - t) ** 2 + 3 * c * t * t * (1 - t) + d * t ** 3;
+  const steps = Array.from({ length: 20_001 }, (_, i) => i / 20_000);
+  return Math.min(...steps.map((t) => Math.hypot(at(t, x0, x1, x2, x3) - x, at(t, y0, y1, y2, y3) - y)));
 }
 
 /** All tables of a text as the library solves it, with options. */
@@ -253,6 +269,35 @@ describe.skipIf(!hasModule).each(ways)("the engine $way", ({ mostInFront }) => {
     expect([...touched]).toEqual([0]);
     expect(page.stacks).toBe(stacks);
   });
+
+  it("gives layers as rays meet them, of what is exact alone", async () => {
+    open();
+    page.show(drawing(70), false);
+    expect(await page.engine.exactLayer(0)).toBe("busy");
+    await page.exact();
+    const [opaque, translucent, none] = [await idleLayer(0), await idleLayer(1), await idleLayer(2)];
+    expect(none).toBeNull();
+    expect(opaque!.fields.map(({ channelCount }) => channelCount)).toEqual([3]);
+    expect(translucent!.fields.map(({ channelCount }) => channelCount)).toEqual([3, 1]);
+    const { x, y } = endsOfSides(opaque!);
+    const cubics = [
+      [0, 100, 60, 70, 140, 130, 200, 90],
+      [80, 30, 90, 10, 110, 10, 120, 30],
+    ];
+    const away = x.map((_, i) => Math.min(...cubics.map((cubic) => distanceTo(cubic, x[i], y[i]))));
+    expect(x.length).toBeGreaterThan(20);
+    expect(Math.max(...away)).toBeLessThan(0.02);
+    page.show(drawing(80), true, [pointsFor(80)]);
+    expect(await page.engine.exactLayer(0)).toBe("busy");
+  });
+
+  async function idleLayer(layer: number): Promise<ExactLayer | null> {
+    for (;;) {
+      const exact = await page.engine.exactLayer(layer);
+      if (exact !== "busy") return exact;
+      await new Promise((resolve) => setTimeout(resolve, 10));
+    }
+  }
 
   it("solves again where it has all the rest, and shows it once", async () => {
     const { host, exact } = watchedHost();

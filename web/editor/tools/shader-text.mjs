@@ -2,7 +2,7 @@
 import { readFileSync } from "node:fs";
 import { condensed } from "./viewer-page.mjs";
 
-const shader = /^(.*\/viewer\/shaders\/[^/?]+)\?raw$/;
+const shader = /^(.*\/(?:viewer\/shaders|src\/gather)\/[^/?]+)\?raw$/;
 
 export function shaderTextPlugin() {
   return {

@@ -29,6 +29,7 @@ function settings(): Settings {
     theme: signal("system"),
     surround: signal("mid"),
     smoothing: signal(2),
+    exactPixels: signal("auto"),
     snap: signal(true),
     grid: signal(false),
     colorModel: signal("oklch"),

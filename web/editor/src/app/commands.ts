@@ -166,6 +166,10 @@ function toggle(name: Switch): Command {
   };
 }
 
+function toggleExact({ exactState, settings }: DrawingEditor) {
+  settings.exactPixels.value = exactState.value.kind === "off" ? "on" : "off";
+}
+
 function cycleTheme({ settings: { theme } }: DrawingEditor) {
   const isDark = matchMedia("(prefers-color-scheme: dark)").matches;
   const now = theme.value === "system" ? (isDark ? "dark" : "light") : theme.value;
@@ -217,6 +221,7 @@ const table: readonly (readonly [string, Command])[] = [
   ["zoom-fit", ({ navigation }) => navigation.fit()],
   ["zoom-selection", zoomToSelection],
   ["zoom-actual", ({ navigation }) => navigation.showActualSize()],
+  ["exact-pixels", toggleExact],
   ["mesh", toggle("showMesh")],
   ["outlines", toggle("showOutlines")],
   ["reference", toggle("showReference")],

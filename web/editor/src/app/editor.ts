@@ -27,6 +27,7 @@ import type {
   Dialog,
   Difference,
   Editor,
+  ExactState,
   FileState,
   Gesture,
   PickerTarget,
@@ -64,6 +65,7 @@ export class DrawingEditor implements Editor {
   readonly task = signal<Task | null>(null);
   readonly dialog = signal<Dialog>(null);
   readonly picker = signal<PickerTarget | null>(null);
+  readonly exactState = signal<ExactState>({ kind: "off" });
   readonly showMesh = signal(false);
   readonly showOutlines = signal(false);
   readonly showReference = signal(true);

@@ -27,6 +27,7 @@ export const defaultKeys: readonly KeyBinding[] = [
   binding("view", "zoom-fit", "0"),
   binding("view", "zoom-selection", "Shift+2"),
   binding("view", "zoom-actual", "Shift+1"),
+  binding("view", "exact-pixels", "E"),
   binding("view", "mesh", "M"),
   binding("view", "outlines", "O"),
   binding("view", "reference", "R"),

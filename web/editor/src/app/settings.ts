@@ -57,6 +57,7 @@ export function openSettings(): Settings {
     theme: setting<Theme>("theme", "system", oneOf("system", "light", "dark")),
     surround: setting<Surround>("surround", prefersDark() ? "dark" : "light", oneOf("dark", "mid", "light")),
     smoothing: setting("smoothing", 2, between(0.5, 8)),
+    exactPixels: setting("exactPixels", "auto", oneOf("auto", "on", "off")),
     snap: setting("snap", true, isBoolean),
     grid: setting("grid", false, isBoolean),
     colorModel: setting("colorModel", "oklch", oneOf("oklch", "hsv", "rgb")),

@@ -23,6 +23,8 @@ export interface Settings {
   readonly surround: Signal<Surround>;
   /** Pencil: how far a stroke may be from the hand's, CSS pixels, 0.5 to 8. */
   readonly smoothing: Signal<number>;
+  /** "auto": unless the graphics driver draws in software. */
+  readonly exactPixels: Signal<"auto" | "on" | "off">;
   readonly snap: Signal<boolean>;
   readonly grid: Signal<boolean>;
   readonly colorModel: Signal<"oklch" | "hsv" | "rgb">;
@@ -100,6 +102,13 @@ export interface FileState {
   readonly isWaiting?: boolean;
 }
 
+/** How it stands with exact pixels of what is seen. */
+export type ExactState =
+  | { readonly kind: "off" | "exact" }
+  | { readonly kind: "gathering"; readonly share: number }
+  /** There can be none, and why. */
+  | { readonly kind: "none"; readonly reason: string };
+
 export interface Editor {
   /** Within components and effects, reading it subscribes to its changes. */
   readonly drawing: Drawing;
@@ -126,6 +135,7 @@ export interface Editor {
   readonly task: Signal<Task | null>;
   readonly dialog: Signal<Dialog>;
   readonly picker: Signal<PickerTarget | null>;
+  readonly exactState: Signal<ExactState>;
   readonly showMesh: Signal<boolean>;
   readonly showOutlines: Signal<boolean>;
   readonly showReference: Signal<boolean>;

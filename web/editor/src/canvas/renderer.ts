@@ -6,6 +6,7 @@ import { Renderer } from "../../../viewer/renderer.js";
 import { SmallPictures } from "../../../viewer/small.js";
 import type { Editor } from "../app/types.js";
 import type { PictureUpdate } from "../engine/types.js";
+import { ExactStage } from "./exact.js";
 import { photosOf } from "./photo.js";
 import { Scene, type SceneChange } from "./scene.js";
 import { shaderText } from "./shaders.js";
@@ -36,6 +37,7 @@ export class PictureCanvas {
   #small: SmallPictures | null = null;
   /** How often each layer has changed. */
   readonly #versions: number[] = [];
+  readonly #exact: ExactStage;
   /** Texels of the paints that are drawn; new ones take time, and updates wait for them. */
   #texels: { readonly paints: Paints; readonly texels: Uint16Array } | null = null;
   #queue: Promise<void> = Promise.resolve();
@@ -44,12 +46,15 @@ export class PictureCanvas {
   #isDirty = false;
   #frame = 0;
   #changedAt = 0;
+  /** Whether frames only make exact what is drawn. */
+  #isDrawn = false;
   #waiting: (() => void)[] = [];
   #stop: () => void = () => {};
 
   constructor(editor: Editor, words: PictureWords) {
     this.#editor = editor;
     this.#words = words;
+    this.#exact = new ExactStage(editor, this, () => this.#schedule());
   }
 
   /** Whether photos show where the picture is clear. */
@@ -93,13 +98,14 @@ export class PictureCanvas {
     const { picture } = this.#scene;
     if (!this.#gl || this.#gl.isContextLost() || !picture || !this.#texels) return;
     this.#renderer = new Renderer(this.#gl, shaderText, picture, this.#texels.texels);
+    this.#exact.reset();
     this.change();
   }
 
   /** What a frame depends on, beside the picture. */
   #watch() {
     const { view, stage, showMesh, settings, tool } = this.#editor;
-    void [tool.value, this.#isClear.value, view.value, stage.value, showMesh.value, settings.surround.value, settings.theme.value];
+    void [tool.value, this.#isClear.value, view.value, stage.value, showMesh.value, settings.surround.value, settings.theme.value, settings.exactPixels.value];
     this.change();
   }
 
@@ -128,6 +134,7 @@ export class PictureCanvas {
   #follow({ isOther, layers }: SceneChange) {
     const { picture } = this.#scene;
     if (!this.#renderer) return this.#build();
+    if (isOther || layers.length > 0) this.#renderer.setExact(false);
     if (isOther) this.#renderer.setPicture(picture!, this.#texels!.texels);
     for (const { layer, change } of layers) this.#renderer.updateLayer(layer, change);
     this.change();
@@ -136,6 +143,7 @@ export class PictureCanvas {
   /** Something is to be seen that was not drawn yet. */
   change(): void {
     this.#isDirty = true;
+    this.#isDrawn = false;
     this.#changedAt = performance.now();
     this.#schedule();
   }
@@ -156,7 +164,9 @@ export class PictureCanvas {
       renderer.draw(this.#frameOf());
       this.#keep();
     } else if (!renderer.canRefine) {
-      return this.#settle();
+      this.#settle();
+      this.#isDrawn = true;
+      if (!this.#exact.step(renderer, () => this.#frameOf())) return;
     } else if (performance.now() - this.#changedAt > REST) {
       renderer.refine(this.#frameOf());
       this.#keep();
@@ -192,9 +202,17 @@ export class PictureCanvas {
     return (this.#renderer && this.#isWhole && this.#scene.picture?.stack) || null;
   }
 
-  /** Whether frames are still to be drawn, or textures to be decoded. */
+  /** Whether frames are still to be drawn, but for exact pixels, or textures to be decoded. */
   get isDrawing(): boolean {
-    return this.#frame !== 0 || !this.#isWhole;
+    return (this.#frame !== 0 && !this.#isDrawn) || !this.#isWhole;
+  }
+
+  get layerCount(): number {
+    return this.#scene.picture?.layers.length ?? 0;
+  }
+
+  get changedAt(): number {
+    return this.#changedAt;
   }
 
   /** A number that grows with each change of a layer. */

@@ -2,6 +2,7 @@
 // where that is little; a back one solves the rest, and then takes the front one's place, so that the
 // next movement begins there. It stays only where it is going to be needed again: two of them hold
 // twice the memory.
+import type { ExactLayer } from "../../../viewer/exact_fields.js";
 import type { Box } from "../geometry/affine.js";
 import { detailFor, type Detail } from "./detail.js";
 import { Expected } from "./expected.js";
@@ -79,9 +80,7 @@ export class WorkerEngine implements Engine {
   readonly #rest = new Rest();
   readonly #expected = new Expected(
     () => this.#idleSeat,
-    (seat) => {
-      if (!this.#isFree && seat === this.#front) this.#replace(seat);
-    },
+    (seat) => this.#lose(seat),
   );
   #seatCount = 0;
   #isFree = false;
@@ -381,6 +380,11 @@ export class WorkerEngine implements Engine {
     else this.#front = this.#newSeat();
   }
 
+  /** As #replace(), where it may have been replaced already. */
+  #lose(seat: Seat) {
+    if (!this.#isFree && seat === this.#front) this.#replace(seat);
+  }
+
   // What is going to be dragged.
 
   expect(curve: CurvePlace | null): void {
@@ -418,6 +422,19 @@ export class WorkerEngine implements Engine {
 
   raster(wish: RasterWish): Promise<Uint8ClampedArray<ArrayBuffer> | Uint16Array<ArrayBuffer>> {
     return this.#ask("raster", wish);
+  }
+
+  async exactLayer(layer: number): Promise<ExactLayer | null | "busy"> {
+    const [seat, wanted] = [this.#idleSeat, this.#wanted];
+    if (!seat) return "busy";
+    try {
+      const exact = await seat.link.call<ExactLayer | null>("exactLayer", layer);
+      return this.#wanted === wanted && seat === this.#front ? exact : "busy";
+    } catch (error) {
+      // Patches show what they can; a text that is at fault has a status that says so.
+      if (!EngineError.of(error).isOfText) this.#lose(seat);
+      return null;
+    }
   }
 
   payload(): Promise<Uint8Array> {

@@ -28,6 +28,7 @@ export function serve(scope: MessageEndpoint): void {
       const pixels = session.raster(wish);
       return new Handed(pixels, [pixels.buffer as ArrayBuffer]);
     },
+    exactLayer: (layer: number) => session.exactLayer(layer),
     payload: () => session.payload(),
     lint: () => session.lint(),
     convert: (text: string) => session.convert(text),

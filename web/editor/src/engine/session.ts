@@ -1,5 +1,6 @@
 // One instance of the module: a document, its picture, and what the page has of it. Runs in a
 // worker, and in node for tests.
+import { readExactLayer, type ExactLayer } from "../../../viewer/exact_fields.js";
 import {
   loadSfumato,
   Table,
@@ -246,6 +247,14 @@ export class Session {
     if (this.#shown) this.#context.expectDrag(this.#shown.picture, layer, curve);
   }
 
+  /** A layer of the last picture as rays meet it; null: it has no curves that exact pixels can be gathered from. */
+  exactLayer(layer: number): ExactLayer | null {
+    const picture = this.#shown?.picture;
+    if (!picture || layer >= picture.layerCount) return null;
+    const hasOpacity = picture.tableView(layer, Table.opacityNodes).rows > 0;
+    return readExactLayer(this.#context.exactLayer(picture, layer) as Uint8Array, hasOpacity);
+  }
+
   #stackOf(picture: SfumatoPicture) {
     const bytes = this.#context.pictureStack(picture) as Uint8Array;
     return { bytes, stamp: stampOf([bytes]) };
@@ -285,7 +294,10 @@ export class Session {
   payload(): Uint8Array {
     const picture = this.#context.solve(this.#read(), { detail: 2 });
     try {
-      return this.#context.viewerPayload(picture) as Uint8Array;
+      const exact = Array.from({ length: picture.layerCount }, (_, layer) => this.#context.exactLayer(picture, layer));
+      // One version for all of them.
+      const parts = exact.map((bytes: Uint8Array, i) => bytes.subarray(i === 0 ? 0 : 1));
+      return joined([this.#context.viewerPayload(picture) as Uint8Array, ...parts]);
     } finally {
       picture.free();
     }
@@ -339,6 +351,16 @@ export class Session {
     for (const field of this.#fields.values()) field.free();
     this.#fields.clear();
   }
+}
+
+function joined(parts: readonly Uint8Array[]): Uint8Array {
+  const all = new Uint8Array(parts.reduce((sum, { length }) => sum + length, 0));
+  let at = 0;
+  for (const part of parts) {
+    all.set(part, at);
+    at += part.length;
+  }
+  return all;
 }
 
 /** As `sfumato lint --json` prints it. */

@@ -1,4 +1,5 @@
 // contract: the engine, as the page sees it. It works in workers.
+import type { ExactLayer } from "../../../viewer/exact_fields.js";
 import type { Box } from "../geometry/affine.js";
 import type { CubicPath } from "../geometry/cubic.js";
 import type { GivenImage } from "./session.js";
@@ -166,6 +167,11 @@ export interface Engine {
   /** Exact colours (red, green, blue, opacity; 0 to 1) of a layer's last exact state at points, xy in its frame. */
   colors(layer: number, xy: Float64Array): Promise<Float32Array>;
   raster(wish: RasterWish): Promise<Uint8ClampedArray<ArrayBuffer> | Uint16Array<ArrayBuffer>>;
+  /**
+   * A layer of the exact picture that is shown as rays meet it; null: it has no curves that exact pixels
+   * can be gathered from. "busy": there is no such picture now, or the engine has something else to do.
+   */
+  exactLayer(layer: number): Promise<ExactLayer | null | "busy">;
   /** The bytes of the HTML viewer's payload. */
   payload(): Promise<Uint8Array>;
   /** null: the text has changed, or is not exact yet. */

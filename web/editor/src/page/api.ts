@@ -26,6 +26,10 @@ export function publish(editor: DrawingEditor, documents: Documents, drawn: () =
     get status() {
       return editor.status.value;
     },
+    /** How it stands with exact pixels. */
+    get exactPixels() {
+      return editor.exactState.value;
+    },
   };
   Object.defineProperty(window, "sfumatoEditor", { value: Object.freeze(api) });
 }

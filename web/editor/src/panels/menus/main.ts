@@ -121,6 +121,7 @@ const view = (editor: Editor): readonly MenuItem[] => [
   ...zooms,
   "line",
   { label: words.outlines, command: "outlines", checked: editor.showOutlines.value },
+  { label: words.exactPixels, command: "exact-pixels", checked: editor.exactState.value.kind !== "off" },
   { label: words.mesh, command: "mesh", checked: editor.showMesh.value },
   { label: words.reference, command: "reference", checked: editor.showReference.value },
   { label: words.grid, command: "grid", checked: editor.settings.grid.value },

@@ -17,6 +17,7 @@ const names: Readonly<Record<string, string>> = {
   "zoom-fit": words.zoomFit,
   "zoom-selection": words.zoomSelection,
   "zoom-actual": words.zoomActual,
+  "exact-pixels": words.exactPixels,
   mesh: words.mesh,
   outlines: words.outlines,
   reference: words.reference,

@@ -107,6 +107,29 @@ function Engine() {
   );
 }
 
+/** How it stands with exact pixels; pressed, it turns them on or off. */
+function ExactPixels() {
+  const { editor } = useShell();
+  const state = editor.exactState.value;
+  const word =
+    state.kind === "gathering"
+      ? words.exactStates.gathering(decimal(Math.floor(100 * state.share), 0))
+      : words.exactStates[state.kind];
+  const tip = state.kind === "none" ? words.exactStateTips.none(state.reason) : words.exactStateTips[state.kind];
+  return (
+    <button
+      type="button"
+      class="status-button exact-pixels desk-wide"
+      aria-pressed={state.kind !== "off"}
+      data-tip={tip}
+      onClick={() => editor.command("exact-pixels")}
+    >
+      <Icon name={state.kind === "exact" ? "check" : "scan-line"} small />
+      {word}
+    </button>
+  );
+}
+
 function Place() {
   const { pointer } = useShell().editor;
   const at = pointer.value;
@@ -164,6 +187,7 @@ export function StatusBar() {
       <ToolHint />
       <HintsButton />
       <Engine />
+      <ExactPixels />
       <Place />
       <Surrounds />
       <Zoom />
