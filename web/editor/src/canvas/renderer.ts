@@ -145,6 +145,7 @@ export class PictureCanvas {
     this.#isDirty = true;
     this.#isDrawn = false;
     this.#changedAt = performance.now();
+    this.#exact.leave();
     this.#schedule();
   }
 

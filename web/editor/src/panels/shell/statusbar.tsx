@@ -119,13 +119,14 @@ function ExactPixels() {
   return (
     <button
       type="button"
-      class="status-button exact-pixels desk-wide"
+      class="status-button"
+      aria-label={word}
       aria-pressed={state.kind !== "off"}
       data-tip={tip}
       onClick={() => editor.command("exact-pixels")}
     >
       <Icon name={state.kind === "exact" ? "check" : "scan-line"} small />
-      {word}
+      <span class="desk-wide">{word}</span>
     </button>
   );
 }
