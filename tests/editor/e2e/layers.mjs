@@ -65,8 +65,22 @@ async function testThumbs({ browser, address }) {
   await editor.settled();
   await page.waitForTimeout(500);
   check(await thumb(page, "back").isVisible(), "the thumb of what is hidden is gone");
+  await checkThumbsNearBy(editor, addresses);
   editor.checkQuiet();
   await editor.close();
+}
+
+/** Nearer, where a part of the picture is made, thumbs still show all of theirs. */
+async function checkThumbsNearBy(editor, addresses) {
+  const { page } = editor;
+  const before = await addresses();
+  for (let i = 0; i < 9; ++i) await editor.key("+");
+  await page.waitForTimeout(500);
+  await page.waitForFunction(() => window.sfumatoEditor.status.kind === "exact");
+  await page.waitForTimeout(500);
+  const [ball, beside] = [await pixelOf(thumb(page, "set"), 0.5, 0.5), await pixelOf(thumb(page, "set"), 0.05, 0.05)];
+  check(isNear(ball, [0, 255, 0, 255]) && beside[3] === 0, `near by the ball's thumb shows ${ball}`);
+  checkEqual(await addresses(), before, "thumbs near by");
 }
 
 /** Rows say their name, kind and state, once; their buttons say their own. */

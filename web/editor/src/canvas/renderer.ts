@@ -208,6 +208,11 @@ export class PictureCanvas {
     return (this.#frame !== 0 && !this.#isDrawn) || !this.#isWhole;
   }
 
+  /** The part of the artboard that the picture was made for. */
+  get viewport(): readonly number[] {
+    return this.#scene.picture?.viewport ?? [0, 0, 0, 0];
+  }
+
   get layerCount(): number {
     return this.#scene.picture?.layers.length ?? 0;
   }

@@ -91,10 +91,19 @@ export class Thumbs {
       if (isHidden(item)) continue;
       const shown = this.#shownOf(drawing, item);
       if ((shown?.key ?? "") === this.#keys.get(handle)) continue;
+      // Near by, a part of the picture is made: what is beyond waits until it is made again.
+      if (shown && !this.#isMade(drawing, shown.view)) continue;
       this.#keys.set(handle, shown?.key ?? "");
       await this.#show(address, shown);
       return this.#wait();
     }
+  }
+
+  #isMade(drawing: Drawing, [x0, y0, x1, y1]: Box): boolean {
+    const [left, top, right, bottom] = drawing.artboard;
+    const [x, y, endX, endY] = this.#picture.viewport;
+    const isAcross = x <= Math.max(x0, left) && endX >= Math.min(x1, right);
+    return isAcross && y <= Math.max(y0, top) && endY >= Math.min(y1, bottom);
   }
 
   async #show(address: Signal<string | null>, shown: Shown | null) {
