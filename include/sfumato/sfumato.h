@@ -443,7 +443,6 @@ typedef struct sfumato_image {
 
 /** Draws a picture into the caller's pixels, which are unspecified where it fails; bytes between
  * rows are left alone.
- *
  * options: viewport [the picture's], background=COLOR|none [the document's; without one
  * transparent, or white where there is no alpha], dither [not], no-antialias, mesh-overlay;
  * window=X,Y,W,H: the image, which is W x H, is this part of one that width, height and scale say
@@ -468,10 +467,9 @@ SFUMATO_API int32_t sfumato_encode(sfumato_context* context, const sfumato_image
  * background [the document's, else white]. */
 SFUMATO_API int32_t sfumato_viewer_payload(sfumato_context* context, const sfumato_picture* picture,
                                            const char* options, sfumato_bytes** bytes);
-/** Makes those bytes without the meshes and fields of the layers, for who draws these from
- * sfumato_picture_table(): instances, local curves, groups, paints, and of each layer its order and
- * the paints of its colour and its opacity. Its time does not depend on the layers' tables.
- * options: background [the document's, else white]. */
+/** Makes those bytes without the layers' meshes and fields, for who draws these from
+ * sfumato_picture_table(); of each layer its order and the paints of its fields remain. Its time
+ * does not depend on the layers' tables. options: background [the document's, else white]. */
 SFUMATO_API int32_t sfumato_picture_stack(sfumato_context* context, const sfumato_picture* picture,
                                           const char* options, sfumato_bytes** bytes);
 /** Makes what exact pixels of a layer are gathered from (docs/viewer.md, "Exact fields"), in about
@@ -565,7 +563,6 @@ typedef struct sfumato_weights sfumato_weights;
 /** Prepares a layer; the document is not needed afterwards. `attribute`: SFUMATO_COLOR or
  * SFUMATO_OPACITY. What a row says holds as long as the curves, their blur, and the offsets and
  * kinds of their sides stay as they are, and, at the free end of a curve, while its sides differ.
- *
  * options: as of sfumato_field_new(), but for ends, which are soft. */
 SFUMATO_API int32_t sfumato_weights_new(sfumato_context* context, const sfumato_document* document,
                                         uint32_t layer, uint32_t attribute, const char* options,
