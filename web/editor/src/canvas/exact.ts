@@ -16,6 +16,8 @@ const SHOWN_EVERY = 400;
 interface Known {
   readonly version: number;
   readonly layer: ExactLayer | null;
+  /** Why the engine could not give them; empty: it could. */
+  readonly failure: string;
 }
 
 /** What the stage draws. */
@@ -65,6 +67,11 @@ export class ExactStage {
       this.#tell({ kind: "gathering", share: 0 });
       if (isResting) void this.#ask();
       return !isResting;
+    }
+    const failed = this.#known.find(({ failure }) => failure !== "");
+    if (failed) {
+      this.#tell({ kind: "none", reason: failed.failure });
+      return false;
     }
     if (!renderer.exact) renderer.setExact(true, layers);
     renderer.gatherMore(frame());
@@ -120,12 +127,16 @@ export class ExactStage {
     for (let i = 0; i < this.#shown.layerCount; ++i) {
       if (this.#isKnown(i)) continue;
       const version = this.#shown.version(i);
-      const layer = await engine.exactLayer(i);
-      if (layer === "busy") {
-        await new Promise((resolve) => setTimeout(resolve, AGAIN));
-        break;
+      try {
+        const layer = await engine.exactLayer(i);
+        if (layer === "busy") {
+          await new Promise((resolve) => setTimeout(resolve, AGAIN));
+          break;
+        }
+        this.#known[i] = { version, layer, failure: "" };
+      } catch (error) {
+        this.#known[i] = { version, layer: null, failure: (error as Error).message };
       }
-      this.#known[i] = { version, layer };
     }
     this.#isAsking = false;
     this.#wake();

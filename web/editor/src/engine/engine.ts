@@ -431,9 +431,8 @@ export class WorkerEngine implements Engine {
       const exact = await seat.link.call<ExactLayer | null>("exactLayer", layer);
       return this.#wanted === wanted && seat === this.#front ? exact : "busy";
     } catch (error) {
-      // Patches show what they can; a text that is at fault has a status that says so.
       if (!EngineError.of(error).isOfText) this.#lose(seat);
-      return null;
+      throw error;
     }
   }
 

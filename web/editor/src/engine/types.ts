@@ -170,6 +170,7 @@ export interface Engine {
   /**
    * A layer of the exact picture that is shown as rays meet it; null: it has no curves that exact pixels
    * can be gathered from. "busy": there is no such picture now, or the engine has something else to do.
+   * @throws Error in words, as where memory is lacking
    */
   exactLayer(layer: number): Promise<ExactLayer | null | "busy">;
   /** The bytes of the HTML viewer's payload. */
