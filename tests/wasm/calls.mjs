@@ -357,6 +357,21 @@ async function testWork(tap, sfumato, module) {
     same(picture.statistics.waitingNodes, 0, "the nodes that wait behind a minute");
     refusal(Status.badUsage, () => context.solveAgain(document, picture, { seconds: -1 }));
   });
+  await tap.test("frames of a film go on with the mesh of the one before", () => {
+    const context = sfumato.context();
+    const document = context.read(textOf(CONTROLS));
+    const picture = context.solve(document, { coherent: true });
+    const layers = picture.layerCount;
+    document.setPoints(1, 1, document.points(1, 1).map((x) => x + 0.5));
+    context.solveNext(document, picture);
+    const { keptLayers, continuedLayers, begunLayers } = picture.statistics;
+    same(keptLayers + continuedLayers + begunLayers, layers, "the layers of a frame");
+    same(continuedLayers, 1, "the layers that go on");
+    const still = context.solve(document);
+    refusal(Status.badUsage, () => context.solveNext(document, still));
+    picture.free();
+    still.free();
+  });
   await tap.test("warnings of the reader are heard", () => {
     const context = sfumato.context();
     context.read('<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"/>', { name: "e.svg" });

@@ -194,6 +194,14 @@ export class SfumatoContext extends Handle {
   }
 
   /**
+   * Makes a picture that of the next frame of a film: of one that was solved with `coherent`.
+   * picture.statistics says how its layers were made: keptLayers, continuedLayers, begunLayers.
+   */
+  solveNext(document, picture) {
+    this.run("sfumato_solve_next", this.#documentOf(document), this.#pictureOf(picture));
+  }
+
+  /**
    * Prepares a picture of a document as it is for quick ones in which this curve moves: the first of
    * them comes as soon as the others.
    */

@@ -23,6 +23,9 @@ const statistics = [
   "triangulationSeconds",
   "gatherSeconds",
   "waitingNodes",
+  "keptLayers",
+  "continuedLayers",
+  "begunLayers",
 ];
 
 /** A solved document, of no resolution. */
@@ -91,7 +94,7 @@ export class SfumatoPicture extends Handle {
     return Array.from({ length: rows }, (_, i) => [data[2 * i], data[2 * i + 1]]);
   }
 
-  /** What the last solve() or solveAgain() did: { curves, nodes, gatherSeconds... }, and waitingNodes. */
+  /** What the last solve() or solveAgain() did: { curves, nodes, gatherSeconds... }, waitingNodes, and how layers of a frame were made. */
   get statistics() {
     const number = (i) => this.library.number("sfumato_picture_statistic", this.address, i);
     return Object.fromEntries(statistics.map((name, i) => [name, number(i)]));

@@ -162,7 +162,10 @@ export class SfumatoPicture implements Handle {
     | "geometrySeconds"
     | "triangulationSeconds"
     | "gatherSeconds"
-    | "waitingNodes",
+    | "waitingNodes"
+    | "keptLayers"
+    | "continuedLayers"
+    | "begunLayers",
     number
   >;
 }
@@ -197,6 +200,8 @@ export class SfumatoContext implements Handle {
     picture: SfumatoPicture,
     way?: { quick?: boolean; seconds?: number | undefined },
   ): void;
+  /** Makes a picture, solved with `coherent`, that of the next frame of a film: nothing flickers where nothing moves. */
+  solveNext(document: SfumatoDocument, picture: SfumatoPicture): void;
   expectDrag(picture: SfumatoPicture, layer: number, curve: number): void;
   raster(
     picture: SfumatoPicture,
