@@ -6,7 +6,7 @@ import { PayloadError } from "./bytes.js";
 import { readExactLayers } from "./exact_fields.js";
 import { ExactScene, wholeShift } from "./exact_scene.js";
 import { Pace, TILE, without, Work } from "./exact_work.js";
-import { intersected, Target } from "./targets.js";
+import { intersected, isEmptyRect, Target } from "./targets.js";
 
 /** @import { Affine } from "./affine.js" */
 /** @import { Programs } from "./gl.js" */
@@ -131,6 +131,9 @@ export class ExactPixels {
     this.isShown = false;
   }
 
+  /** Whether the reason is one of the view: another one may have exact pixels. */
+  isTooLarge = false;
+
   /**
    * From now on pixels of this view are gathered.
    * @param {number[]} size of the target, pixels
@@ -138,15 +141,13 @@ export class ExactPixels {
    * @param {(instance: Instance) => Rect} touched what an instance can touch
    */
   begin(size, pixelFromArtboard, touched) {
-    const instances = this.picture.stack.filter((item) => item.kind === "instance");
-    const bytes = instances.length * PIXEL_BYTES * size[0] * size[1];
+    const seen = this.seen(size, touched);
     const before = this.images;
     this.images = new Map();
-    if (bytes > MOST_BYTES) this.reason = "the window has too many pixels for so many layers";
-    for (const instance of this.reason ? [] : instances) {
-      const scene = this.scenes.get(this.picture.layers[instance.layer]);
-      const rect = intersected([0, 0, ...size], touched(instance));
-      if (!scene || rect[2] * rect[3] === 0) continue;
+    if (this.isTooLarge) this.reason = "";
+    this.isTooLarge = seen.length * PIXEL_BYTES * size[0] * size[1] > MOST_BYTES;
+    if (this.isTooLarge) this.reason = "the window has too many pixels for so many layers";
+    for (const { instance, scene, rect } of this.isTooLarge ? [] : seen) {
       const pixelFromLayer = composed(pixelFromArtboard, instance.artboardFromLayer);
       scene.look(pixelFromLayer, size);
       const known = before.get(instance);
@@ -155,6 +156,20 @@ export class ExactPixels {
     }
     for (const { target } of before.values()) target.free();
     this.isShown = true;
+  }
+
+  /**
+   * The instances that can touch the window, and where.
+   * @param {number[]} size
+   * @param {(instance: Instance) => Rect} touched
+   */
+  seen(size, touched) {
+    return this.picture.stack.flatMap((item) => {
+      const scene = item.kind === "instance" && this.scenes.get(this.picture.layers[item.layer]);
+      if (!scene) return [];
+      const rect = intersected([0, 0, ...size], touched(item));
+      return isEmptyRect(rect) ? [] : [{ instance: item, scene, rect }];
+    });
   }
 
   /**

@@ -117,7 +117,7 @@ export class Renderer {
   /** Whether gatherMore() has more to do for the frame drawn last. */
   get canGather() {
     const { exact } = this;
-    if (!exact || exact.reason) return false;
+    if (!exact || (exact.reason && !exact.isTooLarge)) return false;
     return !this.isGathering || exact.isBusy || !exact.isDone;
   }
 
@@ -134,7 +134,7 @@ export class Renderer {
       );
       this.isGathering = true;
     }
-    this.hasUnshown = true;
+    if (!exact.isTooLarge) this.hasUnshown = true;
     if (!exact.isDone) exact.step();
   }
 

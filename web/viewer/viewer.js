@@ -205,15 +205,16 @@ export class Viewer {
   /** How it stands with exact pixels. */
   get exactState() {
     const { exact } = this.renderer ?? {};
+    const isPossible = !exact?.reason || exact.isTooLarge;
+    const isOn = this.exact && isPossible;
     if (exact?.reason)
-      return { isOn: false, isPossible: false, word: "None", sentence: `not here: ${exact.reason}` };
-    const isPossible = true;
-    if (!this.exact) return { isOn: false, isPossible, word: "Off", sentence: "off" };
+      return { isOn, isPossible, word: "None", sentence: `not here: ${exact.reason}` };
+    if (!isOn) return { isOn, isPossible, word: "Off", sentence: "off" };
     const share = exact && this.renderer?.isGathering ? exact.progress : 0;
     if (share === 1 && !this.renderer?.canRefine)
-      return { isOn: true, isPossible, word: "Exact", sentence: "all that no curve cuts is exact" };
+      return { isOn, isPossible, word: "Exact", sentence: "all that no curve cuts is exact" };
     const percent = `${Math.floor(99 * share)} %`;
-    return { isOn: true, isPossible, word: percent, sentence: `gathered ${percent}` };
+    return { isOn, isPossible, word: percent, sentence: `gathered ${percent}` };
   }
 
   showExact() {
