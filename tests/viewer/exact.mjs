@@ -4,7 +4,7 @@ import { deflateSync, inflateSync } from "node:zlib";
 import { PayloadError } from "../../web/viewer/bytes.js";
 import { readExactLayers } from "../../web/viewer/exact_fields.js";
 import { PictureReader } from "../../web/viewer/payload.js";
-import { check, pathOf, randomNumbers, settled } from "./harness.mjs";
+import { check, pathOf, randomNumbers, settled, show } from "./harness.mjs";
 import { withServer } from "./updates.mjs";
 
 /** Code values. */
@@ -195,11 +195,33 @@ async function testPage(tap, tools) {
       check((await stateOf(page)) === "off", "it is on where the driver is software");
       await page.click("#exact");
       await settled(page);
-      check((await stateOf(page)).includes("exact"), `it says ${await stateOf(page)}`);
+      check((await stateOf(page)).includes("exact but"), `it says ${await stateOf(page)}`);
       check((await page.getAttribute("#exact", "aria-pressed")) === "true", "it is not pressed");
+      await show(page, { zoom: 100 });
+      check((await stateOf(page)).includes("16 points"), `it says ${await stateOf(page)}`);
+      check((await page.getAttribute("#exact", "title")).includes("16 points"), "the title differs");
       await page.keyboard.press("e");
       await settled(page);
       check((await page.getAttribute("#exact", "aria-pressed")) === "false", "it is pressed");
+    }),
+  );
+  await tap.test("in a narrow window the word stands on the button, and nothing is cut", () =>
+    tools.pages.open(html, { size: [320, 200] }, async (page) => {
+      await page.click("#exact");
+      await show(page, { zoom: 40000 });
+      const boxes = await page.evaluate(() =>
+        ["#tools", "#tools button", "#exact", "#exact-state"].map((name) =>
+          [...document.querySelectorAll(name)].map((it) => {
+            const { left, top, right, bottom } = it.getBoundingClientRect();
+            return [left, top, right, bottom];
+          }),
+        ),
+      );
+      const isIn = (a, b) => a[0] >= b[0] && a[1] >= b[1] && a[2] <= b[2] && a[3] <= b[3];
+      const [[tools], buttons, [button], [word]] = boxes;
+      check(isIn(tools, [0, 0, 320, 200]), `the buttons take ${tools}`);
+      check(buttons.every((box) => isIn(box, tools)), `a button is cut: ${buttons}`);
+      check(word[2] - word[0] > 20 && isIn(word, button), `the word takes ${word} of ${button}`);
     }),
   );
   await tap.test("exact pixels come back after the graphics were lost", () =>

@@ -233,6 +233,11 @@ export class ExactPixels {
     return all > 0 ? 1 - left / all : 1;
   }
 
+  /** Whether pixels that curves cut are gathered too, at several points. */
+  get hasCuts() {
+    return [...this.images.values()].every(({ scene }) => scene.isRefined);
+  }
+
   /** Whether the GPU still gathers. */
   get isBusy() {
     return this.fence !== null;

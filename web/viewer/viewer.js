@@ -21,6 +21,10 @@ const SLOWEST_FRAME = 1000;
 /** So often what was gathered is shown, milliseconds. */
 const SHOWN_EVERY = 400;
 
+/** What is said of exact pixels: those that a curve cuts are the patches', or gathered. */
+const BUT_CUTS = "exact but where a curve cuts a pixel";
+const CUTS_TOO = "exact; where a curve cuts a pixel, at 16 points";
+
 /** Frames that were too slow, one after another, before it does; the first compiles shaders. */
 const SLOW_FRAMES = 2;
 
@@ -212,7 +216,7 @@ export class Viewer {
     if (!isOn) return { isOn, isPossible, word: "Off", sentence: "off" };
     const share = exact && this.renderer?.isGathering ? exact.progress : 0;
     if (share === 1 && !this.renderer?.canRefine)
-      return { isOn, isPossible, word: "Exact", sentence: "all that no curve cuts is exact" };
+      return { isOn, isPossible, word: "Exact", sentence: exact?.hasCuts ? CUTS_TOO : BUT_CUTS };
     const percent = `${Math.floor(99 * share)} %`;
     return { isOn, isPossible, word: percent, sentence: `gathered ${percent}` };
   }
