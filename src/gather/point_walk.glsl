@@ -25,7 +25,7 @@ vec2 point;
 float weight;   // W
 vec4 value;     // sum of w z
 int steps;      // windows that passed an edge
-bool failed;    // there were more than allowed; the sums are of no use
+bool failed;    // the walk did not come to its end; the sums are of no use
 
 FN float number(int bits) { return intBitsToFloat(bits); }
 
@@ -314,7 +314,6 @@ FN void gather(vec2 at, int triangle, float negligible, int step_limit) {
   weight = 0.0f;
   value = vec4(0.0f, 0.0f, 0.0f, 0.0f);
   steps = 0;
-  failed = false;
   // Windows that wait are what lies left of an apex: their right rays point to it.
   vec4 ring_rays[STACK];  // right, left
   int ring_edge[STACK];   // 2 edge + (1 if the left end of the edge is seen)
@@ -388,7 +387,6 @@ FN void gather(vec2 at, int triangle, float negligible, int step_limit) {
     }
     ++steps;
     if (steps > step_limit) {
-      failed = true;
       break;
     }
     // At every second step, because the test costs as much as the step.
@@ -447,4 +445,7 @@ FN void gather(vec2 at, int triangle, float negligible, int step_limit) {
       has_window = false;
     }
   }
+  // Told by where it stands, since drivers may end a loop without a word (Mesa's llvmpipe after 65,535
+  // rounds).
+  failed = steps > step_limit || has_window || has_forgotten || ring_size > 0 || corner < 3;
 }

@@ -96,6 +96,34 @@ TEST(GpuGather, specks_are_an_answer_in_short_batches) {
   EXPECT_EQ(gathered(drawing, points, device.get()), gathered(drawing, points, &twin));
 }
 
+/// Asks a device however few points there are.
+class EvenOfFew : public PointSource {
+ public:
+  explicit EvenOfFew(PointSource& device) : device_(device) {}
+
+  std::size_t least_points() const override { return 0; }
+  Status sum(Context& context, const gather::Scene& scene, std::span<const gather::WalkPoint> point,
+             std::span<float> sums) override {
+    return device_.sum(context, scene, point, sums);
+  }
+
+ private:
+  PointSource& device_;
+};
+
+// Mesa's llvmpipe ends loops after 65,535 rounds.
+TEST(GpuGather, a_walk_that_the_driver_ends_is_left_to_the_packets) {
+  SFUMATO_NEEDS_COMPUTE();
+  const std::unique_ptr<GatherDevice> device = device_of({.stack = 1});
+  EvenOfFew source(*device);
+  const Drawing drawing = draw(gather::test::specks(7, 2000));
+  const std::vector<Vec2> points = random_points(drawing, 5, 64, 0.05);
+  TwinSource<1> twin;
+  const auto d = difference(gathered(drawing, points, &source), gathered(drawing, points, &twin));
+  EXPECT_GT(twin.most_steps(), 65'535);
+  EXPECT_LE(d.largest, 0.5);
+}
+
 TEST(GpuGather, thousands_of_shaders_are_an_answer) {
   SFUMATO_NEEDS_COMPUTE();
   const std::unique_ptr<GatherDevice> device = device_of();

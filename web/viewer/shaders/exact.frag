@@ -114,5 +114,9 @@ void main() {
     if (color.a < 0.0) discard;
     sum += color;
   }
+  // Mesa's llvmpipe ends all loops of a pixel after 65,535 rounds: then sums are of a part.
+  int rounds = 0;
+  for (int i = 0; i < min(step_limit, 2); ++i) ++rounds;
+  if (rounds < min(step_limit, 2)) discard;
   fragment = vec4(sum.a > 0.0 ? sum.rgb / sum.a : vec3(0.0), sum.a / float(count));
 }
