@@ -10,7 +10,7 @@ import { withServer } from "./updates.mjs";
 /** Code values. */
 const MOST_MISS = 0.05;
 
-const svg = (body, attributes = "") =>
+export const svg = (body, attributes = "") =>
   `<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1" viewBox="0.0371 0.0193 48 40" ${attributes}>${body}</svg>`;
 
 /** Off the grid of pixels, so that no centre lies on a curve. */
@@ -37,6 +37,9 @@ const DOCUMENTS = {
   ),
 };
 
+/** What the walk's program is made with, besides. */
+const DEFINES = { blur: " WITH_BLUR", opacity: " WITH_OPACITY" };
+
 const SIZE = [48, 40];
 const WHOLE = [1, 0, 0, 1, -0.0371, -0.0193];
 
@@ -46,7 +49,7 @@ function documentOf(command, name) {
   return path;
 }
 
-const payloadOf = (path) => readFileSync(path, "utf8").match(/id="payload">([^<]*)</)[1];
+export const payloadOf = (path) => readFileSync(path, "utf8").match(/id="payload">([^<]*)</)[1];
 
 function pageOf(command, name) {
   const page = command.file(`exact_${name.replace(" ", "_")}.html`);
@@ -60,7 +63,7 @@ const shaderPaths = [
 ].join(" ");
 
 /** What a page gathers of a payload. */
-async function gathered({ pages }, payload, wish) {
+export async function gathered({ pages }, payload, wish) {
   let result = null;
   await withServer(payload, async (address) => {
     await pages.visit(address, {}, async (page) => {
@@ -83,7 +86,7 @@ function expectedOf({ command, PNG }, name) {
   return data;
 }
 
-function compare(expected, pixels) {
+export function compare(expected, pixels) {
   let miss = 0,
     found = 0;
   for (let i = 0; i < pixels.length; i += 4) {
@@ -103,7 +106,10 @@ async function testPixels(tap, tools) {
   for (const name of Object.keys(DOCUMENTS)) {
     await tap.test(`exact pixels are the library's: ${name}`, async () => {
       const payload = payloadOf(pageOf(tools.command, name));
-      const { pixels, error } = await gathered(tools, payload, { size: SIZE, views: [WHOLE] });
+      const wish = { size: SIZE, views: [WHOLE] };
+      const { pixels, error, programs } = await gathered(tools, payload, wish);
+      const walks = programs.filter((program) => program.startsWith("screen exact "));
+      check(walks.join() === `screen exact WITH_WALK${DEFINES[name] ?? ""}`, `it ran ${walks}`);
       const { miss, found } = compare(expectedOf(tools, name), pixels);
       console.log(`# ${found} of ${pixels.length / 4} pixels, at most ${miss.toFixed(4)} off`);
       check(error === 0, `GL says ${error}`);

@@ -26,9 +26,11 @@ function pixelsOf(gl, exact, size) {
 /**
  * Gathers all of it.
  * views: maps from the artboard to pixels, one after another; the last is read.
- * @returns pixels, gathered of the last view, or a reason
+ * limit: of steps of a walk; isPaced: in shares that are as long as a page's.
+ * @returns pixels, gathered of the last view, or a reason; the programs that were made, and how long
+ * the longest share took, milliseconds
  */
-export async function gathered({ size, views, limit }) {
+export async function gathered({ size, views, limit, isPaced }) {
   const shaders = await readShaders();
   const gl = document.createElement("canvas").getContext("webgl2");
   const picture = await readPicture(await text("/payload"));
@@ -38,20 +40,23 @@ export async function gathered({ size, views, limit }) {
   if (exact.reason) return { reason: exact.reason };
   exact.format = gl.RGBA32F;
   if (limit) exact.stepLimit = limit;
-  let worked = 0;
+  let worked = 0,
+    longest = 0;
   for (const view of views) {
     exact.begin(size, view, () => [0, 0, ...size]);
     worked = 0;
     for (const { work } of exact.images.values()) worked += work.left;
     while (!exact.isDone) {
-      exact.pace.pixels = 1 << 14;
+      if (!isPaced) exact.pace.pixels = 1 << 14;
+      const start = performance.now();
       exact.step();
       while (exact.isBusy) await frame();
+      longest = Math.max(longest, performance.now() - start);
     }
   }
   const error = gl.getError();
   const pixels = pixelsOf(gl, exact, size);
   const images = exact.images.size;
   exact.free();
-  return { pixels, worked, images, error };
+  return { pixels, worked, images, error, longest, programs: [...programs.made.keys()] };
 }

@@ -7,6 +7,7 @@ import { chromium } from "playwright-core";
 import { PNG } from "pngjs";
 import { Command, Pages, Tap, pathOf } from "./harness.mjs";
 import { testExact } from "./exact.mjs";
+import { testExactHard } from "./exact_hard.mjs";
 import { testFramesAndPaper } from "./frames.mjs";
 import { testInteraction } from "./interaction.mjs";
 import { testGlb, testSvg } from "./outputs.mjs";
@@ -88,6 +89,7 @@ await tap.whole("Chromium starts, and all tests come to their end", async () => 
     await testWatch(tap, tools);
     await testTiles(tap, tools);
     await testExact(tap, tools);
+    await testExactHard(tap, tools);
   });
   await withBrowser(other, (tools) => testOtherDriver(tap, tools));
 });

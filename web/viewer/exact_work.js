@@ -15,6 +15,9 @@ const AIM = 6;
 const SOFTWARE_AIM = 60;
 const FIRST_SHARE = 256;
 const LEAST_SHARE = 64;
+/** There a pixel may take 10 ms. */
+const SOFTWARE_FIRST = 64;
+const SOFTWARE_LEAST = 8;
 const MOST_SHARE = 1 << 22;
 
 /** Pixels that may be gathered in a frame, by how long those of the frames before took. */
@@ -22,7 +25,8 @@ export class Pace {
   /** @param {boolean} isSoftware */
   constructor(isSoftware) {
     this.aim = isSoftware ? SOFTWARE_AIM : AIM;
-    this.pixels = FIRST_SHARE;
+    this.least = isSoftware ? SOFTWARE_LEAST : LEAST_SHARE;
+    this.pixels = isSoftware ? SOFTWARE_FIRST : FIRST_SHARE;
   }
 
   /** @param {number} elapsed milliseconds that a share took */
@@ -30,7 +34,7 @@ export class Pace {
     const { aim } = this;
     const factor = elapsed < 0.7 * aim ? 2 : elapsed > 1.3 * aim ? aim / elapsed : 1;
     const pixels = Math.round(this.pixels * Math.max(factor, 1 / 8));
-    this.pixels = Math.min(MOST_SHARE, Math.max(LEAST_SHARE, pixels));
+    this.pixels = Math.min(MOST_SHARE, Math.max(this.least, pixels));
   }
 }
 

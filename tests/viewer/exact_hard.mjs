@@ -1,0 +1,88 @@
+// Exact pixels of drawings that are hard on the walk: they come to an end, no share of them takes
+// long, and they are the library's.
+import { readFileSync, writeFileSync } from "node:fs";
+import { compare, gathered, payloadOf, svg } from "./exact.mjs";
+import { check, randomNumbers } from "./harness.mjs";
+
+/** Of a share, for which pages aim at 60 in software; machines may be busy. Milliseconds. */
+const LONGEST_SHARE = 2000;
+/** Code values. */
+const MOST_MISS = 1;
+
+const MIDDLE = [24.0371, 20.0193];
+
+const layer = (shapes) => svg(`<g sf:diffuse="true">${shapes}</g>`);
+
+/** 400 teeth, 28 long and a hundredth from the next at the foot. */
+function comb() {
+  const teeth = Array.from({ length: 400 }, (_, i) => {
+    const x = 4.0137 + 0.1 * i;
+    return `L${x} 34.013 L${x + 0.03} 6.0171 L${x + 0.09} 34.013`;
+  });
+  const path = `M1 38.013 ${teeth.join(" ")} L47 38.013`;
+  return layer(`<path d="${path}" sf:left="#136, #fe8, #264" sf:right="#fff, #f00, #08f"/>`);
+}
+
+/** Curves of a few hundredths of a unit. */
+function dust(count) {
+  const random = randomNumbers(5);
+  const next = () => random.next().value / (1 << 24);
+  const color = () => `#${Math.floor(4096 * next()).toString(16).padStart(3, "0")}`;
+  const specks = Array.from({ length: count }, () => {
+    const [x, y] = [1 + 46 * next(), 1 + 38 * next()].map((v) => v.toFixed(4));
+    const [a, b, c, d] = Array.from({ length: 4 }, () => (0.06 * next() - 0.03).toFixed(4));
+    return `<path d="M${x} ${y}q${a} ${b} ${c} ${d}" sf:left="${color()}" sf:right="${color()}"/>`;
+  });
+  return layer(specks.join("\n"));
+}
+
+/**
+ * The part of a drawing that is looked at: size in pixels, zoom, and the point in the middle.
+ * tolerance: how fine chords are, user units. limit: of steps, where it is not the page's. least: so
+ * many pixels have to be there.
+ */
+const HARD = [
+  { name: "a comb", of: comb, tolerance: 0.0005, size: [24, 20], zoom: 0.5, least: 100 },
+  { name: "its teeth", of: comb, tolerance: 0.0005, size: [24, 20], zoom: 90, least: 200 },
+  { name: "dust", of: () => dust(2000), tolerance: 0.02, size: [18, 15], zoom: 2, limit: 1 << 17, least: 120 },
+  { name: "dust from near", of: () => dust(400), tolerance: 0.02, size: [24, 20], zoom: 10, least: 400 },
+];
+
+/** The library's pixels, 16 bits. */
+function expectedOf({ command, PNG }, path, { tolerance, size, zoom }) {
+  const png = command.file("exact_expected.png");
+  const [width, height] = size.map((length) => length / zoom);
+  const part = [MIDDLE[0] - width / 2, MIDDLE[1] - height / 2, width, height];
+  command.run("render", path, "-o", png, "--method", "pixels", "--depth", 16, "--quiet",
+    "--tolerance", tolerance, "--viewport", part.join(","), "--width", size[0], "--height", size[1]);
+  return PNG.sync.read(readFileSync(png), { skipRescale: true }).data;
+}
+
+/** The payload of a page; its patches are not looked at. */
+function payloadFor({ command }, path, { tolerance }) {
+  const page = command.file("exact_hard.html");
+  command.run("render", path, "-o", page, "--quiet", "--tolerance", tolerance,
+    "--max-error", "off", "--order", "linear", "--min-angle", 0);
+  return payloadOf(page);
+}
+
+async function testHard(tools, hard) {
+  const { of, size, zoom, limit, least } = hard;
+  const path = tools.command.file("exact_hard.svg");
+  writeFileSync(path, of());
+  const view = [zoom, 0, 0, zoom, ...size.map((length, i) => length / 2 - zoom * MIDDLE[i])];
+  const wish = { size, views: [view], isPaced: true, limit };
+  const { pixels, longest, error } = await gathered(tools, payloadFor(tools, path, hard), wish);
+  check(error === 0, `GL says ${error}`);
+  check(longest < LONGEST_SHARE, `a share took ${longest} ms`);
+  const { miss, found } = compare(expectedOf(tools, path, hard), pixels);
+  console.log(`# ${found} of ${pixels.length / 4} pixels, at most ${miss.toFixed(4)} off`);
+  console.log(`# a share took at most ${longest.toFixed(0)} ms`);
+  check(found >= least, `only ${found} pixels were gathered`);
+  check(miss <= MOST_MISS, `${miss} code values off`);
+}
+
+export async function testExactHard(tap, tools) {
+  for (const hard of HARD)
+    await tap.test(`exact pixels of a hard drawing: ${hard.name}`, () => testHard(tools, hard));
+}
