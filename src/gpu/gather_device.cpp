@@ -16,10 +16,6 @@ constexpr std::size_t kLeastPoints = 1000;
 
 Result<std::unique_ptr<GatherDevice>> GatherDevice::create(const WalkShape& shape,
                                                            const GatherFaults& faults) {
-  if (faults.lacks_compute) {
-    return make_error(StatusCode::unavailable,
-                      "no GPU can be used: EGL gives no context of OpenGL ES 3.1");
-  }
   std::unique_ptr<GatherDevice> device(new GatherDevice(faults));
   try {
     device->thread_ = std::thread([&it = *device] { it.serve(); });
@@ -27,7 +23,7 @@ Result<std::unique_ptr<GatherDevice>> GatherDevice::create(const WalkShape& shap
     return make_error(StatusCode::unavailable, "no GPU can be used: no thread can be started");
   }
   Status status = device->do_there([&]() -> Status {
-    Result<std::unique_ptr<Walker>> walker = Walker::create(shape);
+    Result<std::unique_ptr<Walker>> walker = Walker::create(shape, faults.limits);
     if (!walker) return walker.status();
     device->walker_ = std::move(*walker);
     device->name_ = device->walker_->device_name();

@@ -19,7 +19,7 @@ class Walker;
 /// What tests may have go wrong.
 struct GatherFaults {
   int lost_after = std::numeric_limits<int>::max();  ///< calls of sum() that are answered
-  bool lacks_compute = false;                        ///< as a device of OpenGL ES 3.0
+  WalkLimits limits{};
 };
 
 /// Gathers by compute shaders. A thread of its own has the context, since a context is of one

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstddef>
+#include <limits>
+
 #include "gpu/device.hpp"
 #include "gpu/program.hpp"
 
@@ -17,6 +20,13 @@ struct WalkShape {
 
 /// Storage blocks that the program binds; OpenGL ES 3.1 has at least four.
 enum class WalkBlock : GLuint { tables, points, results };
+constexpr int kWalkBlocks = 3;
+
+/// Storage blocks of a device. Tests have less than the driver says.
+struct WalkLimits {
+  int blocks = std::numeric_limits<int>::max();
+  std::size_t block_bytes = std::numeric_limits<std::size_t>::max();
+};
 
 /// The compute shader that gathers points; `blends`: of scenes with SceneView::blend. Uniforms:
 /// `hit_begin`, `blend_begin` and `triangle_begin`, the first texels of these tables, of which the

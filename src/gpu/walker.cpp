@@ -25,11 +25,11 @@ Status lost(const Device& device) {
 
 }  // namespace
 
-Result<std::unique_ptr<Walker>> Walker::create(const WalkShape& shape) {
+Result<std::unique_ptr<Walker>> Walker::create(const WalkShape& shape, const WalkLimits& limits) {
   Result<std::unique_ptr<Device>> device = Device::create(DeviceUse::compute);
   if (!device) return device.status();
   std::unique_ptr<Walker> walker(new Walker(std::move(*device), shape));
-  if (Status status = walker->read_limits(); !status) return status;
+  if (Status status = walker->read_limits(limits); !status) return status;
   return walker;
 }
 
@@ -40,16 +40,17 @@ Walker::Walker(std::unique_ptr<Device> device, const WalkShape& shape)
       point_buffer_(make_buffer(device_->gl())),
       result_buffer_(make_buffer(device_->gl())) {}
 
-Status Walker::read_limits() {
+Status Walker::read_limits(const WalkLimits& limits) {
   GLint blocks = 0;
   GLint64 bytes = 0;
   device_->gl().GetIntegerv(GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, &blocks);
   device_->gl().GetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &bytes);
-  if (blocks < 3) {
+  if (std::min(blocks, limits.blocks) < kWalkBlocks) {
     return make_error(StatusCode::unavailable,
                       "no GPU can be used: " + device_->name() + " has too few storage blocks");
   }
-  largest_block_ = static_cast<std::size_t>(std::max<GLint64>(bytes, 0));
+  largest_block_ =
+      std::min(static_cast<std::size_t>(std::max<GLint64>(bytes, 0)), limits.block_bytes);
   return ok_status();
 }
 

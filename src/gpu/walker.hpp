@@ -19,7 +19,8 @@ namespace sfumato::gpu {
 class Walker {
  public:
   /// Errors: unavailable, in words.
-  static Result<std::unique_ptr<Walker>> create(const WalkShape& shape);
+  static Result<std::unique_ptr<Walker>> create(const WalkShape& shape,
+                                                const WalkLimits& limits = {});
 
   const std::string& device_name() const { return device_->name(); }
 
@@ -29,7 +30,7 @@ class Walker {
 
  private:
   Walker(std::unique_ptr<Device> device, const WalkShape& shape);
-  Status read_limits();
+  Status read_limits(const WalkLimits& limits);
   Result<const Program*> program_of(const WalkTables& tables);
   const WalkTables& tables_of(const gather::Scene& scene);
   Status run(const Program& program, std::span<const gather::WalkPoint> point,

@@ -204,6 +204,23 @@ TEST(Device, a_gpu_draws_or_a_warning_says_that_the_cpu_did) {
   EXPECT_EQ(image.width, 64);
 }
 
+TEST(Device, without_compute_shaders_a_warning_says_so_and_the_cpu_gathers) {
+  const TemporaryFolder folder;
+  const std::string drawing = folder.add("a.xml", two_curve_scene());
+  // Mesa then has OpenGL ES 3.0 alone.
+  const CommandResult result =
+      run_command({"/usr/bin/env", "MESA_GLES_VERSION_OVERRIDE=3.0", SFUMATO_BINARY, "render",
+                   drawing, "-o", folder.path("gpu.png"), "--method", "pixels", "--gather", "gpu"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  if (result.err.empty()) GTEST_SKIP() << "this driver is not Mesa's";
+  EXPECT_TRUE(contains(result.err, "warning: no GPU can be used: ")) << result.err;
+  EXPECT_TRUE(contains(result.err, "; gathered on the CPU")) << result.err;
+  const CommandResult cpu =
+      run_sfumato({"render", drawing, "-o", folder.path("cpu.png"), "--method", "pixels"});
+  EXPECT_EQ(cpu.exit_code, 0) << cpu.err;
+  EXPECT_EQ(read_whole(folder.path("gpu.png")), read_whole(folder.path("cpu.png")));
+}
+
 TEST(Device, a_gpu_gathers_or_a_warning_says_that_the_cpu_did) {
   const TemporaryFolder folder;
   const std::string drawing = folder.add("a.xml", two_curve_scene());
