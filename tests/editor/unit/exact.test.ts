@@ -33,14 +33,14 @@ function stage(driver = "a card") {
   const exact = new ExactStage(editor, shown, () => (wakes += 1));
   const renderer = {
     gl: { getExtension: () => null, getParameter: () => driver, RENDERER: 1 },
-    exact: null as { reason: string; progress: number } | null,
+    exact: null as { reason: string; isTooLarge: boolean; progress: number } | null,
     known: null as readonly unknown[] | null,
     isGathering: false,
     canGather: true,
     hasUnshown: false,
     canRefine: false,
     setExact(isWanted: boolean, known: readonly unknown[] | null = null) {
-      this.exact = isWanted ? { reason: "", progress: 0 } : null;
+      this.exact = isWanted ? { reason: "", isTooLarge: false, progress: 0 } : null;
       this.known = known;
       this.isGathering = this.hasUnshown = false;
       this.canGather = true;

@@ -59,7 +59,8 @@ export class ExactStage {
   /** Where patches are as fine as they get. @returns whether there is more to do in the next frame */
   step(renderer: Renderer, frame: () => Frame): boolean {
     if (!this.#isWanted(renderer)) return this.#turnOff(renderer);
-    if (renderer.exact?.reason) return false;
+    const { exact } = renderer;
+    if (exact?.reason && !exact.isTooLarge) return false;
     const now = performance.now();
     const isResting = now - this.#shown.changedAt > REST;
     const layers = isResting ? this.#layers() : null;
