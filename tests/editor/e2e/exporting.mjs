@@ -103,7 +103,7 @@ async function testHtml(editor, browser) {
     for (let i = 0; i < 100 && (await colors()) < 64; ++i);
     check((await colors()) >= 64, "the exported page shows no picture");
     await page.evaluate(() => void (window.sfumatoViewer.exact = true));
-    await page.waitForFunction(() => / is exact$/.test(window.sfumatoViewer.exactState));
+    await page.waitForFunction(() => /^exact/.test(window.sfumatoViewer.exactState));
     checkEqual([errors, await page.title()], [[], "small"], "the exported page");
   } finally {
     await page.close();
