@@ -11,7 +11,7 @@
 namespace sfumato::gpu {
 namespace {
 
-/// A walk of more steps than this is left to the CPU; the longest known has 10,000.
+/// A walk of more steps than this is left to the CPU; 2,000 specks may take 90,000.
 constexpr GLint kStepLimit = 1 << 17;
 
 constexpr std::size_t kFirstBatch = 256, kLargestBatch = std::size_t{1} << 16;

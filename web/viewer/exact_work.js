@@ -16,7 +16,7 @@ const SOFTWARE_AIM = 60;
 const FIRST_SHARE = 256;
 const LEAST_SHARE = 64;
 /** There a pixel may take 10 ms. */
-const SOFTWARE_FIRST = 64;
+const SOFTWARE_FIRST = 16;
 const SOFTWARE_LEAST = 8;
 const MOST_SHARE = 1 << 22;
 
