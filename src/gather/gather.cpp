@@ -1,7 +1,7 @@
 #include "gather/gather.hpp"
 
 #include <algorithm>
-#include <atomic>
+#include <memory>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -31,11 +31,6 @@ namespace {
 constexpr std::size_t kStepsPerTriangle = 128;
 
 constexpr std::size_t kPointsPerTask = 1024;
-
-std::uint64_t new_scene_id() {
-  static std::uint64_t last = 0;  // by std::atomic_ref: <atomic> is large
-  return std::atomic_ref(last).fetch_add(1) + 1;
-}
 
 /// What is gathered where there is nothing to see.
 void leave_empty(const PointList& points, std::size_t channels, std::span<float> out,
@@ -77,7 +72,7 @@ Result<Gatherer> Gatherer::create(Context& context, const mesh::TriangleMesh& vi
   }
   auto state = std::make_unique<State>();
   state->scene = std::move(*scene);
-  state->scene.id = new_scene_id();
+  state->scene.identity = std::make_shared<const char>();
   if (ends == Ends::soft) {
     const mesh::TriangleMesh& with = change.whole ? *change.whole : visibility;
     const bool extendable = use.will_be_extended || use.may_be_changed;

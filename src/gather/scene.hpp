@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -50,7 +51,8 @@ Facing back_side(const mesh::TriangleMesh& mesh, const curves::SegmentAttributes
 /// their own, in which neighbours are also near in memory, because memory access limits the speed
 /// of a walk.
 struct Scene {
-  std::uint64_t id = 0;                 ///< of a Gatherer's: no other scene ever has the same
+  /// Of a Gatherer's: while anybody holds it, no other scene has the same.
+  std::shared_ptr<const char> identity{};
   Vec2 origin;                          ///< layer frame
   std::vector<EdgeBeyond> edge_beyond;  ///< of half-edges that rays walk through
   std::vector<HitEdge> hit_edge;

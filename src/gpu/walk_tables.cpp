@@ -19,7 +19,7 @@ std::size_t WalkTables::bytes_of(const gather::Scene& scene) {
 }
 
 WalkTables::WalkTables(const Gl& gl, const gather::Scene& scene)
-    : scene_id_(scene.id),
+    : scene_identity_(scene.identity),
       bytes_(bytes_of(scene)),
       has_blends_(!scene.blend.empty()),
       buffer_(make_buffer(gl)) {

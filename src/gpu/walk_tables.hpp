@@ -17,7 +17,7 @@ class WalkTables {
 
   WalkTables(const Gl& gl, const gather::Scene& scene);
 
-  std::uint64_t scene_id() const { return scene_id_; }
+  const std::shared_ptr<const char>& scene_identity() const { return scene_identity_; }
   std::size_t bytes() const { return bytes_; }
   bool has_blends() const { return has_blends_; }
   GLuint buffer() const { return buffer_.name(); }
@@ -28,7 +28,7 @@ class WalkTables {
   GLint triangle_begin() const { return triangle_begin_; }
 
  private:
-  std::uint64_t scene_id_;
+  std::shared_ptr<const char> scene_identity_;
   std::size_t bytes_;
   bool has_blends_;
   GLint hit_begin_ = 0, blend_begin_ = 0, triangle_begin_ = 0;

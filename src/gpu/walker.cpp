@@ -65,7 +65,7 @@ Result<const Program*> Walker::program_of(const WalkTables& tables) {
 }
 
 const WalkTables& Walker::tables_of(const gather::Scene& scene) {
-  const auto found = std::ranges::find(tables_, scene.id, &WalkTables::scene_id);
+  const auto found = std::ranges::find(tables_, scene.identity, &WalkTables::scene_identity);
   if (found != tables_.end()) {
     std::rotate(found, found + 1, tables_.end());
   } else {

@@ -73,11 +73,11 @@ enum class RayEdge : std::uint8_t {
 /// The side of a curve on which the triangle of a half-edge lies. Values, of
 /// ExactField::channel_count channels, are linear from the half-edge's origin to its target.
 struct ExactSide {
-  float from[4] = {};
-  float to[4] = {};
+  float from[4] = {};   ///< values at the half-edge's origin
+  float to[4] = {};     ///< and at its target
   float weight = 1;     ///< k of eq. 4
   float blur_from = 0;  ///< R of eq. 8, layer units; 0 at both ends: sharp
-  float blur_to = 0;
+  float blur_to = 0;    ///< the same at the target
 };
 
 /// The free end of a curve, whose term is added to what is gathered (docs/mathematics.md, "Free
@@ -88,10 +88,10 @@ struct ExactEnd {
   float bend = 0;           ///< of the curve behind it
   float reach = 0;          ///< where the term ends
   float weight = 0;         ///< c k
-  float blur_positive = 0;  ///< radii of the side where cross(direction, p - position) > 0, and of
-  float blur_negative = 0;  ///< the other
-  float positive[4] = {};
-  float negative[4] = {};
+  float blur_positive = 0;  ///< R where cross(direction, p - position) > 0
+  float blur_negative = 0;  ///< R on the other side
+  float positive[4] = {};   ///< values of the first side
+  float negative[4] = {};   ///< values of the other side
 };
 
 /// One attribute on the triangles of an ExactLayer.
@@ -99,7 +99,7 @@ struct ExactField {
   int channel_count = 0;        ///< 3 for a colour, 1 for an opacity
   std::vector<RayEdge> edge;    ///< 3 per triangle, as PatchLayer::edge_is_curve
   std::vector<ExactSide> side;  ///< of the half-edges that are RayEdge::side, in order
-  std::vector<ExactEnd> end;
+  std::vector<ExactEnd> end;    ///< of its curves
 };
 
 /// A layer as rays meet it, without patches: its curves as straight edges in a triangulation, and
