@@ -17,8 +17,8 @@ const shaders = {
     building.onResolve({ filter: /^sfumato-shaders$/ }, () => ({ path: "shaders", namespace: "shaders" }));
     building.onLoad({ filter: /.*/, namespace: "shaders" }, () => {
       const folder = path("../../web/viewer/shaders");
-      // The editor's alone.
-      const names = readdirSync(folder).filter((name) => !name.startsWith("edges."));
+      // Of the editor, and of exact pixels.
+      const names = readdirSync(folder).filter((name) => !/^(edges\.|exact)/.test(name));
       const texts = names.map((name) => [name, condensed(readFileSync(join(folder, name), "utf8"))]);
       const table = JSON.stringify(Object.fromEntries(texts));
       return { contents: `const texts = ${table};\nexport const shaderText = (name) => texts[name];` };

@@ -12,6 +12,7 @@ import { intersected, isEmptyRect, Target } from "./targets.js";
 /** @import { Programs } from "./gl.js" */
 /** @import { ExactLayer } from "./exact_fields.js" */
 /** @import { Instance, Layer, Picture } from "./payload.js" */
+/** @import { Renderer } from "./renderer.js" */
 /** @import { Rect } from "./targets.js" */
 
 /** kPointNegligible of src/gather/kernels. */
@@ -356,4 +357,13 @@ export class ExactPixels {
     gl.deleteSync(this.fence);
     this.fence = null;
   }
+}
+
+/**
+ * For Renderer.setExact().
+ * @param {(ExactLayer | null)[] | null} known the layers as rays meet them; null: in the payload
+ * @returns {(renderer: Renderer) => ExactPixels}
+ */
+export function exactPixels(known = null) {
+  return ({ gl, programs, picture }) => new ExactPixels(gl, programs, picture, known);
 }

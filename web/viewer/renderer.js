@@ -1,7 +1,6 @@
 // A frame: the picture on its page, the mesh on top, and, when nothing moves, finer edges.
 
 import { mappedBox } from "./affine.js";
-import { ExactPixels } from "./exact.js";
 import { abilitiesOf, Programs } from "./gl.js";
 import { LayerDrawer } from "./layers.js";
 import { StrokeDrawer } from "./strokes.js";
@@ -9,7 +8,7 @@ import { intersected, isEmptyRect, Target, Targets } from "./targets.js";
 import { Painter } from "./painter.js";
 
 /** @import { Affine } from "./affine.js" */
-/** @import { ExactLayer } from "./exact_fields.js" */
+/** @import { ExactPixels } from "./exact.js" */
 /** @import { LayerDelta } from "./layer_tables.js" */
 /** @import { Layer, Picture } from "./payload.js" */
 
@@ -63,6 +62,8 @@ export class Renderer {
     gl.disable(gl.DITHER);
     /** @type {ExactPixels | null} */
     this.exact = null;
+    /** @type {((renderer: Renderer) => ExactPixels) | null} */
+    this.makeExact = null;
     /** Pictures added up so far; all where no frame was drawn of what is to be seen now. */
     this.added = SHIFTS.length;
     /** Whether exact pixels of the frame drawn last were begun. */
@@ -81,13 +82,13 @@ export class Renderer {
    * @param {Uint16Array} texels of the paints; the same array where these have not changed
    */
   setPicture(picture, texels) {
-    const isExact = this.exact !== null;
-    this.setExact(false);
+    const makeExact = this.makeExact;
+    this.setExact(null);
     this.layers.setPicture(picture, texels);
     this.picture = picture;
     this.strokes.setPicture(picture);
     this.painter.setPicture(picture);
-    if (isExact) this.setExact(true);
+    this.setExact(makeExact);
     this.added = SHIFTS.length;
   }
 
@@ -103,13 +104,13 @@ export class Renderer {
 
   /**
    * Whether pixels are made exact when nothing moves: gatherMore().
-   * @param {boolean} isWanted
-   * @param {(ExactLayer | null)[] | null} known the layers as rays meet them; null: in the payload
+   * @param {((renderer: Renderer) => ExactPixels) | null} make exactPixels() of exact.js; null: they are not
    */
-  setExact(isWanted, known = null) {
-    if (isWanted) this.exact ??= new ExactPixels(this.gl, this.programs, this.picture, known);
+  setExact(make) {
+    this.makeExact = make;
+    if (make) this.exact ??= make(this);
     else this.exact?.free();
-    if (!isWanted) this.exact = null;
+    if (!make) this.exact = null;
     this.painter.exact = this.exact;
     this.isGathering = false;
   }

@@ -1,6 +1,6 @@
 // The viewer: draws when something has changed, then makes it finer, then rests.
 
-import { isSoftware } from "./exact.js";
+import { exactPixels, isSoftware } from "./exact.js";
 import { makeTexels } from "./paints.js";
 import { readTexts } from "./payload.js";
 import { Renderer } from "./renderer.js";
@@ -201,7 +201,7 @@ export class Viewer {
   setExact(isWanted) {
     this.exact = Boolean(isWanted);
     // What is not wanted leaves at once.
-    if (!this.exact) this.renderer?.setExact(false);
+    if (!this.exact) this.renderer?.setExact(null);
     this.change();
     this.showExact();
   }
@@ -292,7 +292,7 @@ export class Viewer {
    * @param {number} now milliseconds
    */
   gather(renderer, now) {
-    if (!renderer.exact) renderer.setExact(true);
+    if (!renderer.exact) renderer.setExact(exactPixels());
     renderer.gatherMore(this.frame());
     const isDue = !renderer.canGather || now - this.shownAt > SHOWN_EVERY;
     if (!renderer.hasUnshown || !isDue) return;

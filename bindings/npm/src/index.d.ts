@@ -220,6 +220,8 @@ export class SfumatoContext implements Handle {
   readPicture(bytes: Uint8Array): SfumatoPicture;
   viewerPayload(picture: SfumatoPicture, options?: Options): Uint8Array<ArrayBuffer>;
   pictureStack(picture: SfumatoPicture, options?: Options): Uint8Array<ArrayBuffer>;
+  /** What exact pixels of a layer are gathered from, of a picture that was solved. */
+  exactLayer(picture: SfumatoPicture, layer: number): Uint8Array<ArrayBuffer>;
   /** Probable mistakes. */
   lint(document: SfumatoDocument, options?: Options): { file: string; hints: Hint[]; hint_count: number };
   field(document: SfumatoDocument, layer: number, options?: Options): SfumatoField;

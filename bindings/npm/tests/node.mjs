@@ -27,7 +27,7 @@ async function thrownLater(promise) {
 }
 
 /** Sizes that a change must not exceed, bytes; docs/npm.md has what they are. */
-const limits = { tarball: 1_180_000, element: 8_000, drawing: 27_000, worker: 8_000, solver: 350_000 };
+const limits = { tarball: 1_220_000, element: 8_000, drawing: 27_000, worker: 8_000, solver: 353_000 };
 
 async function testSizes(tap, project, tarball) {
   await tap.test("npm: what a page fetches and what is installed stay small", () => {

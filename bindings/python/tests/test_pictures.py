@@ -194,8 +194,10 @@ def test_a_picture_is_kept_in_a_file(drawing, tmp_path):
         assert again.viewport == picture.viewport and again.layer_count == picture.layer_count
         np.testing.assert_array_equal(again.color_values(), picture.color_values())
         np.testing.assert_array_equal(again.render(128, alpha=True), picture.render(128, alpha=True))
-        for format in ("png", "html", "pdf", "svg", "glb"):
+        for format in ("png", "pdf", "svg", "glb"):
             assert again.to_bytes(format) == picture.to_bytes(format)
+        # A page of the other holds curves for exact pixels, too.
+        assert len(again.to_bytes("html")) < len(picture.to_bytes("html"))
         assert again.to_bytes("sfp") == data
         assert again.statistics["triangles"] == len(picture.triangles())
         assert repr(again).startswith("<Picture 64 x 48: 1 layers, ")

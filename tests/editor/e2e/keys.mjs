@@ -170,6 +170,10 @@ const shows = {
     await keys.press(key);
     await keys.until("the mesh goes", async () => before.equals(await keys.editor.picture()));
   },
+  "exact-pixels": async (keys, key) => {
+    await keys.fresh();
+    await keys.toggles(key, () => keys.page.evaluate(() => window.sfumatoEditor.exactPixels.kind === "off"));
+  },
   outlines: async (keys, key) => {
     await keys.fresh();
     await keys.toggles(key, () => keys.page.locator(".canvas-overlay path").count());

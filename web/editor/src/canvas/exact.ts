@@ -1,6 +1,6 @@
 // Exact pixels of the stage (docs/viewer.md, "Exact pixels"): once the picture rests, the engine is asked for
 // the curves of its layers, and the viewer's renderer gathers from them.
-import { isSoftware } from "../../../viewer/exact.js";
+import { exactPixels, isSoftware } from "../../../viewer/exact.js";
 import type { ExactLayer } from "../../../viewer/exact_fields.js";
 import type { Frame, Renderer } from "../../../viewer/renderer.js";
 import type { Editor, ExactState } from "../app/types.js";
@@ -74,7 +74,7 @@ export class ExactStage {
       this.#tell({ kind: "none", reason: failed.failure });
       return false;
     }
-    if (!renderer.exact) renderer.setExact(true, layers);
+    if (!renderer.exact) renderer.setExact(exactPixels(layers));
     renderer.gatherMore(frame());
     this.#show(renderer, now);
     this.#tell(stateOf(renderer));
@@ -88,7 +88,7 @@ export class ExactStage {
   }
 
   #turnOff(renderer: Renderer): boolean {
-    renderer.setExact(false);
+    renderer.setExact(null);
     this.#tell({ kind: "off" });
     return false;
   }

@@ -134,7 +134,7 @@ export class PictureCanvas {
   #follow({ isOther, layers }: SceneChange) {
     const { picture } = this.#scene;
     if (!this.#renderer) return this.#build();
-    if (isOther || layers.length > 0) this.#renderer.setExact(false);
+    if (isOther || layers.length > 0) this.#renderer.setExact(null);
     if (isOther) this.#renderer.setPicture(picture!, this.#texels!.texels);
     for (const { layer, change } of layers) this.#renderer.updateLayer(layer, change);
     this.change();
