@@ -24,6 +24,9 @@ const SHIFTS = [
   [3, 1],
 ].map((shift) => shift.map((v) => v / 32));
 
+/** So often what was gathered is shown, milliseconds. */
+const SHOWN_EVERY = 400;
+
 /**
  * What a frame shows.
  * @typedef {object} Frame
@@ -70,6 +73,8 @@ export class Renderer {
     this.isGathering = false;
     /** Whether some of them are not shown yet. */
     this.hasUnshown = false;
+    /** When what was gathered was shown last, as performance.now() has it. */
+    this.shownAt = 0;
     /** @type {WebGLSync | null} */
     this.fence = null;
   }
@@ -139,8 +144,12 @@ export class Renderer {
     if (!exact.isDone) exact.step();
   }
 
-  /** What was gathered since is shown by refine(). */
+  /** What was gathered is shown by refine(), two or three times a second and at the end. */
   showGathered() {
+    const now = performance.now();
+    const isDue = !this.canGather || now - this.shownAt > SHOWN_EVERY;
+    if (!this.hasUnshown || !isDue) return;
+    this.shownAt = now;
     this.hasUnshown = false;
     this.added = 0;
   }

@@ -18,8 +18,6 @@ const PATIENCE = 1000;
 
 /** Longer than this a frame must not take, milliseconds: then the picture stands still. */
 const SLOWEST_FRAME = 1000;
-/** So often what was gathered is shown, milliseconds. */
-const SHOWN_EVERY = 400;
 
 /** What is said of exact pixels: those that a curve cuts are the patches', or gathered. */
 const BUT_CUTS = "exact but where a curve cuts a pixel";
@@ -42,8 +40,6 @@ export class Viewer {
     this.mesh = false;
     /** Whether pixels are made exact when nothing moves. */
     this.exact = false;
-    /** When gathered pixels were shown last. */
-    this.shownAt = 0;
     /** Frames that were shown, and those of them that were made finer. */
     this.frames = 0;
     this.size = [1, 1];
@@ -272,7 +268,7 @@ export class Viewer {
       renderer.refine(this.frame());
       if (!renderer.canRefine) this.frames += 1;
     } else if (!motion.isMoving && this.exact) {
-      this.gather(renderer, now);
+      this.gather(renderer);
     }
     this.showExact();
     if (motion.isMoving || this.workSince !== null || this.isGathering) this.schedule();
@@ -289,14 +285,10 @@ export class Viewer {
   /**
    * Nothing moves, and the last frame is as fine as patches get.
    * @param {Renderer} renderer
-   * @param {number} now milliseconds
    */
-  gather(renderer, now) {
+  gather(renderer) {
     if (!renderer.exact) renderer.setExact(exactPixels());
     renderer.gatherMore(this.frame());
-    const isDue = !renderer.canGather || now - this.shownAt > SHOWN_EVERY;
-    if (!renderer.hasUnshown || !isDue) return;
-    this.shownAt = now;
     renderer.showGathered();
   }
 

@@ -1,4 +1,4 @@
-// For a module whose pictures have no exact fields, in the place of src/export/html/viewer_exact.cpp.
+// For a module whose pictures have no exact fields, in the place of export/html/viewer_exact.cpp.
 #include "export/html/viewer_exact.hpp"
 
 namespace sfumato::outputs {

@@ -9,8 +9,6 @@ import type { Editor, ExactState } from "../app/types.js";
 const REST = 400;
 /** When an engine that was busy is asked again, milliseconds. */
 const AGAIN = 250;
-/** What was gathered is shown so often, milliseconds. */
-const SHOWN_EVERY = 400;
 
 /** A layer's curves, and which of its versions they are of. */
 interface Known {
@@ -36,7 +34,6 @@ export class ExactStage {
   readonly #wake: () => void;
   readonly #known: Known[] = [];
   #isAsking = false;
-  #shownAt = 0;
   /** Of the context drawn with; null: not known yet. */
   #isSoftware: boolean | null = null;
 
@@ -61,8 +58,7 @@ export class ExactStage {
     if (!this.#isWanted(renderer)) return this.#turnOff(renderer);
     const { exact } = renderer;
     if (exact?.reason && !exact.isTooLarge) return false;
-    const now = performance.now();
-    const isResting = now - this.#shown.changedAt > REST;
+    const isResting = performance.now() - this.#shown.changedAt > REST;
     const layers = isResting ? this.#layers() : null;
     if (!layers) {
       this.#tell({ kind: "gathering", share: 0 });
@@ -76,7 +72,7 @@ export class ExactStage {
     }
     if (!renderer.exact) renderer.setExact(exactPixels(layers));
     renderer.gatherMore(frame());
-    this.#show(renderer, now);
+    renderer.showGathered();
     this.#tell(stateOf(renderer));
     return renderer.canGather || renderer.hasUnshown || renderer.canRefine;
   }
@@ -93,18 +89,11 @@ export class ExactStage {
     return false;
   }
 
-  #show(renderer: Renderer, now: number) {
-    const isDue = !renderer.canGather || now - this.#shownAt > SHOWN_EVERY;
-    if (!renderer.hasUnshown || !isDue) return;
-    this.#shownAt = now;
-    renderer.showGathered();
-  }
-
   #tell(state: ExactState) {
     const { exactState } = this.#editor;
     const before = exactState.peek();
-    const share = (of: ExactState) => (of.kind === "gathering" ? Math.floor(100 * of.share) : 0);
-    if (before.kind !== state.kind || share(before) !== share(state)) exactState.value = state;
+    const detail = (of: ExactState) => (of.kind === "gathering" ? Math.floor(100 * of.share) : of.kind === "none" && of.reason);
+    if (before.kind !== state.kind || detail(before) !== detail(state)) exactState.value = state;
   }
 
   /** Of all layers; null: some are still to come. */
