@@ -153,7 +153,7 @@ std::string fixed(Decimal decimal) {
 }
 
 template <class Number>
-std::string shortest(Number value) {
+std::string shortest_text(Number value) {
   const Number magnitude = std::abs(value);
   const std::string sign = value < 0 ? "-" : "";
   if (magnitude < Number(1e9) && magnitude == std::floor(magnitude)) {
@@ -169,11 +169,11 @@ std::string shortest(Number value) {
 }  // namespace
 
 std::string shortest_decimal(double value) {
-  return shortest(value);
+  return shortest_text(value);
 }
 
 std::string shortest_decimal(float value) {
-  return shortest(value);
+  return shortest_text(value);
 }
 
 std::string rounded_decimal(double value, int digits) {

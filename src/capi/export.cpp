@@ -25,7 +25,7 @@ using Bytes = std::vector<std::uint8_t>;
 
 constexpr const char* kDefaultTitle = "Sfumato";
 
-Outcome hand_out(Result<Bytes> file, sfumato_bytes** out) {
+Outcome hand_out_bytes(Result<Bytes> file, sfumato_bytes** out) {
   if (!file) return file.status();
   *out = new sfumato_bytes{std::move(*file)};
   return {};
@@ -126,11 +126,12 @@ Outcome export_file(sfumato_context* context, const sfumato_picture* handle, con
   Outcome read = read_file_options(text, options::kExport, kind, settings);
   if (read.code != SFUMATO_OK) return read;
   Context& work = context->workshop->context;
-  if (options::is_image(kind)) return hand_out(make_image(work, *handle, kind, settings), out);
+  if (options::is_image(kind))
+    return hand_out_bytes(make_image(work, *handle, kind, settings), out);
   ExportNotes notes;
   Result<Bytes> file = make_drawing(work, *handle, kind, settings, notes);
   if (file) context->warnings = std::move(notes.lost);
-  return hand_out(std::move(file), out);
+  return hand_out_bytes(std::move(file), out);
 }
 
 /// The caller's pixels, row behind row.
@@ -162,7 +163,7 @@ Outcome encode(Workshop& workshop, const sfumato_image* pixels, const char* form
   TableMemory memory("the image");
   Result<Image> image = copy_pixels(workshop.context, *pixels, *format, memory);
   if (!image) return image.status();
-  return hand_out(output::encode_image(workshop.context, *image, kind, settings.output), out);
+  return hand_out_bytes(output::encode_image(workshop.context, *image, kind, settings.output), out);
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ struct sfumato_weights {
 namespace sfumato::capi {
 namespace {
 
-constexpr std::size_t kPointsPerTask = 1024;
+constexpr std::size_t kWeightPointsPerTask = 1024;
 
 /// Calls sink(curve, side, stop_index, value) for each column, where a value is a colour in the
 /// space in which the document mixes or an opacity, with as many numbers.
@@ -126,17 +126,18 @@ Status find_paint(Context& context, const sfumato_weights& weights, std::span<co
                   const solve::WeightRows& rows, std::span<float> paint) {
   const std::size_t shaders = weights.paints.count();
   if (shaders == 0 || rows.paint.empty()) return ok_status();
-  return parallel_for(context, points.size(), kPointsPerTask, [&](std::size_t i, std::size_t end) {
-    for (; i < end; ++i) {
-      const float* const weight = rows.paint.data() + shaders * i;
-      if (weights.attribute == StopAttribute::opacity) {
-        paint[i] = weights.paints.opacity_at(points[i], weight);
-        continue;
-      }
-      const Rgb color = weights.paints.color_at(points[i], weight);
-      std::ranges::copy(std::array{color.r, color.g, color.b}, paint.begin() + 3 * i);
-    }
-  });
+  return parallel_for(
+      context, points.size(), kWeightPointsPerTask, [&](std::size_t i, std::size_t end) {
+        for (; i < end; ++i) {
+          const float* const weight = rows.paint.data() + shaders * i;
+          if (weights.attribute == StopAttribute::opacity) {
+            paint[i] = weights.paints.opacity_at(points[i], weight);
+            continue;
+          }
+          const Rgb color = weights.paints.color_at(points[i], weight);
+          std::ranges::copy(std::array{color.r, color.g, color.b}, paint.begin() + 3 * i);
+        }
+      });
 }
 
 Outcome find_rows(sfumato_context* context, sfumato_weights* weights, const double* xy,

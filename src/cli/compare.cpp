@@ -32,7 +32,7 @@ Result<Image> read_png(Context& context, const std::string& path, const std::str
                     display_name(path));
 }
 
-std::string size_text(const Image& image) {
+std::string image_size_text(const Image& image) {
   return std::to_string(image.width) + " x " + std::to_string(image.height);
 }
 
@@ -85,8 +85,8 @@ Status compare_files(Context& context, const CompareArguments& arguments,
   if (!status) return status;
   if (first->width != second->width || first->height != second->height) {
     return make_error(StatusCode::bad_input,
-                      "this picture is " + size_text(*second) + " pixels, expected " +
-                          size_text(*first) + " as " + display_name(arguments.first),
+                      "this picture is " + image_size_text(*second) + " pixels, expected " +
+                          image_size_text(*first) + " as " + display_name(arguments.first),
                       {display_name(arguments.second)});
   }
   if (!arguments.output.empty()) {

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::chrono::milliseconds kNap{200};  ///< between looks at signals
+constexpr std::chrono::milliseconds kSignalNap{200};  ///< between looks at signals
 constexpr std::size_t kPageBytes = std::size_t{64} << 20;
 
 constexpr std::string_view kBlank =
@@ -74,7 +74,7 @@ Status serve(const EditArguments& arguments, Context& context) {
   if (arguments.opens_browser && !open_in_browser((*server)->address_for_once())) {
     report_warning({"no browser was found; open the address above", {}});
   }
-  while (!context.cancel.load()) std::this_thread::sleep_for(kNap);
+  while (!context.cancel.load()) std::this_thread::sleep_for(kSignalNap);
   return context.cancel_status();
 }
 

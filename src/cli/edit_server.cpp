@@ -22,7 +22,8 @@ constexpr int kSeeOther = 303, kPreconditionFailed = 412, kPreconditionRequired 
 constexpr int kNoContent = 204;
 
 /// The page brings its own; this is what a <meta> cannot say.
-constexpr std::string_view kPolicy = "frame-ancestors 'none'; base-uri 'none'; form-action 'none'";
+constexpr std::string_view kEditPolicy =
+    "frame-ancestors 'none'; base-uri 'none'; form-action 'none'";
 
 /// 128 random bits as hexadecimal digits; empty: the system has none.
 std::string random_word() {
@@ -121,7 +122,7 @@ Status EditServer::Answers::start(int port) {
   return server_.start({.port = port,
                         .methods = EVHTTP_REQ_GET | EVHTTP_REQ_PUT,
                         .body_bytes = context_.limits.input_bytes,
-                        .policy = kPolicy,
+                        .policy = kEditPolicy,
                         .answer = [this](evhttp_request* request) { answer(request); }});
 }
 

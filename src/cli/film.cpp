@@ -7,7 +7,7 @@
 namespace sfumato::cli {
 namespace {
 
-std::string size_text(int width, int height) {
+std::string pixels_text(int width, int height) {
   return std::to_string(width) + 'x' + std::to_string(height);
 }
 
@@ -22,13 +22,13 @@ Status Film::add(const Context& context, const Job& job, std::span<const std::ui
     if (hints_) {
       std::fprintf(
           stderr, "sfumato: note: for ffmpeg: -f rawvideo -pixel_format %s -video_size %s\n",
-          std::string(options::name_of_frame(kind_)).c_str(), size_text(width_, height_).c_str());
+          std::string(options::name_of_frame(kind_)).c_str(), pixels_text(width_, height_).c_str());
     }
   } else if (stats.width != width_ || stats.height != height_) {
     return make_error(StatusCode::bad_input,
-                      "the frame has " + size_text(stats.width, stats.height) +
-                          " pixels, but the first, " + first_ + ", " + size_text(width_, height_) +
-                          "; --width and --height give all the same",
+                      "the frame has " + pixels_text(stats.width, stats.height) +
+                          " pixels, but the first, " + first_ + ", " +
+                          pixels_text(width_, height_) + "; --width and --height give all the same",
                       {display_name(job.input)});
   }
   return stream_.write(frame, context);

@@ -26,9 +26,9 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr milliseconds kNap{500};   ///< between looks at signals
-constexpr milliseconds kQuiet{40};  ///< without a change: who writes is done
-constexpr int kMostQuiets = 25;     ///< then it is drawn although changes go on
+constexpr milliseconds kWatchNap{500};  ///< between looks at signals
+constexpr milliseconds kQuiet{40};      ///< without a change: who writes is done
+constexpr int kMostQuiets = 25;         ///< then it is drawn although changes go on
 
 /// Notes the files that a drawing names, also those that are not there.
 class NotingLoader final : public ResourceLoader {
@@ -169,7 +169,7 @@ void Watching::run() {
   files_.set_files({arguments_.input});
   update();
   while (!interrupted()) {
-    if (!files_.wait(kNap)) continue;
+    if (!files_.wait(kWatchNap)) continue;
     settle_down();
     if (!interrupted()) update();
   }

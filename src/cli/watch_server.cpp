@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t kMostWaiting = 64;  ///< more are answered at once
 
 /// Nothing from elsewhere, no code but the page's own file, in no other site's frame.
-constexpr const char* kPolicy =
+constexpr const char* kWatchPolicy =
     "default-src 'none'; img-src 'self' data:; script-src 'self'; style-src 'self'; "
     "connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
@@ -71,7 +71,7 @@ class WatchServer::Loop {
 Status WatchServer::Loop::start(int port) {
   return server_.start({.port = port,
                         .methods = EVHTTP_REQ_GET | EVHTTP_REQ_HEAD,
-                        .policy = kPolicy,
+                        .policy = kWatchPolicy,
                         .answer = [this](evhttp_request* request) { answer(request); },
                         .rang = [this] { answer_all(); }});
 }

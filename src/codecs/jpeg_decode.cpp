@@ -35,8 +35,8 @@ constexpr std::size_t kArithmeticBlocksPerByte = 1024;
 
 /// The library's own memory: coefficients of a progressive file (16 bits, three or four channels,
 /// none subsampled), rows, tables.
-constexpr std::size_t kWorkingBytesPerPixel = 8;
-constexpr std::size_t kWorkingBytes = std::size_t{1} << 20;
+constexpr std::size_t kDecoderBytesPerPixel = 8;
+constexpr std::size_t kDecoderBytes = std::size_t{1} << 20;
 
 /// The library's view of one decoding. It reports errors by a call that must not come back: that
 /// call jumps to decode_jpeg's setjmp. Between the two only the library's C code is on the stack.
@@ -195,7 +195,7 @@ Status prepare(Context& context, Session& session, std::size_t byte_count, Scope
                                   kUsualScans, kScans);
   decoder.out_color_space = decoder.num_components == 4 ? JCS_CMYK : JCS_RGB;
   const std::size_t pixel_count = std::size_t{decoder.image_width} * decoder.image_height;
-  return charge.add(context, kWorkingBytes + pixel_count * kWorkingBytesPerPixel, "a JPEG image");
+  return charge.add(context, kDecoderBytes + pixel_count * kDecoderBytesPerPixel, "a JPEG image");
 }
 
 /// Bytes of a pixel as prepare() has chosen them.

@@ -21,8 +21,8 @@ namespace {
 
 /// The library's own memory: coefficients of a progressive file (16 bits, three channels), rows,
 /// tables. It allocates by itself, so that this is an estimate.
-constexpr std::size_t kWorkingBytesPerPixel = 6;
-constexpr std::size_t kWorkingBytes = std::size_t{1} << 20;
+constexpr std::size_t kJpegEncoderBytesPerPixel = 6;
+constexpr std::size_t kJpegEncoderBytes = std::size_t{1} << 20;
 constexpr std::size_t kFirstFileBytes = std::size_t{16} << 10;
 
 /// The library's view of one encoding; errors jump to `write_image`, with only C code between. The
@@ -151,8 +151,8 @@ Result<std::vector<std::uint8_t>> encode(Context& context, const Image& image, i
   }
   ScopedCharge charge;
   const std::size_t pixel_count = static_cast<std::size_t>(image.width) * image.height;
-  const Status status = charge.add(context, kWorkingBytes + kWorkingBytesPerPixel * pixel_count,
-                                   "writing a JPEG image");
+  const Status status = charge.add(
+      context, kJpegEncoderBytes + kJpegEncoderBytesPerPixel * pixel_count, "writing a JPEG image");
   if (!status) return status;
   Session session(context);
   if (!write_image(session, image, quality)) return failure(session);

@@ -16,8 +16,8 @@ namespace {
 /// The library's own: the picture as ARGB or YUVA, statistics, what the lossless coder keeps to
 /// look back (its hash chain and histograms), and the file as it grows. It allocates by itself, so
 /// that this is an estimate.
-constexpr std::size_t kWorkingBytesPerPixel = 40;
-constexpr std::size_t kWorkingBytes = std::size_t{4} << 20;
+constexpr std::size_t kWebpEncoderBytesPerPixel = 40;
+constexpr std::size_t kWebpEncoderBytes = std::size_t{4} << 20;
 
 struct FreePicture {
   void operator()(WebPPicture* picture) const { WebPPictureFree(picture); }
@@ -78,8 +78,9 @@ Result<std::vector<std::uint8_t>> encode(Context& context, const Image& image,
   const std::size_t pixel_count = static_cast<std::size_t>(image.width) * image.height;
   if (status) {
     const std::size_t parts = options.lossless ? 0 : codecs::import_bytes(context.thread_count());
-    status = charge.add(context, kWorkingBytes + parts + kWorkingBytesPerPixel * pixel_count,
-                        "writing a WebP image");
+    status =
+        charge.add(context, kWebpEncoderBytes + parts + kWebpEncoderBytesPerPixel * pixel_count,
+                   "writing a WebP image");
   }
   if (!status) return status;
   WebPPicture picture;

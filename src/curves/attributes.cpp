@@ -222,6 +222,11 @@ Result<SegmentAttributes> sample_stop_places(const Context& context, const FlatC
   return attribute == StopAttribute::color ? sample(color_of) : sample(opacity_of);
 }
 
+bool bears_opacity(const Curve& curve) {
+  return curve.left.opacity.kind != ShaderKind::open ||
+         curve.right.opacity.kind != ShaderKind::open;
+}
+
 bool opacity_goes_with_color(std::span<const Curve> curves) {
   return std::ranges::all_of(curves, [](const Curve& curve) {
     return std::ranges::all_of(std::array{&curve.left, &curve.right}, [](const Side* side) {

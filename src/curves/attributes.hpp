@@ -98,6 +98,9 @@ Result<SegmentAttributes> sample_stop_places(const Context& context, const FlatC
                                              std::span<const Curve> curves, StopAttribute attribute,
                                              TableMemory& memory);
 
+/// Whether a side of the curve is not open to opacity.
+bool bears_opacity(const Curve& curve);
+
 /// Whether each side of each curve has a colour where it has an opacity, none of them
 /// image-domain: the rays of both attributes are the same then.
 bool opacity_goes_with_color(std::span<const Curve> curves);

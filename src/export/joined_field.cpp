@@ -5,11 +5,10 @@
 #include <vector>
 
 #include "base/poll.hpp"
+#include "export/poll_interval.hpp"
 
 namespace sfumato::outputs {
 namespace {
-
-constexpr std::uint32_t kTurnsPerPoll = 65'536;
 
 /// The node pairs, of colour and of opacity, that the corners and edges of patches use.
 struct NodePairs {

@@ -8,13 +8,12 @@
 #include "base/charge.hpp"
 #include "base/poll.hpp"
 #include "export/picture_copy.hpp"
+#include "export/poll_interval.hpp"
 #include "raster/local_stroke.hpp"
 #include "sfumato/raster/rasterize.hpp"
 
 namespace sfumato::outputs {
 namespace {
-
-constexpr std::uint32_t kPixelsPerPoll = 1 << 16;
 
 /// Pixels for a box; fewer to a unit where they would be too many.
 struct Size {
@@ -64,7 +63,7 @@ PatchLayer box_layer(const Box& box) {
 Result<std::array<float, 4>> channel_means(const Context& context, const Image& image) {
   const auto stride = static_cast<std::size_t>(channel_count(image.format));
   const std::size_t pixels = image.bytes.size() / stride;
-  RarePoll<kPixelsPerPoll> poll(context);
+  RarePoll<kTurnsPerPoll> poll(context);
   std::array<std::uint64_t, 4> sum{};
   for (std::size_t i = 0; i < pixels; ++i) {
     if (poll.cancelled()) return context.cancel_status();

@@ -96,8 +96,8 @@ Result<Root> find_root(Context& context, std::string_view text, const std::strin
   return Root{std::string(name), place_of_tag(text, offset, file)};
 }
 
-Result<ReadDocument> read_text(Context& context, std::string_view text, const std::string& file,
-                               const ResourceLoader* loader) {
+Result<ReadDocument> read_drawing_text(Context& context, std::string_view text,
+                                       const std::string& file, const ResourceLoader* loader) {
   const Result<Root> root = find_root(context, text, file);
   if (!root) return root.status();
   if (root->name == "svg") return read_svg(context, text, file, loader);
@@ -110,11 +110,11 @@ Result<ReadDocument> read_text(Context& context, std::string_view text, const st
 
 Result<ReadDocument> read_bytes(Context& context, std::string_view bytes, const std::string& file,
                                 const ResourceLoader* loader) {
-  if (!codecs::is_gzip(bytes)) return read_text(context, bytes, file, loader);
+  if (!codecs::is_gzip(bytes)) return read_drawing_text(context, bytes, file, loader);
   TableMemory memory("unpacked gzip");
   Result<std::string> text = codecs::gunzip(context, bytes, memory);
   if (text) {
-    Result<ReadDocument> read = read_text(context, *text, file, loader);
+    Result<ReadDocument> read = read_drawing_text(context, *text, file, loader);
     if (read) read->curve_sources.clear();  // they say where in the text, not in the file
     return read;
   }

@@ -12,7 +12,7 @@ namespace {
 /// Cells are grown by this share of their size when edges are entered, so that no hit is lost to
 /// rounding at joints and borders.
 constexpr float kFatten = 1e-3f;
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kNeverCrossed = std::numeric_limits<float>::infinity();
 
 /// One axis of a walk from cell to cell.
 struct AxisWalk {
@@ -26,7 +26,7 @@ struct AxisWalk {
 AxisWalk start_axis(float position, float direction, float distance, float cell_size, int side) {
   const float here = (position + distance * direction) / cell_size;
   const int cell = static_cast<int>(std::clamp(here, 0.0f, static_cast<float>(side - 1)));
-  if (direction == 0) return {cell, 0, kInfinity, kInfinity};
+  if (direction == 0) return {cell, 0, kNeverCrossed, kNeverCrossed};
   const int step = direction > 0 ? 1 : -1;
   const float border = static_cast<float>(direction > 0 ? cell + 1 : cell) * cell_size;
   return {cell, step, (border - position) / direction, std::fabs(cell_size / direction)};
@@ -154,7 +154,7 @@ SFUMATO_INLINE void RayGrid::test_cell(std::size_t cell, float x, float y, float
 
 RayHit RayGrid::first_hit(float x, float y, float dx, float dy) const {
   const float gx = x - min_x_, gy = y - min_y_;
-  float enter = 0, leave = kInfinity;
+  float enter = 0, leave = kNeverCrossed;
   clip_axis(gx, dx, cell_width_ * kSide, enter, leave);
   clip_axis(gy, dy, cell_height_ * kSide, enter, leave);
   RayHit best;

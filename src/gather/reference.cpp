@@ -27,7 +27,7 @@ double h1(double angle) {
 }
 
 /// A window of directions through a half-edge: from `right` to `left`, counter-clockwise.
-struct Window {
+struct ReferenceWindow {
   std::uint32_t half_edge;
   Vec2 right;
   Vec2 left;
@@ -45,7 +45,7 @@ class ReferenceGather {
       waiting_.push_back({h, seen(mesh_.origin(h)), seen(mesh_.target(h))});
     }
     while (!waiting_.empty()) {
-      const Window window = waiting_.back();
+      const ReferenceWindow window = waiting_.back();
       waiting_.pop_back();
       follow(window);
     }
@@ -74,7 +74,7 @@ class ReferenceGather {
 
   Vec2 seen(std::uint32_t vertex) const { return mesh_.vertex_position[vertex] - p_; }
 
-  void follow(const Window& window) {
+  void follow(const ReferenceWindow& window) {
     if (mesh_.half_edge_constraint[window.half_edge] != mesh::kNone) {
       const Facing facing = facing_side(mesh_, attributes_, window.half_edge);
       if (facing.kind == ShaderKind::barrier) return;
@@ -84,7 +84,7 @@ class ReferenceGather {
     if (twin != mesh::kNone) pass(window, static_cast<std::uint32_t>(twin));
   }
 
-  void pass(const Window& window, std::uint32_t twin) {
+  void pass(const ReferenceWindow& window, std::uint32_t twin) {
     const Vec2 apex = seen(mesh_.apex(twin));
     const bool reaches_right = cross(window.right, apex) > 0;
     const bool reaches_left = cross(apex, window.left) > 0;
@@ -97,7 +97,7 @@ class ReferenceGather {
     }
   }
 
-  void integrate(const Window& window, const Facing& facing) {
+  void integrate(const ReferenceWindow& window, const Facing& facing) {
     const Vec2 a = seen(mesh_.origin(window.half_edge));
     const Vec2 b = seen(mesh_.target(window.half_edge));
     const double t1 = window.right == a ? 0 : cut(a, b, window.right);
@@ -166,7 +166,7 @@ class ReferenceGather {
   const TriangleMesh& mesh_;
   const curves::SegmentAttributes& attributes_;
   Vec2 p_;
-  std::vector<Window> waiting_;
+  std::vector<ReferenceWindow> waiting_;
   ReferenceSums sums_;
 };
 

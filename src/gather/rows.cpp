@@ -23,7 +23,7 @@ namespace {
 
 /// Points are packed and gathered in waves of so many, so that few terms wait to be put in order.
 constexpr std::size_t kPointsPerWave = 16384;
-constexpr std::size_t kPacketsPerTask = 16;
+constexpr std::size_t kRowPacketsPerTask = 16;
 /// Terms are put in order by so many points at a time.
 constexpr std::size_t kPointsPerCopy = 512;
 
@@ -167,13 +167,13 @@ class RowGather {
     if (!packing) return packing.status();
     const Wave wave{points, *located, *packing};
     const std::size_t packets = packing->packet.size();
-    const std::size_t tasks = (packets + kPacketsPerTask - 1) / kPacketsPerTask;
+    const std::size_t tasks = (packets + kRowPacketsPerTask - 1) / kRowPacketsPerTask;
     if (found_.size() < tasks) found_.resize(tasks);
     Status status = memory_.resize(context_, place_, points.size());
     if (!status) return status;
     status = try_parallel_for(
-        context_, packets, kPacketsPerTask, [&](std::size_t begin, std::size_t end) {
-          return gather(wave, begin, end, static_cast<std::uint32_t>(begin / kPacketsPerTask));
+        context_, packets, kRowPacketsPerTask, [&](std::size_t begin, std::size_t end) {
+          return gather(wave, begin, end, static_cast<std::uint32_t>(begin / kRowPacketsPerTask));
         });
     return status ? append(points.size()) : status;
   }

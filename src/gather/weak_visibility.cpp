@@ -31,7 +31,7 @@ struct Limit {
 
 /// What is seen through a half-edge that is left outwards: right of the left limit and left of the
 /// right one.
-struct Window {
+struct PortalWindow {
   std::uint32_t portal;
   Limit right;  ///< the pivot is on the left
   Limit left;   ///< the pivot is on the right
@@ -51,7 +51,7 @@ class ViewerSearch {
       if (!status) return status;
       start_from(h);
       while (!waiting_.empty()) {
-        Window window = waiting_.back();
+        PortalWindow window = waiting_.back();
         waiting_.pop_back();
         do {
           if (poll.cancelled()) return context.cancel_status();
@@ -95,7 +95,7 @@ class ViewerSearch {
 
   /// Enters the next triangle. Returns whether it goes on, through the window as it is then; what
   /// else goes on waits.
-  bool follow(Window& window) {
+  bool follow(PortalWindow& window) {
     const auto entered = static_cast<std::uint32_t>(twin(window.portal));
     sees_[entered / 3] = 1;
     const std::uint32_t left = previous(entered), right = next(entered);
@@ -116,11 +116,11 @@ class ViewerSearch {
 
   /// The limits of a window that the apex narrows: of two pivots the one that bounds it more. There
   /// may be one between them that bounds it even more; without it too much is seen.
-  static Limit right_limit(const Window& window, Vec2 apex) {
+  static Limit right_limit(const PortalWindow& window, Vec2 apex) {
     const Vec2 pivot = window.right.pivot, other = window.left.corner;
     return {side_of(pivot, apex, other) < 0 ? other : pivot, apex};
   }
-  static Limit left_limit(const Window& window, Vec2 apex) {
+  static Limit left_limit(const PortalWindow& window, Vec2 apex) {
     const Vec2 pivot = window.left.pivot, other = window.right.corner;
     return {side_of(pivot, apex, other) > 0 ? other : pivot, apex};
   }
@@ -128,7 +128,7 @@ class ViewerSearch {
   const Scene& scene_;
   std::size_t steps_per_triangle_;
   std::span<std::uint8_t> sees_;
-  std::vector<Window> waiting_;
+  std::vector<PortalWindow> waiting_;
   TableMemory memory_{"who sees a curve"};
 };
 

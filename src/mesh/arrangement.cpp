@@ -8,7 +8,7 @@ namespace {
 constexpr std::uint32_t kMaxSteps = 20'000;
 constexpr std::uint32_t kMaxStepsPerVertex = 8;
 
-constexpr std::uint32_t kStepsPerCancelCheck = 1024;
+constexpr std::uint32_t kStepsPerPoll = 1024;
 
 /// Sloan's flips take about as many steps as edges are crossed.
 constexpr std::size_t kMaxFlips = 1000;
@@ -47,7 +47,7 @@ void Arrangement::end_if_cancelled() {
 }
 
 Vertex Arrangement::insert_point(Point p) {
-  if ((++steps_ & (kStepsPerCancelCheck - 1)) == 0) end_if_cancelled();
+  if ((++steps_ & (kStepsPerPoll - 1)) == 0) end_if_cancelled();
   if (!status_.ok()) return 0;
   welding_ = true;
   const std::size_t vertex_count = mesh_.point.size();
@@ -79,7 +79,7 @@ void Arrangement::insert_pending() {
   while (!to_insert_.empty()) {
     const Subsegment now = to_insert_.back();
     to_insert_.pop_back();
-    if ((++steps_ & (kStepsPerCancelCheck - 1)) == 0) end_if_cancelled();
+    if ((++steps_ & (kStepsPerPoll - 1)) == 0) end_if_cancelled();
     charge_lists();
     if (!status_.ok()) return;
     const auto vertices = static_cast<std::uint32_t>(mesh_.point.size());

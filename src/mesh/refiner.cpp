@@ -26,7 +26,7 @@ constexpr double kShellSteps = 2;
 constexpr double kOffCenterShare = 0.475;
 
 constexpr int kShrinkAttempts = 3;
-constexpr std::uint32_t kStepsPerCancelCheck = 1024;
+constexpr std::uint32_t kSplitsPerPoll = 1024;
 constexpr double kPi = 3.14159265358979323846;
 
 /// cos by its series: the same bits with every libm. For 0 to 33 degrees.
@@ -317,13 +317,13 @@ Status Refiner::run(const Context& context) {
   mesh_.tracking = true;
   split_queued_subsegments();
   Bad bad;
-  RarePoll<kStepsPerCancelCheck> poll(context);
+  RarePoll<kSplitsPerPoll> poll(context);
   std::uint32_t step = 0;
   while (status_.ok() && next_bad(bad)) {
     if (mesh_.triangle[triangle_of(bad.shortest_edge)].stamp != bad.stamp) continue;
     if (poll.cancelled()) status_ = context.cancel_status();
     refine_triangle(bad);
-    if (++step % kStepsPerCancelCheck == 0) charge_lists();
+    if (++step % kSplitsPerPoll == 0) charge_lists();
   }
   mesh_.tracking = false;
   mesh_.take_touched([](std::int32_t) {});
@@ -434,7 +434,7 @@ Status Refiner::refine_targets(const Context& context, std::span<const Target> t
   context_ = &context;
   status_ = ok_status();
   mesh_.tracking = true;
-  RarePoll<kStepsPerCancelCheck> poll(context);
+  RarePoll<kSplitsPerPoll> poll(context);
   for (const Target& target : targets) {
     if (poll.cancelled()) return context.cancel_status();
     shrink(target, smallest_edge * smallest_edge);

@@ -11,12 +11,12 @@
 namespace sfumato::raster {
 namespace {
 
-struct Corners {
+struct PixelCorners {
   PixelPoint at[3];
 };
 
-Corners corners_of(const LayerView& layer, std::uint32_t triangle) {
-  Corners corners;
+PixelCorners pixel_corners_of(const LayerView& layer, std::uint32_t triangle) {
+  PixelCorners corners;
   for (int k = 0; k < 3; ++k) corners.at[k] = corner_position(layer, triangle, k);
   return corners;
 }
@@ -340,7 +340,7 @@ void MixedPixels::read_side(Shader* shader, const SoftStrip& strip, std::uint32_
       pixel.side[side] = pixel.side[1 - side] * color4(1, 1, 1, 0);
     return;
   }
-  const Corners corners = corners_of(shader->layer(), slot / 3);
+  const PixelCorners corners = pixel_corners_of(shader->layer(), slot / 3);
   const TriangleFrame frame = triangle_frame(corners.at, shader->layer().mirrored);
   shader->begin_triangle(slot / 3, frame);
   for (BlurredPixel& pixel : blurred_) {

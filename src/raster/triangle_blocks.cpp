@@ -64,7 +64,7 @@ bool is_parted(const Corners& corners, double turn, const Box& box) {
   return false;
 }
 
-int clamped_floor(double x, int low, int high) {
+int floor_within(double x, int low, int high) {
   return static_cast<int>(std::floor(std::clamp<double>(x, low, high)));
 }
 
@@ -131,10 +131,10 @@ void keep_meeting(const LayerView& layer, const PixelRect& rect, double margin_p
 
 PixelRect pixels_in(const Box& box, const PixelRect& rect) {
   if (!overlap(box, box_of(rect))) return {};
-  const PixelRect pixels{clamped_floor(box.min.x, rect.x0, rect.x1),
-                         clamped_floor(box.min.y, rect.y0, rect.y1),
-                         clamped_floor(box.max.x, rect.x0 - 1, rect.x1 - 1) + 1,
-                         clamped_floor(box.max.y, rect.y0 - 1, rect.y1 - 1) + 1};
+  const PixelRect pixels{floor_within(box.min.x, rect.x0, rect.x1),
+                         floor_within(box.min.y, rect.y0, rect.y1),
+                         floor_within(box.max.x, rect.x0 - 1, rect.x1 - 1) + 1,
+                         floor_within(box.max.y, rect.y0 - 1, rect.y1 - 1) + 1};
   return pixels.empty() ? PixelRect{} : pixels;
 }
 

@@ -48,7 +48,7 @@ struct RimPoint {
 };
 
 /// The seen part of a triangle: convex, positive turns.
-using Part = std::vector<RimPoint>;
+using RimPart = std::vector<RimPoint>;
 
 class BorderCutter {
  public:
@@ -79,9 +79,9 @@ class BorderCutter {
   Status cut_triangles();
   void cut_triangle(std::uint32_t triangle);
   void add_crossing_vertices();
-  std::vector<Part> seen_parts(std::uint32_t triangle);
-  void triangulate(std::uint32_t triangle, const Part& part);
-  void add_nodes(std::uint32_t triangle, const Part& part, const std::array<std::size_t, 3>& at,
+  std::vector<RimPart> seen_parts(std::uint32_t triangle);
+  void triangulate(std::uint32_t triangle, const RimPart& part);
+  void add_nodes(std::uint32_t triangle, const RimPart& part, const std::array<std::size_t, 3>& at,
                  const std::array<std::int32_t, 3>& edge);
 
   Vec2 corner(std::uint32_t h) const { return mesh_.vertex_position[mesh_.origin(h)]; }
@@ -246,7 +246,7 @@ Status BorderCutter::cut_triangles() {
 
 /// The seen stretches of the rim, each with the points where it begins and ends. Where the middle
 /// is seen they bound one part, with the border between them; else each is a part of its own.
-std::vector<Part> BorderCutter::seen_parts(std::uint32_t triangle) {
+std::vector<RimPart> BorderCutter::seen_parts(std::uint32_t triangle) {
   struct Look {
     RimPoint point;  ///< the one before it
     bool seen;
@@ -264,11 +264,11 @@ std::vector<Part> BorderCutter::seen_parts(std::uint32_t triangle) {
       at_crossing.position = cuts_.vertex[edge.vertex - mesh_.vertex_position.size()];
     rim.push_back({at_crossing, turned ? edge.sees_begin : edge.sees_end});
   }
-  std::vector<Part> parts;
+  std::vector<RimPart> parts;
   const auto starts = [&](std::size_t i) { return rim[i].seen && !rim[(i + 5) % 6].seen; };
   for (std::size_t i = 0; i < 6; ++i) {
     if (!starts(i)) continue;
-    Part run{rim[i].point};
+    RimPart run{rim[i].point};
     std::size_t k = i + 1;
     for (; rim[k % 6].seen; ++k)
       if (k % 2 == 0) run.push_back(rim[k % 6].point);
@@ -285,16 +285,16 @@ std::vector<Part> BorderCutter::seen_parts(std::uint32_t triangle) {
 }
 
 void BorderCutter::cut_triangle(std::uint32_t triangle) {
-  std::vector<Part> parts = seen_parts(triangle);
+  std::vector<RimPart> parts = seen_parts(triangle);
   // Two points: the border runs along an edge. Without a part, what the middle sees goes for all.
-  std::erase_if(parts, [](const Part& part) { return part.size() < 3; });
+  std::erase_if(parts, [](const RimPart& part) { return part.size() < 3; });
   if (parts.empty()) return;
   cuts_.is_cut[triangle] = 1;
-  for (const Part& part : parts) triangulate(triangle, part);
+  for (const RimPart& part : parts) triangulate(triangle, part);
 }
 
 /// A fan around the first point.
-void BorderCutter::triangulate(std::uint32_t triangle, const Part& part) {
+void BorderCutter::triangulate(std::uint32_t triangle, const RimPart& part) {
   for (std::size_t i = 1; i + 1 < part.size(); ++i) {
     const std::array<std::size_t, 3> at{0, i, i + 1};
     const std::array<std::int32_t, 3> edge{
@@ -309,7 +309,7 @@ void BorderCutter::triangulate(std::uint32_t triangle, const Part& part) {
   }
 }
 
-void BorderCutter::add_nodes(std::uint32_t triangle, const Part& part,
+void BorderCutter::add_nodes(std::uint32_t triangle, const RimPart& part,
                              const std::array<std::size_t, 3>& at,
                              const std::array<std::int32_t, 3>& edge) {
   Vec2 center;

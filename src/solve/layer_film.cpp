@@ -25,11 +25,6 @@ constexpr double kMostGrowth = 1.5;
 
 constexpr std::uint32_t kNoSlot = UINT32_MAX;
 
-bool bears_opacity(const Curve& curve) {
-  return curve.left.opacity.kind != ShaderKind::open ||
-         curve.right.opacity.kind != ShaderKind::open;
-}
-
 /// Which fields curves ask for.
 struct FieldKinds {
   bool is_joint = false;     ///< as FlatLayer
@@ -39,7 +34,8 @@ struct FieldKinds {
 };
 
 FieldKinds kinds_of(std::span<const Curve> curves) {
-  return {curves::opacity_goes_with_color(curves), std::ranges::any_of(curves, bears_opacity)};
+  return {curves::opacity_goes_with_color(curves),
+          std::ranges::any_of(curves, curves::bears_opacity)};
 }
 
 /// Puts polylines after others.

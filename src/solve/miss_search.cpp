@@ -10,7 +10,7 @@
 namespace sfumato::solve {
 namespace {
 
-constexpr std::size_t kTrianglesPerTask = 1024;
+constexpr std::size_t kSearchedPerTask = 1024;
 constexpr std::size_t kProbesPerTask = 2048;
 
 /// Measured on eight drawings: of the patches that are off by more than the limit, one in 70 is
@@ -57,7 +57,7 @@ Status MissSearch::choose(std::span<const std::uint32_t> triangles) {
   Status status = memory_.append(context_, triangles, triangle_);
   if (status) status = memory_.resize(context_, choice_, triangles.size(), kAllProbes);
   if (!status || !foretells_) return status;
-  status = parallel_for(context_, triangles.size(), kTrianglesPerTask,
+  status = parallel_for(context_, triangles.size(), kSearchedPerTask,
                         [&](std::size_t begin, std::size_t end) {
                           std::vector<float> miss(channel_count());
                           for (std::size_t i = begin; i < end; ++i)

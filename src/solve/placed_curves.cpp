@@ -8,7 +8,7 @@ namespace sfumato::solve {
 namespace {
 
 /// Puts the polyline of one more curve after those of others.
-void append(const curves::FlatCurves& one, curves::FlatCurves& all) {
+void append_curve(const curves::FlatCurves& one, curves::FlatCurves& all) {
   const std::uint32_t curve = all.curve_count();
   all.vertex.insert(all.vertex.end(), one.vertex.begin(), one.vertex.end());
   all.parameter.insert(all.parameter.end(), one.parameter.begin(), one.parameter.end());
@@ -77,7 +77,7 @@ Result<PlacedCurves> place_curve(Context& context, const curves::FlatCurves& oth
   }
   placed.first = static_cast<std::uint32_t>(others.vertex.size());
   placed.moved = std::move(*moved);
-  append(placed.moved, placed.flat);
+  append_curve(placed.moved, placed.flat);
   placed.curves.push_back(curve);
   return placed;
 }

@@ -36,11 +36,6 @@ void add_view(const LayerView& view, std::vector<LayerView>& views) {
   same->scale = std::max(same->scale, view.scale);
 }
 
-bool bears_opacity(const Curve& curve) {
-  return curve.left.opacity.kind != ShaderKind::open ||
-         curve.right.opacity.kind != ShaderKind::open;
-}
-
 /// What FieldEdits say for one of the two fields.
 struct OneEdit {
   const PreparedField* before;
@@ -204,7 +199,8 @@ Result<SampledFields> sample_fields(const Context& context, const FlatLayer& lay
   if (!colors) return colors.status();
   drop_blur(*colors);
   SampledFields fields{{std::move(*colors), std::move(memory)}, {}};
-  const bool has_opacity = layer.has_opacity || std::ranges::any_of(layer.curves, bears_opacity);
+  const bool has_opacity =
+      layer.has_opacity || std::ranges::any_of(layer.curves, curves::bears_opacity);
   if (layer.is_joint || !has_opacity) return fields;
   TableMemory opacity_memory("attributes");
   Result<curves::SegmentAttributes> opacities =

@@ -12,7 +12,7 @@ namespace {
 /// Values of a curve's two neighbouring pieces at their common vertex differ by rounding alone.
 constexpr float kSameValue = 1.0f / (255 * 64);
 
-constexpr std::size_t kTrianglesPerTask = 1024;
+constexpr std::size_t kSeamsPerTask = 1024;
 
 bool same(float a, float b) {
   return std::fabs(a - b) <= kSameValue;
@@ -74,7 +74,7 @@ Status Seams::update(const Context& context, const curves::SegmentAttributes& at
   if (status) status = memory_.grow(context, mark_, half_edges, half_edges / 4 * 5);
   if (!status) return status;
   const auto for_each_half_edge = [&](auto visit) {
-    return parallel_for(context, changed.size(), kTrianglesPerTask,
+    return parallel_for(context, changed.size(), kSeamsPerTask,
                         [&](std::size_t begin, std::size_t end) {
                           for (std::size_t i = begin; i < end; ++i)
                             for (std::uint32_t k = 0; k < 3; ++k) visit(3 * changed[i] + k);

@@ -49,10 +49,6 @@ std::vector<double> short_places(const TracedCurve& curve, std::span<const doubl
   return out;
 }
 
-float in_eight_bits(float value) {
-  return std::round(255 * std::clamp(value, 0.0f, 1.0f)) / 255;
-}
-
 Side document_side(const TracedCurve& curve, const SideStops& stops, float radius,
                    bool has_opacity) {
   Side side;
@@ -71,6 +67,10 @@ Side document_side(const TracedCurve& curve, const SideStops& stops, float radiu
 }
 
 }  // namespace
+
+float in_eight_bits(float value) {
+  return std::round(255 * std::clamp(value, 0.0f, 1.0f)) / 255;
+}
 
 std::vector<Curve> document_curves(std::span<const TracedCurve> curves, Vec2 unit_per_pixel,
                                    bool has_opacity) {

@@ -10,6 +10,9 @@
 
 namespace sfumato::tracing {
 
+/// The nearest of 256 evenly spaced values from 0 to 1.
+float in_eight_bits(float value);
+
 /// Curves as a document has them, with coordinates times `unit_per_pixel`, and radii times the mean
 /// of its two.
 std::vector<Curve> document_curves(std::span<const TracedCurve> curves, Vec2 unit_per_pixel,

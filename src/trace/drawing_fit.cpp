@@ -19,8 +19,8 @@ constexpr float kEven = 0.3f;
 /// Added to the diagonal of the equations of radii, in shares of it and in all.
 constexpr float kRadiusDamping = 0.3f;
 constexpr float kRadiusPull = 1e-3f;
-constexpr double kLeastRadius = 0.4;
-constexpr double kLargestRadius = 24;
+constexpr double kLeastFittedRadius = 0.4;
+constexpr double kLargestFittedRadius = 24;
 /// A step changes a radius by at most this, or by half of it.
 constexpr double kRadiusStep = 0.7;
 /// No bound.
@@ -32,7 +32,7 @@ constexpr float kNegligible = 2e-4f;
 /// Pixels, about, whose rows are there at once where all pixels are looked at.
 constexpr int kBandPixels = 16384;
 /// An error that nobody sees, in code values.
-constexpr double kUnseen = 0.5 / 255;
+constexpr double kUnseenError = 0.5 / 255;
 /// Leaving out a share of the stops may add so many times this share to the squared error.
 constexpr double kPruneCost = 0.5;
 /// Where nothing is seen of a pixel, its colour still counts a little.
@@ -254,7 +254,7 @@ Status DrawingFit::prune(std::span<TracedCurve> curves, double share, Equations&
       picture_.opacity ? diagonal_of(equations.opacity.normal) : std::vector<float>{};
   const Result<double> error = squared_error(equations, values_of(curves));
   if (!error) return error.status();
-  const double unseen = 3 * kUnseen * kUnseen * equations.color.weight;
+  const double unseen = 3 * kUnseenError * kUnseenError * equations.color.weight;
   const PruneLimits limits{share, kPruneCost * share * std::max(*error, unseen)};
   const std::vector<std::uint8_t> goes =
       stops_to_prune(curves, {color_weight, opacity_weight}, limits);
@@ -301,7 +301,7 @@ Status DrawingFit::fit_radii(std::span<TracedCurve> curves) {
     if (curves[i].is_frame) continue;
     const double most = std::max(0.5 * curves[i].radius, kRadiusStep);
     const double radius = curves[i].radius + std::clamp(double{step[i][0]}, -most, most);
-    curves[i].radius = std::clamp(radius, kLeastRadius, kLargestRadius);
+    curves[i].radius = std::clamp(radius, kLeastFittedRadius, kLargestFittedRadius);
   }
   return ok_status();
 }

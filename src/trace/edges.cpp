@@ -14,7 +14,7 @@
 namespace sfumato::tracing {
 namespace {
 
-constexpr std::size_t kRows = 16;
+constexpr std::size_t kEdgeRows = 16;
 
 /// Of a pixel: an edge is never farther from its centre.
 constexpr float kMostOffset = 0.7f;
@@ -91,7 +91,7 @@ class EdgeFinder {
 
   Status mark_maxima() {
     const auto height = static_cast<std::size_t>(map_.height);
-    return parallel_for(context_, height, kRows, [&](std::size_t begin, std::size_t end) {
+    return parallel_for(context_, height, kEdgeRows, [&](std::size_t begin, std::size_t end) {
       for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y) {
         for (int x = 0; x < map_.width; ++x) {
           const float here = gradient_.strength.at(x, y);

@@ -23,7 +23,7 @@ constexpr int kTurns = 3;
 constexpr int kCurvedTurns = 6;
 /// Steps of radii where colours stay.
 constexpr int kRadiusTurns = 8;
-constexpr std::size_t kValues = 4096;
+constexpr std::size_t kConvertedValues = 4096;
 
 Status validate(const Context& context, const ColorFit& options) {
   if (options.blur > TraceBlur::sharp) {
@@ -65,7 +65,7 @@ Status lay_on(const Context& context, const Rgb& backdrop, Picture& picture) {
   const float behind[3] = {backdrop.r, backdrop.g, backdrop.b};
   const std::vector<float>& opacity = picture.opacity->value;
   Status status =
-      parallel_for(context, opacity.size(), kValues, [&](std::size_t i, std::size_t end) {
+      parallel_for(context, opacity.size(), kConvertedValues, [&](std::size_t i, std::size_t end) {
         for (; i < end; ++i) {
           for (std::size_t c = 0; c < 3; ++c) {
             float& code = picture.code[c].value[i];

@@ -10,16 +10,16 @@ namespace sfumato::tracing {
 namespace {
 
 /// A Gaussian is cut off where it has fallen to 1/2000 of its peak.
-constexpr double kReach = 3.9;
+constexpr double kSigmas = 3.9;
 
 /// Rows that one task filters.
-constexpr std::size_t kRows = 16;
+constexpr std::size_t kFilteredRows = 16;
 
 /// Half of a kernel: the weight of the pixel itself and those of its neighbours on one side.
 using HalfKernel = std::vector<float>;
 
 HalfKernel gaussian(double sigma) {
-  const int reach = std::max(1, static_cast<int>(std::ceil(kReach * sigma)));
+  const int reach = std::max(1, static_cast<int>(std::ceil(kSigmas * sigma)));
   HalfKernel kernel(static_cast<std::size_t>(reach) + 1);
   double sum = 0;
   for (int i = 0; i <= reach; ++i) {
@@ -127,15 +127,16 @@ class GradientFilter {
   /// Sums the tensor: xx in `strength`, xy in `normal_x`, yy in `normal_y`.
   Status add(const Plane& channel) {
     const int width = channel.width;
-    Status status = parallel_for(context_, row_count(), kRows, [&](std::size_t y, std::size_t end) {
-      std::vector<float> padded;
-      for (int row = static_cast<int>(y); row < static_cast<int>(end); ++row) {
-        filter_row(channel.row(row), width, even_, odd_, padded, smoothed_.row(row),
-                   changed_.row(row));
-      }
-    });
+    Status status =
+        parallel_for(context_, row_count(), kFilteredRows, [&](std::size_t y, std::size_t end) {
+          std::vector<float> padded;
+          for (int row = static_cast<int>(y); row < static_cast<int>(end); ++row) {
+            filter_row(channel.row(row), width, even_, odd_, padded, smoothed_.row(row),
+                       changed_.row(row));
+          }
+        });
     if (!status) return status;
-    return parallel_for(context_, row_count(), kRows, [&](std::size_t y, std::size_t end) {
+    return parallel_for(context_, row_count(), kFilteredRows, [&](std::size_t y, std::size_t end) {
       std::vector<float> dx(static_cast<std::size_t>(width)), dy(dx.size());
       for (int row = static_cast<int>(y); row < static_cast<int>(end); ++row) {
         filter_columns(changed_, row, even_, false, dx.data());
@@ -154,7 +155,7 @@ class GradientFilter {
 
   Status finish() {
     const auto width = static_cast<std::size_t>(smoothed_.width);
-    return parallel_for(context_, row_count(), kRows, [&](std::size_t y, std::size_t end) {
+    return parallel_for(context_, row_count(), kFilteredRows, [&](std::size_t y, std::size_t end) {
       for (std::size_t i = y * width; i < end * width; ++i) {
         const Eigen eigen =
             eigen_of(out_.strength.value[i], out_.normal_x.value[i], out_.normal_y.value[i]);
@@ -185,7 +186,7 @@ Status smooth(Context& context, double sigma, TableMemory& memory, Plane& channe
   Status status = make_plane(context, channel.width, channel.height, scratch, rows);
   if (!status) return status;
   const auto height = static_cast<std::size_t>(channel.height);
-  status = parallel_for(context, height, kRows, [&](std::size_t y, std::size_t end) {
+  status = parallel_for(context, height, kFilteredRows, [&](std::size_t y, std::size_t end) {
     std::vector<float> padded;
     for (int row = static_cast<int>(y); row < static_cast<int>(end); ++row) {
       filter_row(channel.row(row), channel.width, kernel, kernel, padded, rows.row(row), nullptr);
@@ -193,7 +194,7 @@ Status smooth(Context& context, double sigma, TableMemory& memory, Plane& channe
   });
   if (status) status = make_plane(context, channel.width, channel.height, memory, channel);
   if (!status) return status;
-  return parallel_for(context, height, kRows, [&](std::size_t y, std::size_t end) {
+  return parallel_for(context, height, kFilteredRows, [&](std::size_t y, std::size_t end) {
     for (int row = static_cast<int>(y); row < static_cast<int>(end); ++row) {
       filter_columns(rows, row, kernel, false, channel.row(row));
     }

@@ -12,9 +12,9 @@ namespace sfumato::tracing {
 namespace {
 
 /// Terms of rows below this share of a point's weight are left out.
-constexpr float kNegligible = 2e-4f;
+constexpr float kNegligibleShare = 2e-4f;
 /// Points that one task looks at.
-constexpr std::size_t kPoints = 1024;
+constexpr std::size_t kPointsPerTask = 1024;
 /// Places along each side of a box at which it is asked whether a layer shows outside of it.
 constexpr int kPlaces = 64;
 
@@ -57,7 +57,7 @@ Status LayerLooker::find_opacities(const DrawnLayer& layer, std::span<const Vec2
   if (status) status = layer.opacity_gatherer->gather(context_, points, {}, value);
   if (!status) return status;
   const Affine pixel_from_layer = inverse(layer_from_pixel);
-  return parallel_for(context_, points.size(), kPoints, [&](std::size_t i, std::size_t end) {
+  return parallel_for(context_, points.size(), kPointsPerTask, [&](std::size_t i, std::size_t end) {
     for (; i < end; ++i) {
       const ShadersAt shaders{opacity_shaders_, named, layer_from_pixel,
                               pixel_from_layer(points[i])};
@@ -128,7 +128,7 @@ Result<InstanceSight> LayerLooker::look(std::uint32_t layer, const Affine& layer
   sight.opacity.resize(kept);
   place.resize(kept);
   Result<gather::Rows> rows = gather::gather_rows(context_, drawn.mesh, drawn.color_places, place,
-                                                  {.negligible = kNegligible});
+                                                  {.negligible = kNegligibleShare});
   if (!rows) return rows.status();
   sight.rows = std::move(*rows);
   for (std::size_t i = 0; i < kept; ++i) {
@@ -140,7 +140,7 @@ Result<InstanceSight> LayerLooker::look(std::uint32_t layer, const Affine& layer
 Status LayerLooker::find_colors(std::uint32_t layer, const InstanceSight& sight,
                                 std::span<Rgb> code) const {
   const DrawnLayer& drawn = *layers_[layer];
-  return parallel_for(context_, code.size(), kPoints, [&](std::size_t i, std::size_t end) {
+  return parallel_for(context_, code.size(), kPointsPerTask, [&](std::size_t i, std::size_t end) {
     for (; i < end; ++i) {
       const ShadersAt shaders{color_shaders_, drawn.color_places.shader, sight.layer_from_pixel,
                               pixels_.point[sight.point[i]]};

@@ -12,7 +12,7 @@ namespace {
 /// Code values of 255 that patches may be off by: far below what is worth a curve.
 constexpr double kMaxError = 4;
 /// Pixels that one task looks at.
-constexpr std::size_t kPixels = 4096;
+constexpr std::size_t kMissingPixelsPerTask = 4096;
 
 Result<Image> draw(Context& context, const Picture& picture, std::span<const TracedCurve> curves,
                    bool has_opacity, ScopedCharge& charge) {
@@ -24,14 +24,15 @@ Result<Image> draw(Context& context, const Picture& picture, std::span<const Tra
 Status subtract(Context& context, const Picture& picture, const Image& drawn, std::size_t channel,
                 Plane& missing) {
   const auto* opacity = picture.opacity ? &picture.opacity->value : nullptr;
-  return parallel_for(context, missing.value.size(), kPixels, [&](std::size_t i, std::size_t end) {
-    for (; i < end; ++i) {
-      const float own = opacity ? (*opacity)[i] : 1.0f;
-      missing.value[i] =
-          channel < 3 ? own * (picture.code[channel].value[i] - wide_value(drawn, i, channel))
-                      : own - wide_value(drawn, i, channel);
-    }
-  });
+  return parallel_for(
+      context, missing.value.size(), kMissingPixelsPerTask, [&](std::size_t i, std::size_t end) {
+        for (; i < end; ++i) {
+          const float own = opacity ? (*opacity)[i] : 1.0f;
+          missing.value[i] =
+              channel < 3 ? own * (picture.code[channel].value[i] - wide_value(drawn, i, channel))
+                          : own - wide_value(drawn, i, channel);
+        }
+      });
 }
 
 }  // namespace

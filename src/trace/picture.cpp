@@ -12,7 +12,7 @@
 namespace sfumato::tracing {
 namespace {
 
-constexpr std::size_t kRows = 16;
+constexpr std::size_t kPictureRows = 16;
 
 /// Of a drawn picture so many pixels are as even as rounding to 16 bits leaves them. A photo may be
 /// white in more than half.
@@ -81,7 +81,7 @@ Status scale_down(Context& context, const Image& image, bool keeps_opacity, Pict
   const PixelReader reader(image);
   const auto width = static_cast<std::size_t>(picture.width());
   const auto height = static_cast<std::size_t>(picture.height());
-  return try_parallel_for(context, height, kRows, [&](std::size_t begin, std::size_t end) {
+  return try_parallel_for(context, height, kPictureRows, [&](std::size_t begin, std::size_t end) {
     for (std::size_t y = begin; y < end; ++y) {
       const Cover rows = cover_of(y, height, static_cast<std::size_t>(image.height));
       for (std::size_t x = 0; x < width; ++x) {
@@ -200,7 +200,7 @@ Result<Noise> estimate_noise(Context& context, const Plane& channel) {
   Status status = make_plane(context, channel.width, channel.height, memory, rough);
   if (!status) return status;
   const auto height = static_cast<std::size_t>(channel.height);
-  status = parallel_for(context, height, kRows, [&](std::size_t begin, std::size_t end) {
+  status = parallel_for(context, height, kPictureRows, [&](std::size_t begin, std::size_t end) {
     for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y) {
       const float* rows[3] = {channel.row(std::max(y - 1, 0)), channel.row(y),
                               channel.row(std::min(y + 1, channel.height - 1))};

@@ -15,7 +15,7 @@
 namespace sfumato::tracing {
 namespace {
 
-constexpr std::size_t kLeastPixels = 4;
+constexpr std::size_t kLeastChainPixels = 4;
 /// Pixels over which the direction of a chain is taken.
 constexpr std::size_t kDirectionPixels = 6;
 /// cos 60°: how directly ends must face each other, or what they run on to.
@@ -72,7 +72,7 @@ class ChainWalker {
     }
     Status status = chains_.memory.reserve(context_, chains_.place, count);
     if (!status) return status;
-    return chains_.memory.reserve(context_, chains_.end, count / kLeastPixels);
+    return chains_.memory.reserve(context_, chains_.end, count / kLeastChainPixels);
   }
 
   /// How many lines leave the pixel.
@@ -98,7 +98,7 @@ class ChainWalker {
         std::reverse(places.end() - ahead, places.end());
       }
     }
-    if (places.size() - begin >= kLeastPixels) return chains_.end_chain();
+    if (places.size() - begin >= kLeastChainPixels) return chains_.end_chain();
     places.resize(begin);
   }
 

@@ -13,6 +13,9 @@
 
 namespace sfumato::tracing {
 
+/// About how many pixels colours are fitted to.
+inline constexpr double kFittedPixels = 60000;
+
 /// Pixels to which a drawing is fitted, and the points in them at which it is looked at: the
 /// middle, or in pixels that sharp curves cross four points of a rotated grid, since there a
 /// pixel's colour is the mean over it.

@@ -13,9 +13,9 @@
 namespace sfumato::tracing {
 namespace {
 
-constexpr double kStep = 1;      ///< between samples along a curve, pixels
-constexpr double kAcross = 0.5;  ///< between samples across it
-constexpr double kReach = 2;     ///< how far across what is missing is looked at
+constexpr double kSampleStep = 1;    ///< between samples along a curve, pixels
+constexpr double kAcross = 0.5;      ///< between samples across it
+constexpr double kMissingReach = 2;  ///< how far across what is missing is looked at
 constexpr double kLargestReach = 8;
 constexpr double kLargestShift = 1;
 /// Added to the square of a jump, so that weak edges hardly move.
@@ -24,9 +24,10 @@ constexpr double kLeastJump = 4e-4;
 /// nearer end, in shares of the weight of the samples near them.
 constexpr double kResistance = 0.02;
 constexpr double kStiffness = 0.1;
-constexpr int kSteps = 24;
+constexpr int kSolverSteps = 24;
 /// A Gaussian of σ = 2 along the curve.
-constexpr std::array<double, 7> kGaussian{0.1995, 0.1760, 0.1210, 0.0648, 0.0270, 0.0088, 0.0022};
+constexpr std::array<double, 7> kAlongWeights{0.1995, 0.1760, 0.1210, 0.0648,
+                                              0.0270, 0.0088, 0.0022};
 
 using Jump = std::array<double, 4>;
 
@@ -57,8 +58,8 @@ Projection project(std::span<const Plane> missing, const TracedCurve& curve,
     jump[c] = double{right[c]} - left[c];
     square += jump[c] * jump[c];
   }
-  const bool is_blurred = curve.radius > kReach;
-  const double reach = is_blurred ? std::min(curve.radius, kLargestReach) : kReach;
+  const bool is_blurred = curve.radius > kMissingReach;
+  const double reach = is_blurred ? std::min(curve.radius, kLargestReach) : kMissingReach;
   double sum = 0, norm = is_blurred ? 0.0 : 1.0;
   for (double far = -reach; far <= reach + 1e-9; far += kAcross) {
     const double kernel = is_blurred ? spread(std::fabs(far), curve.radius) : 1.0;
@@ -81,9 +82,9 @@ std::vector<Shift> shifts_along(std::span<const Plane> missing, const TracedCurv
   std::vector<Shift> shifts;
   for (std::ptrdiff_t i = 0; i < count; ++i) {
     Projection mean;
-    for (std::ptrdiff_t k = 1 - std::ssize(kGaussian); k < std::ssize(kGaussian); ++k) {
+    for (std::ptrdiff_t k = 1 - std::ssize(kAlongWeights); k < std::ssize(kAlongWeights); ++k) {
       if (i + k < 0 || i + k >= count) continue;
-      const double weight = kGaussian[static_cast<std::size_t>(std::abs(k))];
+      const double weight = kAlongWeights[static_cast<std::size_t>(std::abs(k))];
       mean.along += weight * own[static_cast<std::size_t>(i + k)].along;
       mean.jump += weight * own[static_cast<std::size_t>(i + k)].jump;
     }
@@ -113,7 +114,7 @@ class ShapeFit {
     direction = residual;
     double slope = inner(residual, residual);
     const double first = slope;
-    for (int step = 0; step < kSteps && slope > 1e-8 * first; ++step) {
+    for (int step = 0; step < kSolverSteps && slope > 1e-8 * first; ++step) {
       apply(direction, image);
       const double bend = inner(direction, image);
       if (!(bend > 0)) break;
@@ -226,7 +227,7 @@ void keep_inside(std::span<Vec2> points, Vec2 size) {
 }
 
 void improve(std::span<const Plane> missing, TracedCurve& curve) {
-  const std::vector<CurveSample> samples = samples_along(curve, kStep);
+  const std::vector<CurveSample> samples = samples_along(curve, kSampleStep);
   const std::vector<Shift> shifts = shifts_along(missing, curve, samples);
   const std::vector<Vec2> shift = ShapeFit(curve, samples, shifts).run();
   const std::vector<Vec2> before = curve.control_points;

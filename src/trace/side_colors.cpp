@@ -10,7 +10,7 @@
 namespace sfumato::tracing {
 namespace {
 
-constexpr double kStep = 1.5;  ///< between samples along a curve, pixels
+constexpr double kSideStep = 1.5;  ///< between samples along a curve, pixels
 /// Distances of samples from the curve, pixels; of a blurred one 0.6 of its radius more.
 constexpr std::array<double, 4> kBeside{1.5, 2.0, 2.5, 3.0};
 constexpr std::array<double, 3> kBesideFrame{0.5, 1.0, 1.5};
@@ -18,7 +18,7 @@ constexpr double kBlurShare = 0.6;
 /// Points of the median along a curve: one more than twice this.
 constexpr std::ptrdiff_t kMedianReach = 2;
 /// A Gaussian of σ = 1 over the points of a side.
-constexpr std::array<float, 4> kGaussian{0.39905f, 0.24204f, 0.05400f, 0.00443f};
+constexpr std::array<float, 4> kSideWeights{0.39905f, 0.24204f, 0.05400f, 0.00443f};
 
 float median(std::span<float> values) {
   std::ranges::sort(values);
@@ -65,9 +65,9 @@ void smooth_along(std::vector<SideValue>& values) {
   }
   for (std::ptrdiff_t i = 0; i < count; ++i) {
     for (std::size_t c = 0; c < 4; ++c) {
-      float sum = kGaussian[0] * medians[near(i)][c];
-      for (std::ptrdiff_t k = 1; k < std::ssize(kGaussian); ++k) {
-        sum += kGaussian[static_cast<std::size_t>(k)] *
+      float sum = kSideWeights[0] * medians[near(i)][c];
+      for (std::ptrdiff_t k = 1; k < std::ssize(kSideWeights); ++k) {
+        sum += kSideWeights[static_cast<std::size_t>(k)] *
                (medians[near(i - k)][c] + medians[near(i + k)][c]);
       }
       values[near(i)][c] = sum;
@@ -128,7 +128,7 @@ Status sample_sides(Context& context, const Picture& picture, double tolerance,
                     std::span<TracedCurve> curves) {
   return parallel_for(context, curves.size(), 1, [&](std::size_t i, std::size_t) {
     TracedCurve& curve = curves[i];
-    const std::vector<CurveSample> samples = samples_along(curve, kStep);
+    const std::vector<CurveSample> samples = samples_along(curve, kSideStep);
     if (!curve.is_frame) curve.side[0] = stops_of(picture, curve, samples, 1, tolerance);
     curve.side[1] = stops_of(picture, curve, samples, -1, tolerance);
   });

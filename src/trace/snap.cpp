@@ -12,10 +12,10 @@
 namespace sfumato::tracing {
 namespace {
 
-constexpr double kStep = 0.5;  ///< between samples of curves, pixels
+constexpr double kSnapStep = 0.5;  ///< between samples of curves, pixels
 /// An end snaps to what is so near in any direction but backwards, pixels times √scale, at most
 /// kMostReach…
-constexpr double kReach = 1.5;
+constexpr double kEndReach = 1.5;
 constexpr double kMostReach = 3;
 constexpr double kLeastCosine = -0.3;
 /// …and straight ahead, within 45°, to what is this near: pixels, and a share of the picture's
@@ -30,7 +30,7 @@ constexpr double kOwnPixels = 4;
 constexpr double kLongest = 1.5;
 /// Before its end a curve that snaps to another is not to cross it, over this length, pixels.
 constexpr double kBackPx = 6;
-constexpr int kParts = 64;
+constexpr int kSnapParts = 64;
 /// Ends of one curve that are nearer to each other than this and than a share of its length make a
 /// closed curve.
 constexpr double kClosePx = 4.5;
@@ -61,7 +61,7 @@ class PlaceGrid {
 
   /// Errors: limit (memory), cancelled.
   Status add(const Context& context, std::uint32_t index, const TracedCurve& curve) {
-    const std::vector<CurveSample> samples = samples_along(curve, kStep);
+    const std::vector<CurveSample> samples = samples_along(curve, kSnapStep);
     Status status = memory_.make_room(context, next_, samples.size());
     if (status) status = memory_.make_room(context, place_, samples.size());
     if (!status) return status;
@@ -176,8 +176,8 @@ curves::Cubic ended_at(const curves::Cubic& cubic, double t, Vec2 to) {
 /// Where the cubic, going on as it does, comes nearest to a point: a parameter around 1.
 double parameter_towards(const curves::Cubic& cubic, Vec2 to) {
   double best = 1, least = length(cubic[3] - to);
-  for (int i = 0; i <= kParts; ++i) {
-    const double t = std::lerp(2 - kLongest, kLongest, static_cast<double>(i) / kParts);
+  for (int i = 0; i <= kSnapParts; ++i) {
+    const double t = std::lerp(2 - kLongest, kLongest, static_cast<double>(i) / kSnapParts);
     const double far = length(curves::point_at(cubic, t) - to);
     if (far < least) best = t, least = far;
   }
@@ -193,8 +193,8 @@ double crossing_before_end(const curves::Cubic& cubic, const Landing& landing) {
     return cross(curves::point_at(cubic, t) - landing.point, landing.along);
   };
   const double first = side_at(begin);
-  for (int i = 1; i < kParts; ++i) {
-    const double t = std::lerp(begin, 1.0, static_cast<double>(i) / kParts);
+  for (int i = 1; i < kSnapParts; ++i) {
+    const double t = std::lerp(begin, 1.0, static_cast<double>(i) / kSnapParts);
     if (side_at(t) * first < 0) return t;
   }
   return 1;
@@ -299,7 +299,7 @@ class Snapper {
                                          bool is_last) const {
     const TracedCurve& curve = curves_[index];
     const Vec2 end = cubic[3], out = cubic[3] - cubic[2];
-    const double reach = std::min(kReach * std::sqrt(curve.scale), kMostReach);
+    const double reach = std::min(kEndReach * std::sqrt(curve.scale), kMostReach);
     const double whole = length_of(curve), own = kOwnReaches * reach + kOwnPixels;
     std::optional<PlaceGrid::Place> best;
     double least = 0;

@@ -15,7 +15,7 @@ namespace sfumato::tracing {
 namespace {
 
 /// Rows that one task computes.
-constexpr std::size_t kRows = 128;
+constexpr std::size_t kRowsPerTask = 128;
 /// Rows that one task transposes at least. It has a number for each column, so that with as many
 /// rows as columns these take no more than the matrix.
 constexpr std::size_t kLeastSliceRows = 8192;
@@ -47,7 +47,7 @@ Status join(Context& context, std::vector<RowBlock>& blocks, SparseMatrix& out) 
   }
   return parallel_for(context, blocks.size(), 1, [&](std::size_t i, std::size_t end) {
     for (; i < end; ++i) {
-      const auto at = static_cast<std::ptrdiff_t>(out.begin[i * kRows]);
+      const auto at = static_cast<std::ptrdiff_t>(out.begin[i * kRowsPerTask]);
       std::ranges::copy(blocks[i].column, out.column.begin() + at);
       std::ranges::copy(blocks[i].value, out.value.begin() + at);
       blocks[i] = {};
@@ -100,18 +100,19 @@ Result<SparseMatrix> build_rows(Context& context, std::size_t row_count, std::ui
                                 FunctionRef<void(std::size_t, RowSummer&)> fill) {
   SparseMatrix out;
   out.column_count = column_count;
-  std::vector<RowBlock> blocks((row_count + kRows - 1) / kRows);
-  Status status = try_parallel_for(context, row_count, kRows, [&](std::size_t i, std::size_t end) {
-    RowSummer sum(column_count);
-    RowBlock& block = blocks[i / kRows];
-    for (; i < end; ++i) {
-      if (context.cancelled()) return context.cancel_status();
-      fill(i, sum);
-      block.count.push_back(sum.list(block.column, block.value));
-    }
-    return block.memory.settle(context, capacity_bytes(block.count, block.column, block.value),
-                               block.bytes);
-  });
+  std::vector<RowBlock> blocks((row_count + kRowsPerTask - 1) / kRowsPerTask);
+  Status status =
+      try_parallel_for(context, row_count, kRowsPerTask, [&](std::size_t i, std::size_t end) {
+        RowSummer sum(column_count);
+        RowBlock& block = blocks[i / kRowsPerTask];
+        for (; i < end; ++i) {
+          if (context.cancelled()) return context.cancel_status();
+          fill(i, sum);
+          block.count.push_back(sum.list(block.column, block.value));
+        }
+        return block.memory.settle(context, capacity_bytes(block.count, block.column, block.value),
+                                   block.bytes);
+      });
   if (status) status = join(context, blocks, out);
   if (!status) return status;
   return out;
@@ -205,15 +206,16 @@ Result<SparseMatrix> sum_of(Context& context, const SparseMatrix& a, const Spars
 
 Status multiply(Context& context, const SparseMatrix& matrix, std::span<const FourFloats> x,
                 std::span<FourFloats> out) {
-  return parallel_for(context, matrix.row_count(), 4 * kRows, [&](std::size_t i, std::size_t end) {
-    for (; i < end; ++i) {
-      Lanes<4> sum = 0.0f;
-      for (std::uint32_t k = matrix.begin[i]; k < matrix.begin[i + 1]; ++k) {
-        sum = sum + matrix.value[k] * Lanes<4>::load(x[matrix.column[k]].data());
-      }
-      sum.store(out[i].data());
-    }
-  });
+  return parallel_for(
+      context, matrix.row_count(), 4 * kRowsPerTask, [&](std::size_t i, std::size_t end) {
+        for (; i < end; ++i) {
+          Lanes<4> sum = 0.0f;
+          for (std::uint32_t k = matrix.begin[i]; k < matrix.begin[i + 1]; ++k) {
+            sum = sum + matrix.value[k] * Lanes<4>::load(x[matrix.column[k]].data());
+          }
+          sum.store(out[i].data());
+        }
+      });
 }
 
 }  // namespace sfumato::tracing

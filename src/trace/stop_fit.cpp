@@ -15,15 +15,13 @@
 namespace sfumato::tracing {
 namespace {
 
-/// Pixels that colours are fitted to, about.
-constexpr double kFittedPixels = 60000;
 /// A layer that counts for less than this in a pixel is mixed there with others.
 constexpr float kSolid = 0.9f;
 /// Beyond the colours of any space.
 constexpr float kUnbound = 1e3f;
 /// Pixels, and numbers of a plane, that one task looks at.
-constexpr std::size_t kPixels = 256;
-constexpr std::size_t kValues = 4096;
+constexpr std::size_t kPixelsPerTask = 256;
+constexpr std::size_t kValuesPerTask = 4096;
 
 FourFloats four(const Rgb& color) {
   return {color.r, color.g, color.b, 0};
@@ -149,15 +147,16 @@ Status StopFit::convert_picture() {
   }
   if (!status) return status;
   const auto& code = picture_.code;
-  return parallel_for(context_, code[0].value.size(), kValues, [&](std::size_t i, std::size_t end) {
-    for (; i < end; ++i) {
-      const Rgb color =
-          from_srgb(drawing_.interpolation, {code[0].value[i], code[1].value[i], code[2].value[i]});
-      color_[0].value[i] = color.r;
-      color_[1].value[i] = color.g;
-      color_[2].value[i] = color.b;
-    }
-  });
+  return parallel_for(
+      context_, code[0].value.size(), kValuesPerTask, [&](std::size_t i, std::size_t end) {
+        for (; i < end; ++i) {
+          const Rgb color = from_srgb(drawing_.interpolation,
+                                      {code[0].value[i], code[1].value[i], code[2].value[i]});
+          color_[0].value[i] = color.r;
+          color_[1].value[i] = color.g;
+          color_[2].value[i] = color.b;
+        }
+      });
 }
 
 Status StopFit::look_at(const Document& drawing) {
@@ -327,7 +326,7 @@ StopFit::Missing StopFit::missing_of(std::size_t pixel) const {
 
 Status StopFit::find_missing() {
   Status status =
-      parallel_for(context_, missing_.size(), kPixels, [&](std::size_t i, std::size_t end) {
+      parallel_for(context_, missing_.size(), kPixelsPerTask, [&](std::size_t i, std::size_t end) {
         for (; i < end; ++i) missing_[i] = missing_of(i);
       });
   if (!status) return status;

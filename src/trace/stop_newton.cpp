@@ -11,9 +11,9 @@ namespace sfumato::tracing {
 namespace {
 
 /// For differences of a colour's coordinates.
-constexpr float kStep = 1e-3f;
+constexpr float kColorStep = 1e-3f;
 /// Parts that one task looks at.
-constexpr std::size_t kParts = 256;
+constexpr std::size_t kNewtonParts = 256;
 
 std::array<float, 3> coordinates(const Rgb& color) {
   return {color.r, color.g, color.b};
@@ -23,19 +23,19 @@ std::array<float, 3> coordinates(const Rgb& color) {
 
 /// How the code values of each part change with its colour's coordinates.
 Status StopFit::find_slopes(std::span<Slopes> slopes) const {
-  return parallel_for(context_, slopes.size(), kParts, [&](std::size_t i, std::size_t end) {
+  return parallel_for(context_, slopes.size(), kNewtonParts, [&](std::size_t i, std::size_t end) {
     for (; i < end; ++i) {
       const std::array<float, 3> color = coordinates(color_of(part_[i]));
       for (std::size_t k = 0; k < 3; ++k) {
         std::array<float, 3> more = color, less = color;
-        more[k] += kStep;
-        less[k] -= kStep;
+        more[k] += kColorStep;
+        less[k] -= kColorStep;
         const auto above =
             coordinates(to_srgb(drawing_.interpolation, {more[0], more[1], more[2]}));
         const auto below =
             coordinates(to_srgb(drawing_.interpolation, {less[0], less[1], less[2]}));
         for (std::size_t c = 0; c < 3; ++c) {
-          slopes[i][3 * c + k] = (above[c] - below[c]) / (2 * kStep);
+          slopes[i][3 * c + k] = (above[c] - below[c]) / (2 * kColorStep);
         }
       }
     }

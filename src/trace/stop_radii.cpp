@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "trace/bounded_solve.hpp"
+#include "trace/drawing.hpp"
 #include "trace/drawing_stops.hpp"
 #include "trace/row_slopes.hpp"
 #include "trace/stop_fit.hpp"
@@ -16,13 +17,9 @@ namespace {
 constexpr float kDamping = 0.3f;
 /// Pixels: the least and the largest radius that a step leads to, and the most that it changes one
 /// whose half is less.
-constexpr float kLeastRadius = 0.4f;
-constexpr float kLargestRadius = 24;
+constexpr float kLeastSteppedRadius = 0.4f;
+constexpr float kLargestSteppedRadius = 24;
 constexpr float kLargestStep = 0.7f;
-
-float in_eight_bits(float value) {
-  return std::round(255 * std::clamp(value, 0.0f, 1.0f)) / 255;
-}
 
 /// Three digits tell a radius.
 float in_three_digits(float value) {
@@ -108,8 +105,8 @@ Status StopFit::fit_radii() {
     if (!(radius_px_[i] > 0)) continue;
     const float now = factor_[i] * radius_px_[i];
     const float most = std::max(0.5f * now, kLargestStep);
-    low[i][0] = std::min(std::max(-most, kLeastRadius - now), 0.0f) / radius_px_[i];
-    high[i][0] = std::max(std::min(most, kLargestRadius - now), 0.0f) / radius_px_[i];
+    low[i][0] = std::min(std::max(-most, kLeastSteppedRadius - now), 0.0f) / radius_px_[i];
+    high[i][0] = std::max(std::min(most, kLargestSteppedRadius - now), 0.0f) / radius_px_[i];
   }
   status = multiply(context_, *transpose, wanted, right_side);
   if (status) {

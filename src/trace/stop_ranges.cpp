@@ -20,7 +20,7 @@ constexpr double kFarthestPx = 32;
 constexpr float kWider = 0.1f;
 constexpr float kWiderPerPixel = 0.05f;
 /// Pixels that make a range.
-constexpr int kLeastPixels = 24;
+constexpr int kLeastRangePixels = 24;
 /// Curves that one task looks at.
 constexpr std::size_t kCurves = 4;
 
@@ -49,7 +49,7 @@ class RangeFinder {
       const curves::Cubic cubic =
           curves::piece(curve.control_points, static_cast<std::size_t>(piece));
       const Ranges near = ranges_near(curves::point_at(cubic, parameter[i] - piece), radius);
-      if (near.pixels < kLeastPixels) continue;
+      if (near.pixels < kLeastRangePixels) continue;
       const float wider = kWider + kWiderPerPixel * weight[i];
       for (std::size_t c = 0; c < 3; ++c) {
         low[i][c] = std::max(low[i][c], near.low[c] - wider);

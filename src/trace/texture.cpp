@@ -22,7 +22,7 @@ namespace {
 /// them what is magnified would mix with the opposite border, two texels far by the filter.
 constexpr int kMargin = 2;
 
-constexpr std::size_t kRows = 16;
+constexpr std::size_t kTextureRows = 16;
 
 /// Below this the picture is seen through.
 constexpr float kOpaque = 1 - 1.0f / 512;
@@ -59,7 +59,7 @@ double shown(double color, const Below& below) {
   return (color <= 0.5 ? darker(below) : lighter(below)).at(color);
 }
 
-std::uint8_t in_eight_bits(double value) {
+std::uint8_t to_byte(double value) {
   return static_cast<std::uint8_t>(std::lround(255 * value));
 }
 
@@ -94,14 +94,14 @@ class TextureMaker {
 
 void TextureMaker::fill(std::size_t pixel, std::uint8_t* texel, Misses& misses) const {
   if (!is_opaque(pixel)) {
-    std::fill_n(texel, 3, in_eight_bits(0.5));
+    std::fill_n(texel, 3, to_byte(0.5));
     return;
   }
   const double opacity = wide_value(drawn_, pixel, 3);
   for (std::size_t c = 0; c < 3; ++c) {
     const Below below{wide_value(drawn_, pixel, c), opacity};
     const double wanted = picture_.code[c].value[pixel];
-    texel[c] = in_eight_bits(blended_to(wanted, below));
+    texel[c] = to_byte(blended_to(wanted, below));
     const double miss = shown(texel[c] / 255.0, below) - wanted;
     misses.sum += miss * miss;
     misses.count += 1;
@@ -133,7 +133,7 @@ Status TextureMaker::make(Context& context, Texture& color, Texture* mask, doubl
   TableMemory memory("what a texture misses");
   Status status = memory.resize(context, misses, rows);
   if (!status) return status;
-  status = try_parallel_for(context, rows, kRows, [&](std::size_t begin, std::size_t end) {
+  status = try_parallel_for(context, rows, kTextureRows, [&](std::size_t begin, std::size_t end) {
     for (std::size_t row = begin; row < end; ++row) {
       if (context.cancelled()) return context.cancel_status();
       fill_row(row, color, mask, misses[row]);

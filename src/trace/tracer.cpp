@@ -24,13 +24,13 @@ namespace {
 constexpr double kFirstShare = 0.3;
 constexpr double kRoundShare = 0.5;
 /// Rounds of edges of what is missing.
-constexpr int kRounds = 4;
+constexpr int kMissingRounds = 4;
 /// Fewer control points than this make no curve worth having.
 constexpr std::size_t kLeastPoints = 20;
 /// Colours along a side, Euclidean in sRGB code values.
 constexpr double kStopTolerance = 0.02;
 /// How far curves may be from edges of usual strength, pixels times √scale.
-constexpr double kTolerance = 1.2;
+constexpr double kEdgeTolerance = 1.2;
 constexpr double kMissingTolerance = 2.2;
 /// The finest scales, pixels, of edges of the picture and of what is missing. In drawn pictures
 /// finer edges are edges.
@@ -42,8 +42,6 @@ constexpr FinestScales kDrawnScales{0.7, 1};
 /// A little blur that is fitted to an edge of a drawn picture hides how its curve misses it, where
 /// the edge itself looks sharp.
 constexpr double kDrawnSharpRadius = 1.2;
-/// Pixels to which colours are fitted between rounds, about.
-constexpr double kFittedPixels = 60000;
 /// With less blur a curve's radius does not show in its derivative.
 constexpr double kFirstRadius = 1;
 /// Sides of an end that differ less in every channel leak nothing that shows, and nothing that is
@@ -56,7 +54,7 @@ constexpr double kMoved = 0.05;
 constexpr int kTidyings = 5;
 /// What is told of as progress: the picture's edges, each round, and of the end the first fit, each
 /// tidying and the last fit.
-constexpr int kSteps = 1 + (kRounds + 1) + 1 + kTidyings + 1;
+constexpr int kProgressSteps = 1 + (kMissingRounds + 1) + 1 + kTidyings + 1;
 /// Stops pruned at a time, and how often.
 constexpr double kPruneShare = 0.18;
 constexpr int kPruneNormal = 2;
@@ -107,7 +105,7 @@ Result<Document> Tracer::run() {
   tell_progress(1);
   if (status) status = fit();
   if (status) note(0);
-  for (int round = 1; round <= kRounds && status && goes_on(); ++round) {
+  for (int round = 1; round <= kMissingRounds && status && goes_on(); ++round) {
     status = find_missing(context_, *picture_, curves_, memory_, missing_);
     if (status) status = improve_shapes();
     if (status) status = add_edges_of_missing(round);
@@ -118,7 +116,7 @@ Result<Document> Tracer::run() {
   if (status) status = finish();
   if (!status) return status;
   note(stats_.rounds.back().round);
-  tell_progress(kSteps);
+  tell_progress(kProgressSteps);
   measure_curves();
   return finished_drawing();
 }
@@ -154,7 +152,7 @@ Status Tracer::add_edges_of_picture() {
   edges.scales =
       scales_from(std::max(finest_scales(is_drawn_).edge, options_.smooth_px * picture_->scale));
   edges.noise = stats_.noise;
-  return add(planes, planes, edges, kTolerance, kFirstShare * static_cast<double>(budget_));
+  return add(planes, planes, edges, kEdgeTolerance, kFirstShare * static_cast<double>(budget_));
 }
 
 Status Tracer::add_edges_of_missing(int round) {
@@ -165,7 +163,7 @@ Status Tracer::add_edges_of_missing(int round) {
       scales_from(std::max(finest_scales(is_drawn_).missing, options_.smooth_px * picture_->scale));
   edges.high = 0.015;
   edges.noise = 0.5 * stats_.noise;
-  const double share = round == kRounds ? 1.0 : kRoundShare;
+  const double share = round == kMissingRounds ? 1.0 : kRoundShare;
   return add(missing_, picture_->code, edges, kMissingTolerance, share * static_cast<double>(left));
 }
 
@@ -236,13 +234,13 @@ Status Tracer::finish() {
   }
   if (status) status = snap(kLeak);
   if (status) status = fit();
-  tell_progress(1 + (kRounds + 1) + 1);
+  tell_progress(1 + (kMissingRounds + 1) + 1);
   for (int pass = 0; pass < kTidyings && status; ++pass) {
     const Result<bool> is_changed = tidy();
     if (!is_changed) return is_changed.status();
     if (!*is_changed) break;
     status = fit_again();
-    tell_progress(1 + (kRounds + 1) + 2 + pass);
+    tell_progress(1 + (kMissingRounds + 1) + 2 + pass);
   }
   forget_blur();
   return status ? fit_->fit_to_all(curves_, kPruneShare, prune_count(options_.stops)) : status;
@@ -356,7 +354,7 @@ Document Tracer::drawing() const {
 TraceState Tracer::state(int round) const {
   TraceState state;
   state.round = round;
-  state.round_count = options_.edges_only ? 1 : kRounds + 1;
+  state.round_count = options_.edges_only ? 1 : kMissingRounds + 1;
   state.curves = curves_.size();
   state.control_points = point_count();
   state.stops = stop_count();
@@ -367,7 +365,7 @@ TraceState Tracer::state(int round) const {
 
 void Tracer::tell_progress(int steps) const {
   if (context_.progress) {
-    context_.progress->report("trace", static_cast<double>(steps) / kSteps);
+    context_.progress->report("trace", static_cast<double>(steps) / kProgressSteps);
   }
 }
 

@@ -21,18 +21,18 @@ constexpr double kLeastPartPx = 4;
 /// A part of which no place is farther from the curve that it was cut at, pixels, is that one's
 /// double.
 constexpr double kDoublePx = 1;
-constexpr double kStep = 1;  ///< between samples of curves, pixels
-constexpr int kTurns = 4;
+constexpr double kCrossingStep = 1;  ///< between samples of curves, pixels
+constexpr int kUntangleTurns = 4;
 /// Parameters this near to a joint, in pieces, are at the joint.
 constexpr double kJoint = 1e-3;
 
-double piece_count(const TracedCurve& curve) {
+double pieces_of(const TracedCurve& curve) {
   return static_cast<double>((curve.control_points.size() - 1) / 3);
 }
 
 /// A parameter's piece and what is left for it.
 std::pair<curves::Cubic, double> piece_at(const TracedCurve& curve, double parameter) {
-  const double piece = std::clamp(std::floor(parameter), 0.0, piece_count(curve) - 1);
+  const double piece = std::clamp(std::floor(parameter), 0.0, pieces_of(curve) - 1);
   return {curves::piece(curve.control_points, static_cast<std::size_t>(piece)), parameter - piece};
 }
 
@@ -44,7 +44,7 @@ double nearest_on(const TracedCurve& curve, Vec2 p, double parameter) {
 
 /// Adds the stretch of the curve between two parameters to points that end where it begins.
 void append_stretch(const TracedCurve& curve, double from, double to, std::vector<Vec2>& points) {
-  const auto last = static_cast<std::size_t>(piece_count(curve)) - 1;
+  const auto last = static_cast<std::size_t>(pieces_of(curve)) - 1;
   for (std::size_t i = static_cast<std::size_t>(from); i <= last; ++i) {
     const auto begin = static_cast<double>(i);
     const double t0 = std::max(from - begin, 0.0), t1 = std::min(to - begin, 1.0);
@@ -60,9 +60,8 @@ TracedCurve stretch(const TracedCurve& curve, double from, double to) {
   TracedCurve part = curve;
   part.side = {};
   part.control_points.clear();
-  append_stretch(curve, from, std::min(to, piece_count(curve)), part.control_points);
-  if (to > piece_count(curve))
-    append_stretch(curve, 0, to - piece_count(curve), part.control_points);
+  append_stretch(curve, from, std::min(to, pieces_of(curve)), part.control_points);
+  if (to > pieces_of(curve)) append_stretch(curve, 0, to - pieces_of(curve), part.control_points);
   if (part.control_points.empty()) part.control_points.assign(4, curve.control_points.front());
   part.benefit *= length_of(part) / std::max(length_of(curve), 1e-9);
   return part;
@@ -77,7 +76,7 @@ TracedCurve closed(TracedCurve curve) {
 /// A closed curve without the loop between two parameters, and that loop where it is a shape.
 std::vector<TracedCurve> without_loop(const TracedCurve& curve, double first, double second) {
   TracedCurve inner = closed(stretch(curve, first, second));
-  TracedCurve outer = closed(stretch(curve, second, first + piece_count(curve)));
+  TracedCurve outer = closed(stretch(curve, second, first + pieces_of(curve)));
   double least = length_of(inner), most = length_of(outer);
   if (least > most) std::swap(inner, outer), std::swap(least, most);
   std::vector<TracedCurve> kept{std::move(outer)};
@@ -89,8 +88,8 @@ std::vector<TracedCurve> without_loop(const TracedCurve& curve, double first, do
 
 /// Whether a part runs beside another curve all along.
 bool is_double(const TracedCurve& part, const TracedCurve& other) {
-  const std::vector<CurveSample> places = samples_along(other, kStep);
-  return std::ranges::all_of(samples_along(part, kStep), [&](const CurveSample& at) {
+  const std::vector<CurveSample> places = samples_along(other, kCrossingStep);
+  return std::ranges::all_of(samples_along(part, kCrossingStep), [&](const CurveSample& at) {
     return std::ranges::any_of(places, [&](const CurveSample& place) {
       return length(place.point - at.point) <= kDoublePx;
     });
@@ -163,7 +162,7 @@ class Untangler {
 
   std::vector<TracedCurve> cut(std::size_t i, Cuts& cuts) const {
     const TracedCurve& curve = curves_[i];
-    const double whole = piece_count(curve);
+    const double whole = pieces_of(curve);
     std::ranges::sort(cuts.at, {}, &Cut::parameter);
     std::vector<Cut> at = cuts.at;
     if (is_closed(curve)) {
@@ -197,7 +196,7 @@ class Untangler {
 Result<bool> untangle(Context& context, int width, int height, std::vector<TracedCurve>& curves) {
   bool is_changed = false;
   // A turn takes one loop of each curve.
-  for (int turn = 0; turn < kTurns; ++turn) {
+  for (int turn = 0; turn < kUntangleTurns; ++turn) {
     const Result<Crossings> crossings = find_crossings(context, curves, width, height);
     if (!crossings) return crossings.status();
     const Result<bool> now = Untangler(context, curves).run(*crossings);

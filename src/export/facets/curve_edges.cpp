@@ -5,13 +5,12 @@
 
 #include "base/poll.hpp"
 #include "base/table_memory.hpp"
+#include "export/poll_interval.hpp"
 
 namespace sfumato::outputs {
 namespace {
 
-constexpr std::uint32_t kTurnsPerPoll = 65'536;
-
-struct Side {
+struct EdgeSide {
   std::uint32_t low, high, half_edge;
 };
 
@@ -25,7 +24,7 @@ std::uint32_t to_vertex(const PatchLayer& layer, std::uint32_t half_edge) {
 /// Half-edges that run against each other between the same two vertices.
 Status pair_sides(Context& context, const PatchLayer& layer, CurveEdges* edges) {
   TableMemory memory("edges on curves");
-  std::vector<Side> sides;
+  std::vector<EdgeSide> sides;
   std::vector<std::uint32_t>& twin = edges->twin;
   Status status = memory.resize(context, sides, layer.triangle_vertex.size());
   if (status) status = edges->memory.resize(context, twin, sides.size(), kNoHalfEdge);
@@ -36,13 +35,13 @@ Status pair_sides(Context& context, const PatchLayer& layer, CurveEdges* edges) 
     const std::uint32_t from = from_vertex(layer, h), to = to_vertex(layer, h);
     sides[h] = {std::min(from, to), std::max(from, to), h};
   }
-  status = TableMemory::sort(context, sides, [](const Side& a, const Side& b) {
+  status = TableMemory::sort(context, sides, [](const EdgeSide& a, const EdgeSide& b) {
     return std::tie(a.low, a.high, a.half_edge) < std::tie(b.low, b.high, b.half_edge);
   });
   if (!status) return status;
   for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
     if (poll.cancelled()) return context.cancel_status();
-    const Side &a = sides[i], &b = sides[i + 1];
+    const EdgeSide &a = sides[i], &b = sides[i + 1];
     if (a.low != b.low || a.high != b.high) continue;
     if (from_vertex(layer, a.half_edge) != to_vertex(layer, b.half_edge)) continue;
     twin[a.half_edge] = b.half_edge;

@@ -11,9 +11,9 @@ namespace {
 
 /// What colours may miss: they show in pixels that a curve cuts.
 constexpr double kColorError = 1.5 / 255;
-constexpr int kMostColumns = 8;
+constexpr int kMostEndColumns = 8;
 /// Columns written for an edge at most, two where it meets what was before; and the last one.
-constexpr std::size_t kMostWritten = 2 * (kMostColumns + 2);
+constexpr std::size_t kMostWritten = 2 * (kMostEndColumns + 2);
 /// Sine of the turn of a curve at a vertex that the band needs no corner for.
 constexpr double kSmallTurn = 0.35;
 /// How far a band may miss the curve, of its width: it lies under the mesh there, or ends before
@@ -82,7 +82,7 @@ void EndBand::add_edge(std::uint32_t half_edge) {
   };
   int count = 1;
   double bend = patch.bend(along(0), along(1));
-  for (; count < kMostColumns && bend > kColorError; bend /= 4) count *= 2;
+  for (; count < kMostEndColumns && bend > kColorError; bend /= 4) count *= 2;
   const Vec2 outwards = left_of(b - a) / length(b - a);
   for (int i = 0; i <= count; ++i) {
     const double t = 1.0 * i / count;

@@ -8,13 +8,13 @@
 #include "base/parallel.hpp"
 #include "base/poll.hpp"
 #include "base/table_memory.hpp"
+#include "export/poll_interval.hpp"
 #include "picture/patch.hpp"
 
 namespace sfumato::outputs {
 namespace {
 
-constexpr std::size_t kGrain = 256;
-constexpr std::uint32_t kTurnsPerPoll = 65'536;
+constexpr std::size_t kCutsPerTask = 256;
 
 /// A side of a triangle by its end vertices, the lower index first.
 struct Side {
@@ -154,10 +154,10 @@ Result<FacetCuts> find_cuts(Context& context, const PatchLayer& layer, Interpola
     const std::uint64_t steps = steps_of(along, length_of(layer, half_edge), smallest_side);
     for (std::uint32_t e = first[place]; e < first[place + 1]; ++e) cuts.edge[e].steps = steps;
   };
-  Status status =
-      parallel_for(context, first.size() - 1, kGrain, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t place = begin; place < end; ++place) cut(place);
-      });
+  Status status = parallel_for(context, first.size() - 1, kCutsPerTask,
+                               [&](std::size_t begin, std::size_t end) {
+                                 for (std::size_t place = begin; place < end; ++place) cut(place);
+                               });
   if (!status) return status;
   return cuts;
 }

@@ -6,11 +6,10 @@
 
 #include "base/poll.hpp"
 #include "base/table_memory.hpp"
+#include "export/poll_interval.hpp"
 
 namespace sfumato::outputs {
 namespace {
-
-constexpr std::uint32_t kTurnsPerPoll = 65'536;
 
 /// One number for all vertices at one position, in a table of `memory`.
 Result<std::vector<std::uint32_t>> number_positions(Context& context, const FacetMesh& mesh,

@@ -26,7 +26,7 @@ constexpr std::array<Barycentric, 4> kInside{
     {{1.0 / 3, 1.0 / 3, 1.0 / 3}, {0.5, 0.25, 0.25}, {0.25, 0.5, 0.25}, {0.25, 0.25, 0.5}}};
 
 /// Quotients by a smaller share are noise, and next to nothing shows them.
-constexpr double kLeastShare = 0.01;
+constexpr double kLeastDivisor = 0.01;
 
 /// Not a number becomes 0.
 double clamped(double value) {
@@ -192,7 +192,7 @@ FacetPatch::Value FacetPatch::unclamped(const Barycentric& at) const {
 
 FacetPatch::Value FacetPatch::shown(const Barycentric& at) const {
   const double divisor = share(at);
-  if (divisor < kLeastShare) return covered_;
+  if (divisor < kLeastDivisor) return covered_;
   Value value = unclamped(at);
   for (double& channel : value) channel = clamped(channel / divisor);
   return value;

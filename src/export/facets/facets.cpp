@@ -11,12 +11,12 @@
 #include "export/facets/facet_cuts.hpp"
 #include "export/facets/facet_patch.hpp"
 #include "export/facets/facet_tree.hpp"
+#include "export/poll_interval.hpp"
 
 namespace sfumato::outputs {
 namespace {
 
-constexpr std::size_t kGrain = 256;
-constexpr std::uint32_t kTurnsPerPoll = 65'536;
+constexpr std::size_t kTrianglesPerTask = 256;
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 /// Fills a FacetMesh from the cuts of its patches. Its vertices: corners, then the inner points of
@@ -99,14 +99,15 @@ Status FacetBuilder::count(Context& context, FacetMesh* mesh) {
   if (status) status = memory_.reserve(context, inside_first_, triangles + 1);
   if (status) status = mesh->memory.reserve(context, mesh->patch_first_facet, triangles + 1);
   if (!status) return status;
-  status = parallel_for(context, triangles, kGrain, [&](std::size_t begin, std::size_t end) {
-    for (auto t = static_cast<std::uint32_t>(begin); t < end; ++t) {
-      const FacetPatch patch(layer_, space_, source_, t, max_error_);
-      const FacetTree tree = tree_of(t, patch);
-      facets[t] = static_cast<std::uint32_t>(tree.facets().size());
-      inside[t] = static_cast<std::uint32_t>(tree.points().size() - tree.first_inside());
-    }
-  });
+  status =
+      parallel_for(context, triangles, kTrianglesPerTask, [&](std::size_t begin, std::size_t end) {
+        for (auto t = static_cast<std::uint32_t>(begin); t < end; ++t) {
+          const FacetPatch patch(layer_, space_, source_, t, max_error_);
+          const FacetTree tree = tree_of(t, patch);
+          facets[t] = static_cast<std::uint32_t>(tree.facets().size());
+          inside[t] = static_cast<std::uint32_t>(tree.points().size() - tree.first_inside());
+        }
+      });
   if (!status) return status;
   std::uint64_t vertex = corner_owner_.size();
   RarePoll<kTurnsPerPoll> poll(context);
@@ -222,9 +223,11 @@ Status FacetBuilder::build(Context& context, FacetMesh* mesh) {
   if (!status) return status;
   if (status = count(context, mesh); !status) return status;
   if (status = allocate(context, mesh); !status) return status;
-  return parallel_for(context, triangles, kGrain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t t = begin; t < end; ++t) fill(static_cast<std::uint32_t>(t), mesh);
-  });
+  return parallel_for(context, triangles, kTrianglesPerTask,
+                      [&](std::size_t begin, std::size_t end) {
+                        for (std::size_t t = begin; t < end; ++t)
+                          fill(static_cast<std::uint32_t>(t), mesh);
+                      });
 }
 
 }  // namespace

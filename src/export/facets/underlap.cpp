@@ -6,6 +6,7 @@
 #include "base/poll.hpp"
 #include "base/table_memory.hpp"
 #include "export/facets/end_loops.hpp"
+#include "export/poll_interval.hpp"
 
 namespace sfumato::outputs {
 namespace {
@@ -13,7 +14,6 @@ namespace {
 /// Points of an outline for each facet, at most on average: 3 corners, 2 points for an edge that
 /// has a later neighbour (half of them), and 6 spokes for a corner (one for 2 facets).
 constexpr std::size_t kPointsPerFacet = 10;
-constexpr std::uint32_t kFacetsPerCheck = 4096;
 /// A corner of a grown facet moves by so many margins at most: sharp ones would go far.
 constexpr double kFarthestCorner = 3;
 
@@ -156,7 +156,7 @@ void for_each_around(const FacetLinks& links, std::uint32_t edge, Visit visit) {
 Status mark_near_end(Context& context, const FacetLinks& links,
                      std::vector<std::uint8_t>& near_end) {
   const std::size_t edges = links.twin.size();
-  RarePoll<kFacetsPerCheck> poll(context);
+  RarePoll<kWritesPerPoll> poll(context);
   TableMemory memory("the outlines of facets");
   std::vector<std::uint8_t> at_end;
   Status status = memory.resize(context, at_end, edges / 3);
@@ -187,7 +187,7 @@ Result<FacetOutlines> underlapped(Context& context, const FacetMesh& mesh, const
   if (!status) return status;
   std::vector<Vec2> outline;  // of one facet
   Outliner outliner(mesh, links, reach, &outline);
-  RarePoll<kFacetsPerCheck> poll(context);
+  RarePoll<kWritesPerPoll> poll(context);
   for (std::uint32_t facet = 0; facet < count; ++facet) {
     if (poll.cancelled()) return context.cancel_status();
     outlines.first.push_back(static_cast<std::uint32_t>(outlines.point.size()));
@@ -207,7 +207,7 @@ Result<std::vector<SmallFacet>> small_facets(Context& context, const FacetMesh& 
   Status status = mark_memory.resize(context, is_near_end, mesh.facet_vertex.size() / 3);
   if (status && keeps_outline) status = mark_near_end(context, links, is_near_end);
   if (!status) return status;
-  RarePoll<kFacetsPerCheck> poll(context);
+  RarePoll<kWritesPerPoll> poll(context);
   std::vector<SmallFacet> result;
   for (std::uint32_t facet = 0; 3 * facet < mesh.facet_vertex.size(); ++facet) {
     if (poll.cancelled()) return context.cancel_status();

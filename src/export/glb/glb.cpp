@@ -21,7 +21,7 @@ using outputs::GlbMesh;
 
 constexpr double kUnitsPerInch = 96;
 /// Sides that patches are not cut below, in the largest instance and in sizes of the picture.
-constexpr double kSmallestSide = 1.0 / 1024;
+constexpr double kSmallestPatchSide = 1.0 / 1024;
 
 bool is_positive(double value) {
   return value > 0 && std::isfinite(value);
@@ -122,9 +122,9 @@ Status GlbWriter::make_layer(std::uint32_t layer) {
   Box box;
   for (const Vec2 p : source.vertex_position) box.extend(p);
   made.origin = box.center();
-  const Result<GlbMesh> mesh =
-      outputs::make_glb_layer(context_, source, picture_.interpolation, made.origin,
-                              options_.max_error / 255, kSmallestSide * side_ / made.largest_scale);
+  const Result<GlbMesh> mesh = outputs::make_glb_layer(
+      context_, source, picture_.interpolation, made.origin, options_.max_error / 255,
+      kSmallestPatchSide * side_ / made.largest_scale);
   if (!mesh) return mesh.status();
   const auto geometry = file_.add_geometry(*mesh);
   if (!geometry) return geometry.status();

@@ -18,7 +18,7 @@ constexpr int kArrayBuffer = 34962, kElementArrayBuffer = 34963;
 constexpr int kUnsignedShort = 5123, kUnsignedInt = 5125, kFloat = 5126;
 constexpr int kLinear = 9729, kLinearMipmapLinear = 9987, kClampToEdge = 33071;
 
-constexpr std::uint32_t kMagic = 0x46546C67, kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
+constexpr std::uint32_t kGlbMagic = 0x46546C67, kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
 constexpr std::size_t kMostBytes = std::numeric_limits<std::uint32_t>::max();
 /// What a node of a std::map takes beside its value: three pointers and a colour.
 constexpr std::size_t kMapNodeBytes = 4 * sizeof(void*);
@@ -315,7 +315,7 @@ Result<std::vector<std::uint8_t>> GlbFile::join(std::string_view json) {
   OutputBuffer file(context_, "the GLB");
   file.reserve(20 + text_bytes + binary_bytes);
   for (const std::size_t word :
-       {std::size_t{kMagic}, std::size_t{2}, 20 + text_bytes + binary_bytes, text_bytes,
+       {std::size_t{kGlbMagic}, std::size_t{2}, 20 + text_bytes + binary_bytes, text_bytes,
         std::size_t{kJsonChunk}}) {
     append_word(file, word);
   }

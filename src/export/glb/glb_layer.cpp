@@ -9,13 +9,13 @@
 #include "base/table_memory.hpp"
 #include "export/facets/facets.hpp"
 #include "export/joined_field.hpp"
+#include "export/poll_interval.hpp"
 #include "sfumato/base/color_space.hpp"
 
 namespace sfumato::outputs {
 namespace {
 
-constexpr std::size_t kGrain = 4096;
-constexpr std::uint32_t kTurnsPerPoll = 65'536;
+constexpr std::size_t kVerticesPerTask = 4096;
 
 /// What facets of light are made from.
 Result<PatchLayer> light_layer(Context& context, const PatchLayer& layer, TableMemory& memory) {
@@ -73,12 +73,13 @@ Result<GlbMesh> make_glb_layer(Context& context, const PatchLayer& layer, Interp
     if (poll.cancelled()) return context.cancel_status();
     add_vertex(mesh, p, origin);
   }
-  status = parallel_for(context, vertices, kGrain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = 4 * begin; i < 4 * end; ++i) {
-      const double value = facets->vertex_value[i];
-      mesh.color[i] = share_of_16_bits(i % 4 == 3 ? value : linear_from_code(value));
-    }
-  });
+  status =
+      parallel_for(context, vertices, kVerticesPerTask, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = 4 * begin; i < 4 * end; ++i) {
+          const double value = facets->vertex_value[i];
+          mesh.color[i] = share_of_16_bits(i % 4 == 3 ? value : linear_from_code(value));
+        }
+      });
   if (!status) return status;
   // Turned over with the y axis, they run the other way.
   for (std::size_t i = 0; i < facets->facet_vertex.size(); i += 3) {

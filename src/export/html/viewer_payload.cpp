@@ -19,7 +19,7 @@
 namespace sfumato::outputs {
 namespace {
 
-constexpr std::string_view kMagic = "SFUMATO";
+constexpr std::string_view kPayloadMagic = "SFUMATO";
 constexpr std::uint8_t kVersion = 1;
 /// Added to the version where layers have no tables.
 constexpr std::uint8_t kWithoutTables = 128;
@@ -58,7 +58,7 @@ class PayloadWriter {
       : context_(context), picture_(picture), tables_(tables), out_(context) {}
 
   Status run(const Rgb& background) {
-    out_.raw({reinterpret_cast<const std::uint8_t*>(kMagic.data()), kMagic.size()});
+    out_.raw({reinterpret_cast<const std::uint8_t*>(kPayloadMagic.data()), kPayloadMagic.size()});
     out_.u8(tables_ == Tables::with ? kVersion : kVersion | kWithoutTables);
     write_box(picture_.artboard, out_);
     write_box(picture_.viewport, out_);

@@ -11,7 +11,7 @@
 namespace sfumato::outputs {
 namespace {
 
-constexpr double kLargestNumber = 3e38;  ///< readers may hold numbers in single precision
+constexpr double kLargestPdfNumber = 3e38;  ///< readers may hold numbers in single precision
 constexpr int kDigits = 9;
 constexpr int kMostDecimals = 18;
 
@@ -26,7 +26,7 @@ void append_hex(unsigned unit, std::string* text) {
 }  // namespace
 
 std::string pdf_number(double value) {
-  value = std::clamp(value, -kLargestNumber, kLargestNumber);
+  value = std::clamp(value, -kLargestPdfNumber, kLargestPdfNumber);
   int decimals = kDigits - 1;
   for (double size = std::fabs(value); size >= 10 && decimals > 0; size /= 10) --decimals;
   for (double size = std::fabs(value); size < 1 && decimals < kMostDecimals; size *= 10) ++decimals;

@@ -59,10 +59,10 @@ void fill_white(Context& context, const Lines& lines, double steps_per_unit, Pdf
 }
 
 /// Writes one layer.
-class LayerWriter {
+class PdfLayerWriter {
  public:
-  LayerWriter(Context& context, PdfFile* file, const Picture& picture, std::uint32_t index,
-              const PdfLayerOptions& options, ExportNotes* notes)
+  PdfLayerWriter(Context& context, PdfFile* file, const Picture& picture, std::uint32_t index,
+                 const PdfLayerOptions& options, ExportNotes* notes)
       : context_(context),
         file_(file),
         picture_(picture),
@@ -113,11 +113,11 @@ class LayerWriter {
 };
 
 /// Whether colours of shaders are mixed in a space that source-over knows nothing of.
-bool LayerWriter::is_mixed_elsewhere() const {
+bool PdfLayerWriter::is_mixed_elsewhere() const {
   return picture_.interpolation != InterpolationSpace::srgb && !layer_.color.shader.empty();
 }
 
-void LayerWriter::paint_facets(const FacetSource& source, PdfContent* content) {
+void PdfLayerWriter::paint_facets(const FacetSource& source, PdfContent* content) {
   const Result<FacetMesh> mesh = make_facets(context_, layer_, picture_.interpolation, source,
                                              options_.max_error, 1 / pixels_per_unit());
   if (!mesh) return file_->fail(mesh.status());
@@ -129,7 +129,7 @@ void LayerWriter::paint_facets(const FacetSource& source, PdfContent* content) {
 }
 
 /// Below the mesh its colours, carried on where it ends: the mask cuts them.
-void LayerWriter::paint_beyond(const FacetSource& source, PdfContent* content) {
+void PdfLayerWriter::paint_beyond(const FacetSource& source, PdfContent* content) {
   if (!has_ends(edges_)) return;
   const Result<FacetMesh> band = make_end_band(context_, layer_, picture_.interpolation, source,
                                                edges_, kBeyondWidth / options_.points_per_unit);
@@ -139,7 +139,7 @@ void LayerWriter::paint_beyond(const FacetSource& source, PdfContent* content) {
 
 /// Antialiases the curves: over the mesh one side's colours, a little into the other, and over
 /// these the other's, masked along the curve.
-void LayerWriter::paint_bands(const FacetSource& source, PdfContent* content) {
+void PdfLayerWriter::paint_bands(const FacetSource& source, PdfContent* content) {
   if (!file_->status()) return;
   const Result<CurveBands> bands =
       make_curve_bands(context_, layer_, picture_.interpolation, source, edges_, band_width());
@@ -153,8 +153,8 @@ void LayerWriter::paint_bands(const FacetSource& source, PdfContent* content) {
 
 /// Where a path is white, by a soft mask: a filled path is antialiased in all programs, a clip path
 /// not in Splash and Ghostscript.
-void LayerWriter::paint_clipped(const FacetMesh& mesh, const PdfContent& white,
-                                PdfContent* content) {
+void PdfLayerWriter::paint_clipped(const FacetMesh& mesh, const PdfContent& white,
+                                   PdfContent* content) {
   const Box box = decode_box(mesh.vertex_position);
   const PdfRef state = add_mask(file_, white.make_mask_form(file_, box));
   PdfContent clipped(context_);
@@ -167,14 +167,14 @@ void LayerWriter::paint_clipped(const FacetMesh& mesh, const PdfContent& white,
                content->name(Resource::form, form) + " Do Q");
 }
 
-void LayerWriter::paint_once(const FacetMesh& mesh, PdfContent* content) {
+void PdfLayerWriter::paint_once(const FacetMesh& mesh, PdfContent* content) {
   notes_->triangle_count += mesh.facet_vertex.size() / 3;
   const PdfRef ref = add_mesh(context_, file_, mesh, decode_box(mesh.vertex_position));
   if (ref != 0) content->add(content->name(Resource::shading, ref) + " sh");
 }
 
 /// The triangles where a channel is not 0.
-Box LayerWriter::box_of_weight(const PatchField& field, std::size_t channel) const {
+Box PdfLayerWriter::box_of_weight(const PatchField& field, std::size_t channel) const {
   Box box;
   const auto stride = static_cast<std::size_t>(field.channel_count);
   for (std::size_t slot = 0; slot < field.triangle_node.size(); ++slot) {
@@ -186,7 +186,7 @@ Box LayerWriter::box_of_weight(const PatchField& field, std::size_t channel) con
 }
 
 /// A shader's pixels, and what they show on the whole.
-LayerWriter::Paint LayerWriter::add_shader(bool is_opacity, std::uint32_t shader) {
+PdfLayerWriter::Paint PdfLayerWriter::add_shader(bool is_opacity, std::uint32_t shader) {
   const PatchField& field = is_opacity ? layer_.opacity : layer_.color;
   Paint paint;
   paint.box = box_of_weight(field, (is_opacity ? 1u : 3u) + shader);
@@ -213,7 +213,7 @@ LayerWriter::Paint LayerWriter::add_shader(bool is_opacity, std::uint32_t shader
 
 /// Colour or opacity: what the curves give, and the shaders over it under masks of their shares, so
 /// that the last has all of its weight and each leaves to those below what they need.
-void LayerWriter::paint_field(bool is_opacity, PdfContent* content) {
+void PdfLayerWriter::paint_field(bool is_opacity, PdfContent* content) {
   const PatchField& field = is_opacity ? layer_.opacity : layer_.color;
   std::vector<Paint> paints;
   FacetSource base{is_opacity ? Kind::opacity_base : Kind::color_base, 0, {}};
@@ -233,7 +233,7 @@ void LayerWriter::paint_field(bool is_opacity, PdfContent* content) {
   }
 }
 
-void LayerWriter::paint_pixels(PdfContent* content) {
+void PdfLayerWriter::paint_pixels(PdfContent* content) {
   const Result<PixelPart> part =
       layer_pixels(context_, picture_, index_, mesh_box_, pixels_per_unit());
   if (!part) return file_->fail(part.status());
@@ -241,13 +241,13 @@ void LayerWriter::paint_pixels(PdfContent* content) {
 }
 
 /// The mask of a layer without opacity: white as far as it goes.
-void LayerWriter::fill_outline(PdfContent* mask) {
+void PdfLayerWriter::fill_outline(PdfContent* mask) {
   const Result<LayerOutline> outline = outline_of_ends(context_, layer_, edges_, band_width());
   if (!outline) return file_->fail(outline.status());
   fill_white(context_, outline->loop, steps_per_unit(options_.points_per_unit), mask);
 }
 
-PdfRef LayerWriter::write() {
+PdfRef PdfLayerWriter::write() {
   if (layer_.triangle_count() == 0) return 0;
   PdfContent content(context_);
   Result<CurveEdges> edges = find_curve_edges(context_, layer_);
@@ -281,7 +281,7 @@ PdfRef LayerWriter::write() {
 
 PdfRef add_layer(Context& context, PdfFile* file, const Picture& picture, std::uint32_t layer,
                  const PdfLayerOptions& options, ExportNotes* notes) {
-  return LayerWriter(context, file, picture, layer, options, notes).write();
+  return PdfLayerWriter(context, file, picture, layer, options, notes).write();
 }
 
 }  // namespace sfumato::outputs

@@ -5,6 +5,7 @@
 #include "base/poll.hpp"
 #include "base/table_memory.hpp"
 #include "export/facets/mesh_bytes.hpp"
+#include "export/poll_interval.hpp"
 
 namespace sfumato::outputs {
 namespace {
@@ -23,8 +24,6 @@ std::string image_entries(const Image& image, std::string_view color_space) {
          " /BitsPerComponent 8 /Interpolate true";
 }
 
-constexpr std::uint32_t kPixelsPerPoll = 1 << 16;
-
 /// Channels [first, first + count) of 8-bit pixels. Errors: limit, cancelled.
 Result<std::vector<std::uint8_t>> planes(Context& context, const Image& image, int first, int count,
                                          TableMemory& memory) {
@@ -33,7 +32,7 @@ Result<std::vector<std::uint8_t>> planes(Context& context, const Image& image, i
   std::vector<std::uint8_t> bytes;
   Status status = memory.reserve(context, bytes, pixels * static_cast<std::size_t>(count));
   if (!status) return status;
-  RarePoll<kPixelsPerPoll> poll(context);
+  RarePoll<kTurnsPerPoll> poll(context);
   for (std::size_t i = 0; i < pixels; ++i) {
     if (poll.cancelled()) return context.cancel_status();
     for (int c = first; c < first + count; ++c)

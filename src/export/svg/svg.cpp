@@ -28,7 +28,7 @@ namespace {
 
 using outputs::SvgLayer;
 
-constexpr double kUnitsPerInch = 96;
+constexpr double kPxPerInch = 96;
 /// Longer side of a picture of triangles in pixels for which it is made: it can be shown at half
 /// that size and at any larger one.
 constexpr double kNominalSide = 512;
@@ -36,7 +36,7 @@ constexpr double kNominalSide = 512;
 constexpr std::string_view kFileEnd = "</svg>\n";
 
 double pixels_per_unit(const SvgOptions& options) {
-  return options.scale * options.dpi / kUnitsPerInch;
+  return options.scale * options.dpi / kPxPerInch;
 }
 
 Status check(const Context& context, const Picture& picture, const SvgOptions& options) {

@@ -42,9 +42,9 @@ Affine grid_of(const Box& box, double pixel, double largest_pixel) {
 }
 
 /// Writes one layer, what it refers to first.
-class LayerWriter {
+class SvgLayerWriter {
  public:
-  LayerWriter(Context& context, const SvgLayer& layer, SvgIds& ids, OutputBuffer& text)
+  SvgLayerWriter(Context& context, const SvgLayer& layer, SvgIds& ids, OutputBuffer& text)
       : context_(context),
         layer_(layer),
         grid_from_layer_(inverse(layer.layer_from_grid)),
@@ -66,8 +66,8 @@ class LayerWriter {
   OutputBuffer& text_;
 };
 
-Result<SvgMesh> LayerWriter::mesh_of(const FacetMesh& facets, const FacetLinks& links,
-                                     double outside) {
+Result<SvgMesh> SvgLayerWriter::mesh_of(const FacetMesh& facets, const FacetLinks& links,
+                                        double outside) {
   auto outlines = underlapped(context_, facets, links, {layer_.reach.inside, outside});
   if (!outlines) return outlines.status();
   SvgMesh mesh;
@@ -81,7 +81,7 @@ Result<SvgMesh> LayerWriter::mesh_of(const FacetMesh& facets, const FacetLinks& 
   return mesh;
 }
 
-std::string LayerWriter::write_clip(const Silhouette& shape) {
+std::string SvgLayerWriter::write_clip(const Silhouette& shape) {
   const std::string id = short_id(ids_.next++);
   text_ += "<clipPath id=\"" + id + "\"><path clip-rule=\"evenodd\" d=\"";
   for (const std::vector<Vec2>& loop : shape.loops) {
@@ -96,7 +96,7 @@ std::string LayerWriter::write_clip(const Silhouette& shape) {
 }
 
 /// The opacity as grey.
-Result<std::string> LayerWriter::write_mask() {
+Result<std::string> SvgLayerWriter::write_mask() {
   const FacetMesh& facets = layer_.opacity;
   const Result<FacetLinks> links = link_facets(context_, facets);
   if (!links) return links.status();
@@ -119,7 +119,7 @@ Result<std::string> LayerWriter::write_mask() {
   return " mask=\"url(#" + id + ")\"";
 }
 
-Status LayerWriter::write(const std::string& id) {
+Status SvgLayerWriter::write(const std::string& id) {
   const Result<FacetLinks> links = link_facets(context_, layer_.color);
   if (!links) return links.status();
   const Result<Silhouette> shape = silhouette(context_, layer_.color, *links, layer_.frame);
@@ -175,7 +175,7 @@ Result<SvgLayer> make_svg_layer(Context& context, const PatchLayer& layer, Inter
 
 Status append_layer(Context& context, const SvgLayer& layer, const std::string& id, SvgIds& ids,
                     OutputBuffer& text) {
-  return LayerWriter(context, layer, ids, text).write(id);
+  return SvgLayerWriter(context, layer, ids, text).write(id);
 }
 
 }  // namespace sfumato::outputs

@@ -10,7 +10,7 @@
 namespace sfumato::outputs {
 namespace {
 
-constexpr std::uint32_t kFacetsPerCheck = 1024;
+constexpr std::uint32_t kFacetsPerPoll = 1024;
 /// A facet with less difference than this in a channel has one value there.
 constexpr double kFlat = 1.5 / 255;
 /// So is one with less area, in squares of the grid.
@@ -29,9 +29,9 @@ float finite_share(float value) {
   return value > 0 ? std::min(value, 1.0f) : 0;  // NaN is 0
 }
 
-class MeshWriter {
+class SvgMeshWriter {
  public:
-  MeshWriter(const SvgMesh& mesh, const Ink& ink, SvgIds& ids)
+  SvgMeshWriter(const SvgMesh& mesh, const Ink& ink, SvgIds& ids)
       : mesh_(mesh), ink_(ink), ids_(ids) {}
 
   /// One channel of all facets, in their order.
@@ -48,7 +48,7 @@ class MeshWriter {
   SvgIds& ids_;
 };
 
-Affinity MeshWriter::affinity(std::uint32_t facet, int channel) const {
+Affinity SvgMeshWriter::affinity(std::uint32_t facet, int channel) const {
   Vec2 p[3];
   double v[3];
   for (std::size_t k = 0; k < 3; ++k) {
@@ -69,7 +69,7 @@ Affinity MeshWriter::affinity(std::uint32_t facet, int channel) const {
 }
 
 /// Writes a gradient from where the channel is 0 to where it is 1. Returns its id.
-std::string MeshWriter::gradient(const Affinity& field, std::string& text) {
+std::string SvgMeshWriter::gradient(const Affinity& field, std::string& text) {
   const Vec2 whole = field.slope / length_squared(field.slope);
   const Vec2 from = field.center - whole * field.value;
   const Vec2 to = from + whole;
@@ -94,9 +94,9 @@ void append_fill(double value, const Ink& ink, std::string& text) {
   append_color(text, code(ink.full[0]), code(ink.full[1]), code(ink.full[2]));
 }
 
-Status MeshWriter::append_small(const Context& context, int channel, OutputBuffer& text) const {
+Status SvgMeshWriter::append_small(const Context& context, int channel, OutputBuffer& text) const {
   if (mesh_.small.empty()) return ok_status();
-  RarePoll<kFacetsPerCheck> poll(context);
+  RarePoll<kFacetsPerPoll> poll(context);
   text += "<g" + mesh_.small_clip + ">\n";
   std::string line;
   for (const SmallFacet& small : mesh_.small) {
@@ -114,12 +114,12 @@ Status MeshWriter::append_small(const Context& context, int channel, OutputBuffe
   return text.status();
 }
 
-Status MeshWriter::append(Context& context, int channel, OutputBuffer& text) {
+Status SvgMeshWriter::append(Context& context, int channel, OutputBuffer& text) {
   const auto count = static_cast<std::uint32_t>(mesh_.mesh->facet_vertex.size() / 3);
   if (Status status = append_small(context, channel, text); !status) return status;
   std::vector<Vec2> outline;
   std::string path, line;
-  RarePoll<kFacetsPerCheck> poll(context);
+  RarePoll<kFacetsPerPoll> poll(context);
   for (std::uint32_t facet = 0; facet < count && text.status(); ++facet) {
     if (poll.cancelled()) return context.cancel_status();
     outline.clear();
@@ -144,7 +144,7 @@ Status MeshWriter::append(Context& context, int channel, OutputBuffer& text) {
 
 Status append_channel(Context& context, const SvgMesh& mesh, int channel, const Ink& ink,
                       SvgIds& ids, OutputBuffer& text) {
-  return MeshWriter(mesh, ink, ids).append(context, channel, text);
+  return SvgMeshWriter(mesh, ink, ids).append(context, channel, text);
 }
 
 void append_stops(const Ink& ink, OutputBuffer& text) {

@@ -10,6 +10,7 @@
 #include "base/public_verb.hpp"
 #include "document/blend_names.hpp"
 #include "export/page.hpp"
+#include "export/poll_interval.hpp"
 #include "export/tables/table_list.hpp"
 #include "picture/check_picture.hpp"
 #include "sfumato/export/tables/tables.hpp"
@@ -17,8 +18,6 @@
 namespace sfumato {
 namespace outputs {
 namespace {
-
-constexpr std::uint32_t kTurnsPerPoll = 4096;
 
 template <class Number>
 std::string json_number(const std::uint8_t* bytes) {
@@ -62,7 +61,7 @@ std::string json_color(const std::optional<Rgb>& color) {
 
 /// A table of one column is a list of numbers, any other a list of rows.
 Status write_table(const Context& context, const Table& table, OutputBuffer& file) {
-  RarePoll<kTurnsPerPoll> poll(context);
+  RarePoll<kWritesPerPoll> poll(context);
   const std::size_t size = size_of(table.type), rows = table.rows();
   const bool is_flat = table.columns == 1;
   file += '[';
@@ -101,7 +100,7 @@ struct ItemText {
 };
 
 Status write_stack(const Context& context, const Picture& picture, OutputBuffer& file) {
-  RarePoll<kTurnsPerPoll> poll(context);
+  RarePoll<kWritesPerPoll> poll(context);
   bool is_first = true;
   file += ",\n\"stack\":[";
   for (const PictureItem& item : picture.stack) {

@@ -13,6 +13,7 @@
 #include "base/public_verb.hpp"
 #include "export/joined_field.hpp"
 #include "export/page.hpp"
+#include "export/poll_interval.hpp"
 #include "export/tables/table_list.hpp"
 #include "picture/check_picture.hpp"
 #include "picture/patch.hpp"
@@ -23,7 +24,6 @@ namespace sfumato {
 namespace outputs {
 namespace {
 
-constexpr std::uint32_t kTurnsPerPoll = 4096;
 constexpr std::uint64_t kMost = 0xffffffff;
 
 /// The nine small triangles between the ten nodes of a patch: at corner 0, around the middle, at
@@ -90,7 +90,7 @@ std::uint8_t* put(std::uint8_t* at, Number value) {
 /// The instances that show triangles.
 Status PlyWriter::list_placed() {
   std::vector<float> opacity{1};
-  RarePoll<kTurnsPerPoll> poll(context_);
+  RarePoll<kWritesPerPoll> poll(context_);
   for (const PictureItem& item : picture_.stack) {
     if (poll.cancelled()) return context_.cancel_status();
     if (const auto* group = std::get_if<GroupBegin>(&item)) {
@@ -112,7 +112,7 @@ Status drop_unused(const Context& context, PatchField& field, std::vector<Vec2>&
   std::vector<std::uint32_t> place;
   Status status = scratch.resize(context, place, position.size());
   if (!status) return status;
-  RarePoll<kTurnsPerPoll> poll(context);
+  RarePoll<kWritesPerPoll> poll(context);
   std::uint32_t kept = 0;
   for (std::size_t i = 0; i < position.size(); ++i) {
     if (poll.cancelled()) return context.cancel_status();
@@ -141,7 +141,7 @@ Status PlyWriter::make_layer(Context& context, const PatchLayer& layer, LayerMes
   const std::size_t nodes = mesh.position.size();
   if (status) status = memory_.reserve(context, mesh.srgb, nodes);
   if (!status) return status;
-  RarePoll<kTurnsPerPoll> poll(context);
+  RarePoll<kWritesPerPoll> poll(context);
   for (std::size_t i = 0; i < nodes; ++i) {
     if (poll.cancelled()) return context.cancel_status();
     const float* value = mesh.field.node_value.data() + 4 * i;
@@ -170,7 +170,7 @@ void PlyWriter::write_header(OutputBuffer& file) const {
 Status PlyWriter::write_vertices(const PlacedInstance& placed, double z, OutputBuffer& file) const {
   constexpr std::size_t kBytes = 28;
   const LayerMesh& mesh = *layers_[placed.instance->layer];
-  RarePoll<kTurnsPerPoll> poll(context_);
+  RarePoll<kWritesPerPoll> poll(context_);
   for (std::size_t i = 0; i < mesh.position.size(); ++i) {
     if (poll.cancelled()) return context_.cancel_status();
     const Vec2 p = placed.instance->artboard_from_layer(mesh.position[i]);
@@ -192,7 +192,7 @@ Status PlyWriter::write_faces(const PlacedInstance& placed, std::uint32_t first,
   const std::vector<std::uint32_t>& node = layers_[placed.instance->layer]->field.triangle_node;
   // Turned over with the y axis, they run the other way; a mirrored instance turns them once more.
   const bool is_mirrored = placed.instance->artboard_from_layer.determinant() < 0;
-  RarePoll<kTurnsPerPoll> poll(context_);
+  RarePoll<kWritesPerPoll> poll(context_);
   for (std::size_t slot = 0; slot < node.size(); slot += kNodesPerTriangle) {
     if (poll.cancelled()) return context_.cancel_status();
     for (const auto& face : kFaces) {

@@ -7,12 +7,11 @@
 
 #include "base/poll.hpp"
 #include "document/blend_names.hpp"
+#include "export/poll_interval.hpp"
 #include "picture/patch.hpp"
 
 namespace sfumato::outputs {
 namespace {
-
-constexpr std::uint32_t kTurnsPerPoll = 16'384;
 
 std::size_t node_count(const PatchField& field) {
   return field.channel_count == 0
@@ -26,7 +25,7 @@ Status list_soft_edges(const Context& context, const PatchLayer& layer, LayerTab
   if (status) status = made.memory.reserve(context, made.soft_edge_reach, 2 * count);
   if (status) status = made.memory.reserve(context, made.soft_edge_contrast, count);
   if (!status) return status;
-  RarePoll<kTurnsPerPoll> poll(context);
+  RarePoll<kWritesPerPoll> poll(context);
   for (const SoftEdge& edge : layer.soft_edge) {
     if (poll.cancelled()) return context.cancel_status();
     made.soft_edge_side.insert(made.soft_edge_side.end(), {edge.front, edge.back});
@@ -53,7 +52,7 @@ Status find_node_positions(const Context& context, const PatchLayer& layer, cons
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   Status status = memory.resize(context, position, node_count(field), Vec2{kNone, kNone});
   if (!status || field.channel_count == 0) return status;
-  RarePoll<kTurnsPerPoll> poll(context);
+  RarePoll<kWritesPerPoll> poll(context);
   for (std::size_t t = 0; t < layer.triangle_count(); ++t) {
     if (poll.cancelled()) return context.cancel_status();
     for (std::size_t place = 0; place < kNodesPerTriangle; ++place) {
@@ -94,7 +93,7 @@ Result<LayerTables> list_tables(const Context& context, const PatchLayer& layer)
 
 Result<InstanceTables> list_instances(const Context& context, const Picture& picture) {
   InstanceTables made;
-  RarePoll<kTurnsPerPoll> poll(context);
+  RarePoll<kWritesPerPoll> poll(context);
   for (const PictureItem& item : picture.stack) {
     if (poll.cancelled()) return context.cancel_status();
     const auto* instance = std::get_if<PatchInstance>(&item);

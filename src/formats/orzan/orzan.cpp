@@ -365,7 +365,8 @@ void OrzanReader::warn(std::string_view kind, pugi::xml_node element, std::strin
   if (warnings_.is_new(kind)) warnings_.add(std::move(message), xml_.place(element));
 }
 
-Result<ReadDocument> read(Context& context, std::string_view xml, const std::string& file) {
+Result<ReadDocument> read_curve_set(Context& context, std::string_view xml,
+                                    const std::string& file) {
   text::XmlSource source(xml, file);
   Status status = source.parse(context);
   if (status) {
@@ -380,7 +381,7 @@ Result<ReadDocument> read(Context& context, std::string_view xml, const std::str
 }  // namespace
 
 Result<ReadDocument> read_orzan(Context& context, std::string_view xml, const std::string& file) {
-  return public_verb(context, [&] { return read(context, xml, file); });
+  return public_verb(context, [&] { return read_curve_set(context, xml, file); });
 }
 
 }  // namespace sfumato

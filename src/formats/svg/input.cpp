@@ -31,6 +31,10 @@ std::string tag(Element element) {
   return "<" + std::string(element.name()).substr(0, 64) + ">";
 }
 
+std::string hash_id(Element element) {
+  return "#" + std::string(element.attribute("id").value()).substr(0, 64);
+}
+
 Status Input::parse() {
   Status status = xml_.parse(context_);
   if (status) status = resolve_namespaces(context_, xml_);

@@ -171,4 +171,7 @@ class Input {
 /// "<path>", for messages.
 std::string tag(Element element);
 
+/// "#sky", for messages.
+std::string hash_id(Element element);
+
 }  // namespace sfumato::svg

@@ -16,19 +16,15 @@ bool is_paint(std::string_view name) {
   return name == "linearGradient" || name == "radialGradient" || name == "pattern";
 }
 
-std::string shown(Element element) {
-  return "#" + std::string(element.attribute("id").value()).substr(0, 64);
-}
-
 /// The circle that the chain goes round in, or that it is too long.
 Status chain_error(Input& input, const std::vector<Element>& chain) {
   for (std::size_t i = 0; i < chain.size(); ++i) {
     const auto end = chain.begin() + static_cast<std::ptrdiff_t>(i);
     if (std::find(chain.begin(), end, chain[i]) == end) continue;
     std::string names;
-    for (std::size_t k = 0; k < i; ++k) names += shown(chain[k]) + " → ";
+    for (std::size_t k = 0; k < i; ++k) names += hash_id(chain[k]) + " → ";
     return input.error(chain.front(),
-                       "the hrefs of paints go round in a circle: " + names + shown(chain[i]));
+                       "the hrefs of paints go round in a circle: " + names + hash_id(chain[i]));
   }
   return input.over_limit(chain.front(), &Limits::xml_depth, "paints that inherit from each other");
 }
@@ -117,7 +113,7 @@ Result<Affine> user_from_bounds(Input& input, const PaintedShape& shape, Element
     return Affine{box.width(), 0, 0, box.height(), box.min.x, box.min.y};
   }
   return input.error(shape.element, "the bounding box of " + tag(shape.element) +
-                                        " has no area for " + tag(paint) + " " + shown(paint) +
+                                        " has no area for " + tag(paint) + " " + hash_id(paint) +
                                         " of objectBoundingBox units; expected userSpaceOnUse");
 }
 

@@ -26,7 +26,7 @@ std::size_t count_characters(std::string_view text) {
 }
 
 /// What follows, cut at a character's end.
-std::string_view shown(std::string_view rest) {
+std::string_view shown_part(std::string_view rest) {
   std::size_t end = std::min(rest.size(), kShownBytes);
   while (end < rest.size() && (static_cast<unsigned char>(rest[end]) & 0xC0) == 0x80) ++end;
   return rest.substr(0, end);
@@ -102,7 +102,7 @@ Status Scanner::error(std::string_view expected) const {
     message = "ends too early";
   } else {
     message = "at character " + std::to_string(count_characters(text_.substr(0, at_)) + 1) +
-              ", before " + text::quoted(shown(rest()));
+              ", before " + text::quoted(shown_part(rest()));
   }
   return make_error(StatusCode::bad_input, message + ": expected " + std::string(expected));
 }

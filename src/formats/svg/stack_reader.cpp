@@ -46,10 +46,6 @@ std::size_t count_shaders(const Layer& layer) {
   return shaders.size();
 }
 
-std::string shown(Element element) {
-  return "#" + std::string(element.attribute("id").value()).substr(0, 64);
-}
-
 }  // namespace
 
 Status StackReader::read() {
@@ -81,7 +77,7 @@ void StackReader::warn_of_unused() {
   const auto warn = [this](Element first, std::size_t count, const char* kind) {
     if (count == 0) return;
     const std::string others = count == 1 ? "" : " (and " + std::to_string(count - 1) + " more)";
-    const std::string name = first.attribute("id").empty() ? "without an id" : shown(first);
+    const std::string name = first.attribute("id").empty() ? "without an id" : hash_id(first);
     input_.warn(
         std::string("/unused ") + kind, first,
         std::string("the ") + kind + " " + name + others + " is drawn nowhere; it is left out");
@@ -258,8 +254,8 @@ Status StackReader::visit_use(Element element, Place place) {
 Status StackReader::visit_used(Element target, Element use, Place place) {
   if (std::ranges::find(used_, target) != used_.end() || target == input_.root()) {
     std::string chain;
-    for (const Element element : used_) chain += shown(element) + " → ";
-    return input_.error(use, "the <use> goes round in a circle: " + chain + shown(target));
+    for (const Element element : used_) chain += hash_id(element) + " → ";
+    return input_.error(use, "the <use> goes round in a circle: " + chain + hash_id(target));
   }
   used_.push_back(target);
   ++place.depth;
@@ -341,7 +337,7 @@ Status StackReader::draw_strokes(Element element, const Place& place) {
 Status StackReader::draw_layer(Element element, const Place& place) {
   may_be_background_ = false;
   if (place.layer) {
-    return input_.error(element, "the layer " + shown(element) +
+    return input_.error(element, "the layer " + hash_id(element) +
                                      " stands in another layer; expected layers side by side");
   }
   if (!place.is_visible) return ok_status();

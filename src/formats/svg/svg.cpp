@@ -141,7 +141,7 @@ Result<Begun> begin(Input& input) {
   return begun;
 }
 
-Result<ReadDocument> read(Input& input, const ResourceLoader* loader) {
+Result<ReadDocument> read_layers(Input& input, const ResourceLoader* loader) {
   Result<Begun> begun = begin(input);
   if (!begun) return begun.status();
   Document& document = begun->document;
@@ -175,7 +175,7 @@ Result<svg::PlainSvg> read_plain(Input& input, const ResourceLoader* loader) {
   return plain;
 }
 
-/// What `read` makes of the text; a failure names the file.
+/// What `read_input` makes of the text; a failure names the file.
 template <class Read>
 auto read_text(Context& context, std::string_view text, const std::string& file,
                const ResourceLoader* loader, Read read_input) {
@@ -191,7 +191,7 @@ auto read_text(Context& context, std::string_view text, const std::string& file,
 
 Result<ReadDocument> read_svg(Context& context, std::string_view text, const std::string& file,
                               const ResourceLoader* loader) {
-  return public_verb(context, [&] { return read_text(context, text, file, loader, read); });
+  return public_verb(context, [&] { return read_text(context, text, file, loader, read_layers); });
 }
 
 Result<svg::PlainSvg> svg::read_plain_svg(Context& context, std::string_view text,

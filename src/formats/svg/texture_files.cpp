@@ -13,7 +13,7 @@ namespace sfumato::svg {
 namespace {
 
 /// How messages call a reference.
-std::string shown(std::string_view href) {
+std::string quoted_reference(std::string_view href) {
   return href.starts_with("data:") ? "the data: URI" : text::quoted(href);
 }
 
@@ -60,7 +60,7 @@ Status TextureFiles::decode(Element image, std::string_view href, TextureFile& l
   const auto given = loader_ ? loader_->decoded(loaded.file) : std::nullopt;
   Status status = given ? take(*given, loaded) : decode_file(loaded);
   if (status) return status;
-  status.message = shown(href) + ": " + status.message;
+  status.message = quoted_reference(href) + ": " + status.message;
   return input_.placed(image, std::move(status));
 }
 
