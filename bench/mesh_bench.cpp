@@ -12,6 +12,7 @@
 #include "curves/flatten.hpp"
 #include "mesh/mesher.hpp"
 #include "sfumato/formats/orzan/orzan.hpp"
+#include "support/places.hpp"
 
 namespace {
 
@@ -23,8 +24,7 @@ struct Input {
 };
 
 std::optional<Input> load(const std::string& name) {
-  std::ifstream stream(std::string(SFUMATO_SHARED_DIR "/scenes/") + name + ".xml",
-                       std::ios::binary);
+  std::ifstream stream(test::shared_path("scenes/") + name + ".xml", std::ios::binary);
   if (!stream) return std::nullopt;
   const std::string bytes(std::istreambuf_iterator<char>(stream), {});
   Context context;

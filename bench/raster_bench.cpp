@@ -12,6 +12,7 @@
 #include "sfumato/formats/orzan/orzan.hpp"
 #include "sfumato/raster/rasterize.hpp"
 #include "sfumato/solve/diffuse.hpp"
+#include "support/places.hpp"
 
 // Picture → Image: on a picture made here, as large as lady_bug's (about 10,000 triangles, and
 // about 30,000 pixels of 1024² that curves cut), and on the public scenes where they are.
@@ -248,7 +249,7 @@ constexpr const char* kScenes[] = {"lady_bug", "tomatos", "dolphin"};
 
 /// The mesh of the paper's density, no refinement.
 Result<Picture> scene_picture(Context& context, const std::string& name) {
-  const std::string path = std::string(SFUMATO_SHARED_DIR) + "/scenes/" + name + ".xml";
+  const std::string path = test::shared_path("scenes/") + name + ".xml";
   std::ifstream file(path, std::ios::binary);
   const std::string xml((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
   const Result<ReadDocument> read = read_orzan(context, xml, path);

@@ -8,12 +8,13 @@
 #include <string>
 
 #include "sfumato/formats/orzan/orzan.hpp"
+#include "support/places.hpp"
 
 namespace sfumato::bench {
 
 /// The text of a public scene; nothing where the scenes are not at hand.
 inline std::optional<std::string> scene_text(const std::string& name) {
-  std::ifstream stream(std::string(SFUMATO_SHARED_DIR "/scenes/") + name, std::ios::binary);
+  std::ifstream stream(test::shared_path("scenes/") + name, std::ios::binary);
   if (!stream) return std::nullopt;
   return std::string(std::istreambuf_iterator<char>(stream), {});
 }

@@ -14,6 +14,7 @@
 #include "sfumato/import/import_svg.hpp"
 #include "support/draw.hpp"
 #include "support/folder_files.hpp"
+#include "support/places.hpp"
 
 namespace sfumato::bench {
 namespace {
@@ -82,8 +83,6 @@ void append_files(const std::string& folder, std::span<const std::string_view> e
 
 constexpr std::string_view kPhotoTypes[] = {".png", ".jpg", ".jpeg"};
 constexpr std::string_view kDrawingTypes[] = {".svg", ".xml"};
-const std::string kSource = SFUMATO_SOURCE_DIR;
-const std::string kShared = SFUMATO_SHARED_DIR;
 
 }  // namespace
 
@@ -114,12 +113,12 @@ Result<TracePicture> read_trace_picture(Context& context, const std::string& pat
 std::vector<std::string> trace_group(const std::string& name) {
   std::vector<std::string> paths;
   if (name == "photos") {
-    append_files(kSource + "/examples/photos", kPhotoTypes, paths);
-    append_files(kShared + "/photos", kPhotoTypes, paths);
+    append_files(test::source_path("examples/photos"), kPhotoTypes, paths);
+    append_files(test::shared_path("photos"), kPhotoTypes, paths);
   } else if (name == "drawings") {
-    append_files(kSource + "/examples", kDrawingTypes, paths);
+    append_files(test::source_path("examples"), kDrawingTypes, paths);
     for (const char* const scene : {"poivron_orzan", "zephyr", "lady_bug", "drape"}) {
-      const std::string path = kShared + "/scenes/" + scene + ".xml";
+      const std::string path = test::shared_path("scenes/") + scene + ".xml";
       if (std::filesystem::exists(path)) {
         paths.push_back(path);
       } else {
@@ -127,7 +126,7 @@ std::vector<std::string> trace_group(const std::string& name) {
       }
     }
   } else if (name == "flat") {
-    append_files(kSource + "/tests/trace/flat", kDrawingTypes, paths);
+    append_files(test::source_path("tests/trace/flat"), kDrawingTypes, paths);
   }
   return paths;
 }

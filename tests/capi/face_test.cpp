@@ -5,6 +5,7 @@
 
 #include "capi/handles.hpp"
 #include "cli/run_command.hpp"
+#include "support/places.hpp"
 
 /// What programs that were built against this header rely on.
 namespace sfumato::test {
@@ -29,21 +30,20 @@ static_assert(SFUMATO_BAD_USAGE == 8 && SFUMATO_PAINT == 3 && SFUMATO_F64 == 4 &
 TEST(CFace, exports_the_names_of_the_list_and_no_others) {
   const CommandResult names =
       run_command({"/bin/bash", "-c",
-                   "nm --dynamic --defined-only --extern-only " SFUMATO_C_LIBRARY
-                   " | sed -nE 's/.* T ([a-z_]+)@@SFUMATO_1$/\\1/p' | sort"});
-  const CommandResult all =
-      run_command({"/bin/bash", "-c",
-                   "nm --dynamic --defined-only --extern-only " SFUMATO_C_LIBRARY " | wc -l"});
-  const std::string listed = read_whole(SFUMATO_SOURCE_DIR "/tests/capi/symbols.txt");
+                   "nm --dynamic --defined-only --extern-only " + c_library() +
+                       " | sed -nE 's/.* T ([a-z_]+)@@SFUMATO_1$/\\1/p' | sort"});
+  const CommandResult all = run_command(
+      {"/bin/bash", "-c", "nm --dynamic --defined-only --extern-only " + c_library() + " | wc -l"});
+  const std::string listed = read_whole(source_path("tests/capi/symbols.txt"));
   EXPECT_EQ(names.out, listed);
   // The node of the version is the one name besides.
   EXPECT_EQ(std::stoul(all.out), std::count(listed.begin(), listed.end(), '\n') + 1u);
 }
 
 TEST(CFace, names_its_abi_in_the_library) {
-  const CommandResult name = run_command({"/bin/bash", "-c",
-                                          "readelf --dynamic " SFUMATO_C_LIBRARY
-                                          " | grep SONAME | grep -o 'lib[a-z.0-9]*'"});
+  const CommandResult name = run_command(
+      {"/bin/bash", "-c",
+       "readelf --dynamic " + c_library() + " | grep SONAME | grep -o 'lib[a-z.0-9]*'"});
   EXPECT_EQ(name.out, "libsfumato.so." + std::to_string(SFUMATO_ABI) + "\n");
   EXPECT_EQ(sfumato_abi(), static_cast<std::uint32_t>(SFUMATO_ABI));
   EXPECT_EQ("sfumato " + std::string(sfumato_version()) + "\n", run_sfumato({"--version"}).out);

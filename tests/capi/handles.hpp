@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "sfumato/sfumato.h"
+#include "support/places.hpp"
 
 namespace sfumato::test {
 
@@ -29,7 +30,7 @@ using WeightsHandle =
 using BytesHandle = std::unique_ptr<sfumato_bytes, Freed<sfumato_bytes, sfumato_bytes_free>>;
 
 inline std::string example(const std::string& name) {
-  std::ifstream file(SFUMATO_SOURCE_DIR "/examples/" + name, std::ios::binary);
+  std::ifstream file(source_path("examples/") + name, std::ios::binary);
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 

@@ -4,6 +4,7 @@
 
 #include "capi/handles.hpp"
 #include "cli/run_command.hpp"
+#include "support/places.hpp"
 
 /// Where curves stand in the text that they were read from.
 namespace sfumato::test {
@@ -100,8 +101,7 @@ TEST_F(CSource, is_not_known_of_what_is_no_plain_text) {
     utf16 += '\0';
   }
   const std::string packed =
-      run_command({"/bin/bash", "-c", "gzip --stdout " SFUMATO_SOURCE_DIR "/examples/fish.svg"})
-          .out;
+      run_command({"/bin/bash", "-c", "gzip --stdout " + source_path("examples/fish.svg")}).out;
   ASSERT_EQ(packed.substr(0, 2), "\x1f\x8b");
   const double xy[8] = {0, 0, 1, 1, 2, 2, 3, 3};
   for (const std::string& given : {example("evening.xml"), utf16, packed}) {

@@ -10,6 +10,7 @@
 
 #include "cli/run_command.hpp"
 #include "cli/scenes.hpp"
+#include "support/places.hpp"
 
 namespace sfumato::test {
 namespace {
@@ -136,7 +137,7 @@ TEST(BadOutput, file_that_outgrows_the_disk_leaves_the_old_one) {
   const std::string input = folder.add("scene.xml", two_curve_scene());
   const std::string output = folder.add("out.png", kOldContent);
   const CommandResult result =
-      run_command({"/bin/sh", "-c", "ulimit -f 1; exec \"$@\"", "sh", SFUMATO_BINARY, "render",
+      run_command({"/bin/sh", "-c", "ulimit -f 1; exec \"$@\"", "sh", sfumato_program(), "render",
                    input, "-o", output, "--width", "600"});
   EXPECT_EQ(result.exit_code, 3);
   EXPECT_TRUE(result.err.starts_with(output + ": error: cannot be written: ")) << result.err;
@@ -155,7 +156,7 @@ TEST(BadOutput, full_device_is_an_error) {
   for (const char* command : {"render \"$2\" -o -", "info \"$2\"", "--help"}) {
     const std::string script = std::string("exec \"$1\" ") + command + " >/dev/full";
     const CommandResult result =
-        run_command({"/bin/sh", "-c", script, "sh", SFUMATO_BINARY, input});
+        run_command({"/bin/sh", "-c", script, "sh", sfumato_program(), input});
     EXPECT_EQ(result.exit_code, 3) << command;
     EXPECT_TRUE(contains(result.err, "standard output: error: cannot be written")) << result.err;
   }
@@ -261,7 +262,7 @@ TEST(Interrupt, ends_the_work_with_130_and_leaves_nothing) {
   const TemporaryFolder folder;
   const std::string input = folder.add("scene.xml", busy_scene(400));
   for (const auto& [signal_number, exit_code] : {std::pair(SIGINT, 130), std::pair(SIGTERM, 143)}) {
-    RunningCommand command({SFUMATO_BINARY, "render", input, "-o", folder.path("out.png"),
+    RunningCommand command({sfumato_program(), "render", input, "-o", folder.path("out.png"),
                             "--method", "rays", "--rays", "4096", "--tolerance", "0.01"},
                            "");
     while (!catches(command.id(), signal_number) && kill(command.id(), 0) == 0) {
@@ -288,7 +289,7 @@ TEST_P(Waiting, ends_with_the_first_signal_and_with_the_time_limit) {
     if (argument == "DRAWING") argument = folder.add("in.xml", two_curve_scene());
     if (argument == "OUT") argument = folder.path("out.png");
   }
-  arguments.insert(arguments.begin(), SFUMATO_BINARY);
+  arguments.insert(arguments.begin(), sfumato_program());
   for (const auto& [signal_number, exit_code] : {std::pair(SIGINT, 130), std::pair(SIGTERM, 143)}) {
     RunningCommand command(arguments, "");
     while (!catches(command.id(), signal_number) && kill(command.id(), 0) == 0) {

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "cli/run_command.hpp"
+#include "support/places.hpp"
 
 /// docs/cli.md, the man page and the completions name the options that the command has.
 namespace sfumato::test {
@@ -15,7 +16,7 @@ constexpr const char* kCommands[] = {"render", "solve",   "tiles", "info",  "con
                                      "lint",   "compare", "init",  "watch", "edit"};
 
 std::string file_text(const std::string& path) {
-  const std::string text = read_whole(SFUMATO_SOURCE_DIR "/" + path);
+  const std::string text = read_whole(source_path(path));
   EXPECT_FALSE(text.empty()) << path;
   return text;
 }
@@ -92,9 +93,8 @@ TEST(CommandDocuments, the_manual_in_markdown_names_every_option) {
 TEST(CommandDocuments, the_session_in_the_manual_runs) {
   const TemporaryFolder folder;
   const std::string session = section(file_text("docs/cli.md"), "```sh\n", "```");
-  const std::string script = "cd \"$1\" && cp -r " SFUMATO_SOURCE_DIR
-                             "/examples . && sfumato() { " SFUMATO_BINARY " \"$@\"; }\n" +
-                             session;
+  const std::string script = "cd \"$1\" && cp -r " + source_path("examples") +
+                             " . && sfumato() { " + sfumato_program() + " \"$@\"; }\n" + session;
   const CommandResult result = run_command({"/bin/bash", "-ec", script, "bash", folder.path("")});
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(result.err, "");
@@ -113,7 +113,7 @@ TEST(CommandDocuments, the_commands_of_the_readme_run_in_an_empty_folder) {
   const TemporaryFolder folder;
   std::string session = section(file_text("README.md"), "```sh\nmake demo", "```");
   session = std::regex_replace(session, std::regex("build/sfumato watch"), "true");
-  session = std::regex_replace(session, std::regex("build/sfumato"), SFUMATO_BINARY);
+  session = std::regex_replace(session, std::regex("build/sfumato"), sfumato_program());
   const std::string script = "cd \"$1\"\n" + session;
   const CommandResult result = run_command({"/bin/bash", "-ec", script, "bash", folder.path("")});
   EXPECT_EQ(result.exit_code, 0) << result.err;
@@ -144,8 +144,8 @@ TEST(CommandDocuments, bash_completes_every_option) {
 }
 
 TEST(CommandDocuments, bash_offers_what_fits) {
-  const std::string script = "source " SFUMATO_SOURCE_DIR
-                             "/completions/sfumato.bash; "
+  const std::string script = "source " + source_path("completions/sfumato.bash") +
+                             "; "
                              "COMP_CWORD=$(($# - 1)); COMP_WORDS=(\"$@\"); "
                              "_sfumato; echo \"${COMPREPLY[*]}\"";
   const auto offered = [&script](std::vector<std::string> words) {

@@ -4,6 +4,7 @@
 
 #include "cli/run_command.hpp"
 #include "cli/scenes.hpp"
+#include "support/places.hpp"
 
 namespace sfumato::test {
 namespace {
@@ -128,7 +129,7 @@ TEST(Convert, gives_an_svg_that_renders_to_the_same_bytes) {
 }
 
 TEST(Convert, gives_an_svg_of_the_public_lady_bug_that_renders_to_the_same_bytes) {
-  const std::string path = SFUMATO_SHARED_DIR "/scenes/lady_bug.xml";
+  const std::string path = shared_path("scenes/lady_bug.xml");
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "the public scenes are not here: " << path;
   const CommandResult svg = run_sfumato({"convert", path, "-o", "-"});
   EXPECT_EQ(svg.exit_code, 0) << svg.err;

@@ -10,6 +10,7 @@
 
 #include "cli/run_command.hpp"
 #include "cli/served_command.hpp"
+#include "support/places.hpp"
 
 namespace sfumato::test {
 namespace {
@@ -29,7 +30,7 @@ class Edit : public testing::Test {
     std::filesystem::create_directories(folder_.path("bin"));
     std::filesystem::create_directories(folder_.path("work"));
     program_ = folder_.path("bin/sfumato");
-    std::filesystem::copy_file(SFUMATO_BINARY, program_);
+    std::filesystem::copy_file(sfumato_program(), program_);
     page_ = folder_.add("bin/editor.html", kPage);
     drawing_ = folder_.add("work/a.svg", kDrawing);
   }

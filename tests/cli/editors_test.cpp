@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "cli/run_command.hpp"
+#include "support/places.hpp"
 
 /// Documents that we wrote, as other programs save them.
 namespace sfumato::test {
@@ -81,7 +82,7 @@ void expect_same_picture_after(const std::string& command) {
 /// The same of our examples, as they were written by hand, beside their textures.
 void expect_same_examples_after(const std::string& command) {
   const TemporaryFolder folder;
-  const std::string examples = SFUMATO_SOURCE_DIR "/examples/";
+  const std::string examples = source_path("examples/");
   for (const std::string texture : {"wood.png", "waves.png", "hemp.png"}) {
     folder.add(texture, read_whole(examples + texture));
   }

@@ -5,6 +5,7 @@
 
 #include "cli/run_command.hpp"
 #include "cli/scenes.hpp"
+#include "support/places.hpp"
 
 namespace sfumato::test {
 namespace {
@@ -108,11 +109,11 @@ TEST_F(FileUses, convert_and_compare_never_replace_what_they_read) {
 TEST_F(FileUses, standard_streams_are_files_too) {
   const std::string script =
       "exec \"$0\" render - -o '" + path("other.png") + "' <'" + link("in.xml", "other.png") + "'";
-  const CommandResult read = run_command({"/bin/sh", "-c", script, SFUMATO_BINARY});
+  const CommandResult read = run_command({"/bin/sh", "-c", script, sfumato_program()});
   EXPECT_EQ(read.exit_code, 2) << read.err;
   const std::string written = "exec \"$0\" render '" + drawing_ + "' -o - --stats '" + path("out") +
                               "' >'" + path("out") + "'";
-  const CommandResult stats = run_command({"/bin/sh", "-c", written, SFUMATO_BINARY});
+  const CommandResult stats = run_command({"/bin/sh", "-c", written, sfumato_program()});
   EXPECT_EQ(stats.exit_code, 2) << stats.err;
   expect_unchanged();
 }

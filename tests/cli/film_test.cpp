@@ -7,6 +7,7 @@
 
 #include "cli/run_command.hpp"
 #include "cli/scenes.hpp"
+#include "support/places.hpp"
 
 namespace sfumato::test {
 namespace {
@@ -67,7 +68,7 @@ class Films : public testing::Test {
   }
   /// By a shell, whose "$@" is the call.
   CommandResult render_by_shell(const std::string& script, const Arguments& options) const {
-    Arguments arguments{"/bin/sh", "-c", script, "sh", SFUMATO_BINARY};
+    Arguments arguments{"/bin/sh", "-c", script, "sh", sfumato_program()};
     const Arguments rest = call(drawings_, options);
     arguments.insert(arguments.end(), rest.begin(), rest.end());
     return run_command(arguments);

@@ -4,6 +4,7 @@
 
 #include "cli/run_command.hpp"
 #include "cli/scenes.hpp"
+#include "support/places.hpp"
 
 namespace sfumato::test {
 namespace {
@@ -95,7 +96,7 @@ TEST(Info, tells_warnings_on_stderr_and_counts_them) {
 }
 
 TEST(Info, counts_the_public_lady_bug) {
-  const std::string path = SFUMATO_SHARED_DIR "/scenes/lady_bug.xml";
+  const std::string path = shared_path("scenes/lady_bug.xml");
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "the public scenes are not here: " << path;
   const CommandResult result = run_sfumato({"info", "--json", path});
   EXPECT_EQ(result.exit_code, 0) << result.err;

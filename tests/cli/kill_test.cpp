@@ -12,6 +12,7 @@
 
 #include "cli/run_command.hpp"
 #include "cli/scenes.hpp"
+#include "support/places.hpp"
 
 namespace sfumato::test {
 namespace {
@@ -53,7 +54,7 @@ class Kill : public testing::TestWithParam<Killed> {
 
   RunningCommand start() const {
     Names command = GetParam().command;
-    command.insert(command.begin(), SFUMATO_BINARY);
+    command.insert(command.begin(), sfumato_program());
     command.insert(command.end(), {input_, "-o", path_, "--quiet"});
     return RunningCommand(command, {});
   }
@@ -119,7 +120,7 @@ TEST(TwoRuns, to_one_output_at_the_same_time_leave_one_of_the_two_whole) {
   const std::string input = folder.add("in.xml", busy_scene(6));
   const std::string path = folder.path("out.png");
   const auto arguments = [&](const char* width) {
-    return Names{SFUMATO_BINARY, "render", input, "-o", path, "--width", width};
+    return Names{sfumato_program(), "render", input, "-o", path, "--width", width};
   };
   Names wholes;
   for (const char* width : {"200", "300"}) {

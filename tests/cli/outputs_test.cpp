@@ -4,6 +4,7 @@
 
 #include "cli/run_command.hpp"
 #include "cli/scenes.hpp"
+#include "support/places.hpp"
 
 /// `sfumato render` with outputs that can be enlarged. What the files hold is tests/export's.
 namespace sfumato::test {
@@ -209,7 +210,7 @@ TEST(Device, without_compute_shaders_a_warning_says_so_and_the_cpu_gathers) {
   const std::string drawing = folder.add("a.xml", two_curve_scene());
   // Mesa then has OpenGL ES 3.0 alone.
   const CommandResult result =
-      run_command({"/usr/bin/env", "MESA_GLES_VERSION_OVERRIDE=3.0", SFUMATO_BINARY, "render",
+      run_command({"/usr/bin/env", "MESA_GLES_VERSION_OVERRIDE=3.0", sfumato_program(), "render",
                    drawing, "-o", folder.path("gpu.png"), "--method", "pixels", "--gather", "gpu"});
   EXPECT_EQ(result.exit_code, 0) << result.err;
   if (result.err.empty()) GTEST_SKIP() << "this driver is not Mesa's";

@@ -10,6 +10,8 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "support/places.hpp"
+
 namespace sfumato::test {
 namespace {
 
@@ -78,7 +80,7 @@ CommandResult run_command(std::vector<std::string> arguments, const std::string&
 }
 
 CommandResult run_sfumato(std::vector<std::string> arguments, const std::string& input) {
-  arguments.insert(arguments.begin(), SFUMATO_BINARY);
+  arguments.insert(arguments.begin(), sfumato_program());
   return run_command(std::move(arguments), input);
 }
 

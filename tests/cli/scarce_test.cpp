@@ -6,6 +6,7 @@
 
 #include "cli/run_command.hpp"
 #include "cli/scenes.hpp"
+#include "support/places.hpp"
 #include "support/sanitizers.hpp"
 
 namespace sfumato::test {
@@ -18,12 +19,12 @@ constexpr const char* kStack = "ulimit -s 256; exec \"$@\"";  // KiB
 
 /// The command as a shell script starts it; "$@" is the command and its arguments.
 CommandResult run_in_shell(const std::string& script, Names arguments) {
-  arguments.insert(arguments.begin(), {"/bin/sh", "-c", script, "sh", SFUMATO_BINARY});
+  arguments.insert(arguments.begin(), {"/bin/sh", "-c", script, "sh", sfumato_program()});
   return run_command(std::move(arguments));
 }
 
 std::string example(const char* name) {
-  return std::string(SFUMATO_SOURCE_DIR "/examples/") + name;
+  return source_path("examples/") + name;
 }
 
 TEST(ScarceMemory, is_its_exit_code_and_its_message_and_no_output) {
@@ -110,7 +111,7 @@ TEST(SmallStackOf, every_output_is_enough) {
 /// The examples, and the public scenes where they are at hand.
 Names drawings() {
   Names found;
-  for (const char* folder : {SFUMATO_SOURCE_DIR "/examples", SFUMATO_SHARED_DIR "/scenes"}) {
+  for (const std::string& folder : {source_path("examples"), shared_path("scenes")}) {
     std::error_code ignored;
     for (const auto& entry : fs::directory_iterator(folder, ignored)) {
       const std::string extension = entry.path().extension();

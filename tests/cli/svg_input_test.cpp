@@ -7,6 +7,7 @@
 
 #include "cli/run_command.hpp"
 #include "cli/scenes.hpp"
+#include "support/places.hpp"
 
 namespace sfumato::test {
 namespace {
@@ -140,7 +141,7 @@ TEST_F(SvgInput, symbolic_links_do_not_lead_out) {
 TEST_F(SvgInput, a_document_from_stdin_is_in_the_current_folder) {
   const auto info_in = [this](const std::string& folder) {
     return run_command({"/bin/sh", "-c", "cd \"$1\" && exec \"$2\" info -", "sh",
-                        folder_.path(folder), SFUMATO_BINARY},
+                        folder_.path(folder), sfumato_program()},
                        drawing("../art/wood.png"));
   };
   EXPECT_EQ(info_in("art").exit_code, 0) << info_in("art").err;

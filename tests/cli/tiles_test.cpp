@@ -10,6 +10,7 @@
 
 #include "cli/run_command.hpp"
 #include "cli/scenes.hpp"
+#include "support/places.hpp"
 
 namespace sfumato::test {
 namespace {
@@ -146,7 +147,7 @@ TEST(Tiles, a_full_disk_is_told_and_a_second_call_goes_on) {
   const TemporaryFolder folder;
   const std::string picture = solved_in(folder);
   const std::string out = folder.path("deep");
-  Names call{"/bin/sh", "-c", "ulimit -f 8; exec \"$@\"", "sh", SFUMATO_BINARY, "tiles", picture,
+  Names call{"/bin/sh", "-c", "ulimit -f 8; exec \"$@\"", "sh", sfumato_program(), "tiles", picture,
              "-o",      out};
   const CommandResult full = run_command(call);
   EXPECT_EQ(full.exit_code, 3) << full.err;
@@ -165,8 +166,8 @@ TEST(Tiles, shards_that_are_killed_or_meet_leave_what_one_call_makes) {
   const std::string picture = solved_in(folder);
   const Names large{"--width", "6000", "--threads", "2"};
   const auto call = [&](const std::string& out, const std::string& shard) {
-    Names names{SFUMATO_BINARY,   "tiles",   picture, "-o",
-                folder.path(out), "--shard", shard,   "--quiet"};
+    Names names{sfumato_program(), "tiles",   picture, "-o",
+                folder.path(out),  "--shard", shard,   "--quiet"};
     names.insert(names.end(), large.begin(), large.end());
     return names;
   };

@@ -14,6 +14,7 @@
 #include "cli/scenes.hpp"
 #include "formats/image_files.hpp"
 #include "formats/photo_files.hpp"
+#include "support/places.hpp"
 
 namespace sfumato::test {
 namespace {
@@ -493,8 +494,8 @@ TEST(Trace, interrupt_ends_it_and_leaves_nothing) {
     noise.bytes.push_back(static_cast<std::uint8_t>(state >> 24));
   }
   const std::string input = folder.add("in.png", png_of(noise));
-  RunningCommand command({SFUMATO_BINARY, "trace", input, "-o", folder.path("out.svg"), "--points",
-                          "20000", "--seed", "99"},
+  RunningCommand command({sfumato_program(), "trace", input, "-o", folder.path("out.svg"),
+                          "--points", "20000", "--seed", "99"},
                          "");
   std::this_thread::sleep_for(std::chrono::milliseconds(400));
   kill(command.id(), SIGINT);

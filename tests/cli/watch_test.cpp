@@ -7,6 +7,7 @@
 
 #include "cli/run_command.hpp"
 #include "cli/served_command.hpp"
+#include "support/places.hpp"
 
 namespace sfumato::test {
 namespace {
@@ -44,7 +45,7 @@ class Watch : public ServedCommand {
 
  private:
   static std::vector<std::string> words(std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), {SFUMATO_BINARY, "watch"});
+    arguments.insert(arguments.begin(), {sfumato_program(), "watch"});
     return arguments;
   }
 };

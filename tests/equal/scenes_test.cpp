@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "equal/tool/scene_check.hpp"
+#include "support/places.hpp"
 
 // Random scenes, each under four configurations (README.md): three hundred, under sanitizers
 // twenty.
@@ -83,7 +84,7 @@ TEST(EqualScenesThemselves, differ_and_are_drawn) {
 TEST(EqualFiles, have_the_same_bits_under_every_configuration) {
   SceneChecker checker;
   int count = 0;
-  for (const std::string folder : {SFUMATO_SOURCE_DIR "/examples", SFUMATO_SHARED_DIR "/scenes"}) {
+  for (const std::string folder : {source_path("examples"), shared_path("scenes")}) {
     if (!std::filesystem::is_directory(folder)) continue;
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
       const std::string extension = entry.path().extension().string();

@@ -16,13 +16,14 @@
 #include "sfumato/formats/read_document.hpp"
 #include "sfumato/raster/rasterize.hpp"
 #include "sfumato/solve/diffuse.hpp"
+#include "support/places.hpp"
 #include "support/scenes.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace sfumato::test {
 namespace {
 
-const std::string kExamples = SFUMATO_SOURCE_DIR "/examples/";
+const std::string kExamples = source_path("examples/");
 
 /// Textures beside the examples.
 class ExampleFiles : public ResourceLoader {

@@ -6,13 +6,14 @@
 
 #include "formats/image_files.hpp"
 #include "formats/svg_support.hpp"
+#include "support/places.hpp"
 
 namespace sfumato::test {
 namespace {
 
 /// The blocks of XML in the manual.
 std::vector<std::string> examples() {
-  std::ifstream file(SFUMATO_SOURCE_DIR "/docs/format.md");
+  std::ifstream file(source_path("docs/format.md"));
   std::stringstream manual;
   manual << file.rdbuf();
   const std::string text = manual.str();

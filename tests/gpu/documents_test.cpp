@@ -15,13 +15,14 @@
 #include "sfumato/solve/diffuse.hpp"
 #include "support.hpp"
 #include "support/folder_files.hpp"
+#include "support/places.hpp"
 #include "support/random_document.hpp"
 #include "support/scenes.hpp"
 
 namespace sfumato::test {
 namespace {
 
-const std::string kFolder = SFUMATO_SOURCE_DIR "/examples";
+const std::string kFolder = source_path("examples");
 
 void expect_drawn_near(const Document& document, double pixels_per_unit, PixelFormat format) {
   Context context;

@@ -14,6 +14,7 @@
 #include "sfumato/solve/point_evaluator.hpp"
 #include "support.hpp"
 #include "support/folder_files.hpp"
+#include "support/places.hpp"
 #include "support/random_document.hpp"
 #include "support/scenes.hpp"
 #include "support/twin_source.hpp"
@@ -21,7 +22,7 @@
 namespace sfumato::test {
 namespace {
 
-const std::string kFolder = SFUMATO_SOURCE_DIR "/examples";
+const std::string kFolder = source_path("examples");
 
 struct Differences {
   double squares = 0;

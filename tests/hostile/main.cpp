@@ -23,6 +23,7 @@
 #include "hostile/crew.hpp"
 #include "hostile/growth.hpp"
 #include "hostile/sandbox.hpp"
+#include "support/places.hpp"
 
 namespace sfumato::hostile {
 namespace {
@@ -47,7 +48,7 @@ struct Options {
 Options parse(int argc, char** argv) {
   Options options;
   const char* named = std::getenv("SFUMATO_HOSTILE_BINARY");
-  options.binary = named ? named : SFUMATO_BINARY;
+  options.binary = named ? named : test::sfumato_program();
   for (int i = 1; i < argc; ++i) {
     const std::string_view word = argv[i];
     const auto value = [&] { return ++i < argc ? argv[i] : (fail("a value is missing"), ""); };

@@ -17,6 +17,7 @@
 #include "picture/same_picture.hpp"
 #include "sfumato/formats/read_document.hpp"
 #include "sfumato/solve/diffuse.hpp"
+#include "support/places.hpp"
 #include "support/random_document.hpp"
 #include "support/sanitizers.hpp"
 #include "support/scenes.hpp"
@@ -142,7 +143,7 @@ TEST(PictureFile, a_hundred_random_documents_are_read_as_they_were) {
 class ExampleFiles : public ResourceLoader {
  public:
   Result<Bytes> load(std::string_view href) const override {
-    const auto bytes = file_bytes(SFUMATO_SOURCE_DIR "/examples/" + std::string(href));
+    const auto bytes = file_bytes(source_path("examples/") + std::string(href));
     if (!bytes) return make_error(StatusCode::bad_input, "no such file");
     return Bytes(bytes->begin(), bytes->end());
   }
@@ -151,7 +152,7 @@ class ExampleFiles : public ResourceLoader {
 TEST(PictureFile, every_example_is_read_as_it_was) {
   int count = 0;
   const ExampleFiles files;
-  for (const auto& entry : std::filesystem::directory_iterator(SFUMATO_SOURCE_DIR "/examples")) {
+  for (const auto& entry : std::filesystem::directory_iterator(source_path("examples"))) {
     if (entry.path().extension() != ".svg") continue;
     const Document document =
         read_text(*file_bytes(entry.path().string()), entry.path().filename().string(), &files);

@@ -11,12 +11,13 @@
 
 #include "sfumato/api/render_pixels.hpp"
 #include "sfumato/formats/read_document.hpp"
+#include "support/places.hpp"
 #include "support/scenes.hpp"
 
 namespace sfumato {
 namespace {
 
-const std::string kFolder = SFUMATO_SHARED_DIR "/reference/controls/";
+const std::string kFolder = test::shared_path("reference/controls/");
 
 struct ControlPoint {
   int x, y;

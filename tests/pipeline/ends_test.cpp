@@ -13,6 +13,7 @@
 #include "sfumato/solve/diffuse.hpp"
 #include "sfumato/solve/point_evaluator.hpp"
 #include "support/drawing.hpp"
+#include "support/places.hpp"
 #include "support/scenes.hpp"
 
 namespace sfumato {
@@ -20,7 +21,7 @@ namespace {
 
 Document evening() {
   Context context;
-  const auto bytes = test::file_bytes(std::string(SFUMATO_SOURCE_DIR) + "/examples/evening.xml");
+  const auto bytes = test::file_bytes(test::source_path("examples/evening.xml"));
   Result<ReadDocument> read = read_document(context, bytes.value_or(""), "evening.xml");
   EXPECT_TRUE(read.ok());
   return read ? std::move(read->document) : Document{};

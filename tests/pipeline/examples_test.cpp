@@ -19,6 +19,7 @@
 #include "sfumato/solve/diffuse.hpp"
 #include "support/draw.hpp"
 #include "support/picture_quality.hpp"
+#include "support/places.hpp"
 #include "support/planes.hpp"
 #include "support/sanitizers.hpp"
 #include "support/scenes.hpp"
@@ -26,7 +27,7 @@
 namespace sfumato {
 namespace {
 
-const std::string kFolder = SFUMATO_SOURCE_DIR "/examples/";
+const std::string kFolder = test::source_path("examples/");
 
 /// Textures beside the examples.
 class ExampleFiles : public ResourceLoader {

@@ -12,6 +12,7 @@
 #include "sfumato/raster/rasterize.hpp"
 #include "sfumato/solve/diffuse.hpp"
 #include "sfumato/solve/point_evaluator.hpp"
+#include "support/places.hpp"
 #include "support/scenes.hpp"
 
 namespace sfumato {
@@ -23,7 +24,7 @@ struct ReferencePoint {
 };
 
 std::vector<ReferencePoint> read_reference(const std::string& scene) {
-  std::ifstream file(std::string(SFUMATO_SHARED_DIR) + "/reference/" + scene + ".csv");
+  std::ifstream file(test::shared_path("reference/") + scene + ".csv");
   std::vector<ReferencePoint> points;
   std::string line;
   std::getline(file, line);

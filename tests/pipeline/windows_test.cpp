@@ -12,6 +12,7 @@
 #include "sfumato/formats/read_document.hpp"
 #include "sfumato/raster/rasterize.hpp"
 #include "sfumato/solve/diffuse.hpp"
+#include "support/places.hpp"
 #include "support/random_document.hpp"
 #include "support/sanitizers.hpp"
 #include "support/scenes.hpp"
@@ -21,7 +22,7 @@ namespace sfumato::test {
 namespace {
 
 constexpr std::uint64_t kSeeds = SFUMATO_HAS_SANITIZER ? 12 : 300;
-const std::string kFolder = SFUMATO_SOURCE_DIR "/examples/";
+const std::string kFolder = source_path("examples/");
 
 /// As tiles are cut; of no tile's sides; of few tiles, for which triangles are found another way.
 constexpr Cut kCuts[] = {{256, 256}, {173, 119, -40, -31}, {600, 90, 0, -17}};

@@ -6,12 +6,13 @@
 
 #include "sfumato/import/import_svg.hpp"
 #include "support/draw.hpp"
+#include "support/places.hpp"
 #include "support/scenes.hpp"
 
 namespace sfumato::test {
 namespace {
 
-const char* const kFolder = SFUMATO_SOURCE_DIR "/tests/trace/flat";
+const std::string kFolder = source_path("tests/trace/flat");
 
 }  // namespace
 
@@ -25,7 +26,7 @@ std::vector<std::string> flat_art_names() {
 }
 
 Result<Document> flat_art(Context& context, const std::string& name, bool has_background) {
-  const std::string path = std::string(kFolder) + '/' + name + ".svg";
+  const std::string path = kFolder + '/' + name + ".svg";
   const auto text = file_bytes(path);
   if (!text) return make_error(StatusCode::io, "cannot be read", {path});
   Result<ImportedSvg> imported = import_svg(context, *text, path);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "sfumato/formats/orzan/orzan.hpp"
+#include "support/places.hpp"
 
 namespace sfumato::test {
 
@@ -18,7 +19,7 @@ inline std::optional<std::string> file_bytes(const std::string& path) {
 
 /// The bytes of one of the public scenes ("lady_bug.xml"), or nothing where they are not at hand.
 inline std::optional<std::string> shared_scene_bytes(const std::string& name) {
-  return file_bytes(std::string(SFUMATO_SHARED_DIR "/scenes/") + name);
+  return file_bytes(shared_path("scenes/") + name);
 }
 
 /// A public scene, or nothing where it is not at hand. A test then says

@@ -12,6 +12,7 @@
 #include "support/drawing.hpp"
 #include "support/folder_files.hpp"
 #include "support/picture_quality.hpp"
+#include "support/places.hpp"
 #include "support/same_document.hpp"
 
 namespace sfumato {
@@ -435,7 +436,7 @@ Document scrambled_but_for_modes(const Document& document) {
 class FitColorsOf : public testing::TestWithParam<Example> {};
 
 TEST_P(FitColorsOf, example_looks_as_it_did) {
-  const std::string folder = SFUMATO_SOURCE_DIR "/examples/";
+  const std::string folder = test::source_path("examples/");
   const auto bytes = read_file(folder + GetParam().name, limits::kInputBytes);
   ASSERT_TRUE(bytes.ok());
   ThreadPool pool(2);

@@ -13,6 +13,7 @@
 #include "sfumato/trace/trace.hpp"
 #include "support/draw.hpp"
 #include "support/picture_quality.hpp"
+#include "support/places.hpp"
 #include "support/planes.hpp"
 #include "support/scenes.hpp"
 
@@ -70,7 +71,7 @@ inline std::string svg_of(const Document& drawing) {
 
 inline Document evening() {
   Context context;
-  const auto bytes = file_bytes(SFUMATO_SOURCE_DIR "/examples/evening.xml");
+  const auto bytes = file_bytes(source_path("examples/evening.xml"));
   Result<ReadDocument> read = read_document(context, bytes.value_or(""), "evening.xml");
   EXPECT_TRUE(read.ok()) << to_string(read.status());
   return read.ok() ? std::move(read->document) : Document{};

@@ -11,6 +11,7 @@
 
 #include "cli/run_command.hpp"
 #include "limits/peak/cases.hpp"
+#include "support/places.hpp"
 
 namespace sfumato::peak {
 namespace {
@@ -24,7 +25,7 @@ constexpr double kLargestRatio = 1.25;
 constexpr int kStepsBetween = 3;
 
 struct Options {
-  std::string binary = SFUMATO_BINARY;
+  std::string binary = test::sfumato_program();
   std::vector<std::string> words;  ///< only cases whose name has one of them
   std::vector<int> budgets_mib{64, 128, 256, 512, 1024};
   bool quick = false;
