@@ -7,14 +7,16 @@ equal_scenes := 1-1000
 fuzz_seconds := 60
 
 .DEFAULT_GOAL := help
-.PHONY: help demo build test check docs kills check-slurm sanitize fuzz fuzz-merge bench wasm hostile-growth \
+.PHONY: help demo build test check check-all soak docs kills check-slurm sanitize fuzz fuzz-merge bench wasm hostile-growth \
   hostile-sanitized equal equal-by-clang editor editor-tests python npm deb reproducible clean
 
 help:
 	@echo 'make demo    install what the build needs, build, draw $(scene)'
 	@echo 'make build   the command: $(build_folder)/sfumato, and what cmake --install takes'
 	@echo 'make test    the quick tests: a minute or two once all is built'
-	@echo 'make check   everything built and tested, and the style checked'
+	@echo 'make check   the quick tests, and the style: before each change is handed in'
+	@echo 'make check-all   the slow tests, WebAssembly, browsers, Python, npm, outside programs'
+	@echo 'make soak    the slow tests with all their random cases: hours'
 	@echo 'make docs    the API reference: build/docs/html/index.html'
 	@echo 'make kills   outputs under 1,000 times kill -9'
 	@echo 'make check-slurm   tiles and frames by Slurm and GNU parallel on this machine'
@@ -35,9 +37,9 @@ help:
 	@echo 'make clean   remove what was built'
 
 build:
-	@scripts/setup build
-	@cmake --preset release -DSFUMATO_TESTS=OFF -DSFUMATO_BENCH=OFF -DSFUMATO_UNITY=ON \
-	  -DSFUMATO_WERROR=OFF --log-level=WARNING >/dev/null
+	@scripts/setup build cache
+	@cmake --preset release -DSFUMATO_TESTS=OFF -DSFUMATO_BENCH=OFF -DSFUMATO_WERROR=OFF \
+	  --log-level=WARNING >/dev/null
 	@cmake --build $(build_folder) --parallel $(jobs) --target sfumato sfumato_library sfumato_c
 
 demo: build
@@ -47,9 +49,9 @@ demo: build
 	@echo 'To zoom into it, open $(build_folder)/demo.html in a browser'
 
 test:
-	@scripts/setup build check
+	@scripts/setup build cache check
 	@cmake --preset release -DSFUMATO_TESTS=ON -DSFUMATO_BENCH=OFF -DSFUMATO_WERROR=OFF \
-	  -DSFUMATO_UNITY=ON -DSFUMATO_PRECOMPILE_TESTS=ON --log-level=WARNING >/dev/null
+	  --log-level=WARNING >/dev/null
 	@cmake --build $(build_folder) --parallel $(jobs) --target sfumato sfumato_quick_tests
 	@ctest --test-dir $(build_folder) --label-exclude slow --exclude-regex '_NOT_BUILT$$' --parallel $(jobs) \
 	  --progress --output-on-failure --no-tests=error
@@ -57,19 +59,29 @@ test:
 check:
 	@scripts/check
 
+check-all:
+	@scripts/check-all
+
+soak:
+	@scripts/setup build cache check viewers
+	@cmake --preset release -DSFUMATO_TESTS=ON -DSFUMATO_WERROR=OFF --log-level=WARNING >/dev/null
+	@cmake --build $(build_folder) --parallel $(jobs)
+	@SFUMATO_SOAK=1 ctest --test-dir $(build_folder) --label-regex slow --timeout 7200 --parallel $(jobs) --progress \
+	  --output-on-failure --no-tests=error
+
 docs:
 	@scripts/setup docs
 	@scripts/make-docs
 	@echo 'The reference is build/docs/html/index.html'
 
 kills:
-	@scripts/setup build check
+	@scripts/setup build cache check
 	@cmake --preset release -DSFUMATO_TESTS=ON --log-level=WARNING >/dev/null
 	@cmake --build $(build_folder) --parallel $(jobs) --target test_cli
 	@SFUMATO_KILLS=1000 $(build_folder)/tests/test_cli --gtest_filter='*Kill*'
 
 check-slurm:
-	@scripts/setup build slurm
+	@scripts/setup build cache slurm
 	@cmake --preset release -DSFUMATO_TESTS=OFF -DSFUMATO_WERROR=OFF --log-level=WARNING >/dev/null
 	@cmake --build $(build_folder) --parallel $(jobs) --target sfumato
 	@scripts/check-slurm $(build_folder)/sfumato
@@ -84,7 +96,7 @@ fuzz-merge:
 	@scripts/fuzz --seconds $(fuzz_seconds) --grow
 
 bench:
-	@scripts/setup build bench
+	@scripts/setup build cache bench
 	@cmake --preset release -DSFUMATO_TESTS=OFF -DSFUMATO_BENCH=ON \
 	  -DSFUMATO_WERROR=OFF --log-level=WARNING >/dev/null
 	@cmake --build $(build_folder) --parallel $(jobs) --target sfumato_bench
@@ -93,7 +105,7 @@ bench:
 	@$(build_folder)/bench/outputs
 
 wasm:
-	@scripts/setup wasm
+	@scripts/setup wasm cache
 	@scripts/build-wasm build-wasm
 
 editor:
@@ -101,25 +113,25 @@ editor:
 	@echo 'To draw, open $(build_folder)/editor.html in a browser; $(build_folder)/editor/ is a site of static files'
 
 hostile-growth:
-	@scripts/setup build check
+	@scripts/setup build cache check
 	@cmake --preset release -DSFUMATO_TESTS=ON -DSFUMATO_WERROR=OFF --log-level=WARNING >/dev/null
 	@cmake --build $(build_folder) --parallel $(jobs) --target hostile
 	@$(build_folder)/tests/hostile --growth
 
 hostile-sanitized:
-	@scripts/setup build check sanitize
+	@scripts/setup build cache check sanitize
 	@cmake --preset asan -DSFUMATO_TESTS=ON --log-level=WARNING >/dev/null
 	@cmake --build build-asan --parallel $(jobs) --target hostile
 	@ASAN_OPTIONS=quarantine_size_mb=8 build-asan/tests/hostile --jobs $(jobs)
 
 equal:
-	@scripts/setup build check
+	@scripts/setup build cache check
 	@cmake --preset release -DSFUMATO_TESTS=ON -DSFUMATO_WERROR=OFF --log-level=WARNING >/dev/null
 	@cmake --build $(build_folder) --parallel $(jobs) --target equal_scenes
 	@$(build_folder)/tests/equal_scenes hashes few $(equal_scenes)
 
 equal-by-clang:
-	@scripts/setup build check clang
+	@scripts/setup build cache check clang
 	@cmake --preset release -DSFUMATO_TESTS=ON -DSFUMATO_WERROR=OFF --log-level=WARNING >/dev/null
 	@cmake --preset release -B $(build_folder)/clang -DCMAKE_CXX_COMPILER=clang++-19 \
 	  -DCMAKE_C_COMPILER=clang-19 -DSFUMATO_TESTS=ON --log-level=WARNING >/dev/null
@@ -136,10 +148,10 @@ editor-tests: build editor
 
 python: build
 	@scripts/setup python
-	@scripts/check-python $(build_folder)
+	@scripts/check-python $(build_folder) $(build_folder)
 
 npm:
-	@scripts/setup wasm npm
+	@scripts/setup wasm npm cache
 	@scripts/build-wasm build-wasm
 	@scripts/check-npm $(build_folder) build-wasm
 
@@ -147,8 +159,8 @@ deb:
 	@packaging/debian/build --out $(build_folder)/debian
 
 reproducible:
-	@scripts/setup build
+	@scripts/setup build cache
 	@scripts/check-reproducible --jobs $(jobs)
 
 clean:
-	rm -rf $(build_folder) build-wasm build-check build-asan build-tsan build-fuzz
+	rm -rf $(build_folder) build-wasm build-check build-all build-clang build-python build-asan build-tsan build-fuzz

@@ -55,11 +55,11 @@ function(sfumato_precompile target headers)
   endif()
 endfunction()
 
-# sfumato_unity(TARGET SOURCE...): eight files are compiled as one. What they include is instantiated
-# and optimised once. Kernels are long enough by themselves, and libraries leave
+# sfumato_unity(TARGET SOURCE...): files are compiled sixteen at a time, as one. The compiler reads,
+# instantiates and optimises what they include once. Kernels are long enough alone, and libraries leave
 # out photos by the names of their objects.
 function(sfumato_unity target)
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 16)
   set(alone ${ARGN})
   list(FILTER alone INCLUDE REGEX "/kernels/|/codecs/photo")
   set_source_files_properties(${alone} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
@@ -69,11 +69,28 @@ function(sfumato_unity target)
   endif()
 endfunction()
 
-# sfumato_folder(NAME [USES folder...] [PRECOMPILED headers]): library sfumato_NAME from every .cpp in
-# folder NAME but main.cpp, with sfumato_headers where no other headers are named. Files that end in
-# _avx2.cpp and _avx512.cpp are compiled for these instruction sets.
+# with_users_first(LIST PATTERN): moves files that match the pattern to the front of a list of files, so
+# that unity compiles them together, and the templates that they share once.
+function(with_users_first list pattern)
+  set(users)
+  foreach(source ${${list}})
+    file(STRINGS ${source} uses REGEX ${pattern} LIMIT_COUNT 1)
+    if(uses)
+      list(APPEND users ${source})
+    endif()
+  endforeach()
+  set(others ${${list}})
+  list(REMOVE_ITEM others ${users})
+  set(${list} ${users} ${others} PARENT_SCOPE)
+endfunction()
+
+# sfumato_folder(NAME [COLD] [USES folder...] [PRECOMPILED headers] [TOGETHER pattern]): library
+# sfumato_NAME from every .cpp in folder NAME but main.cpp, with sfumato_headers where no other headers are
+# named. COLD: no loop over pixels or nodes is here, so that -O3 would only cost compiling. TOGETHER: files
+# that match are compiled as one. Files that end in _avx2.cpp and _avx512.cpp are compiled for these
+# instruction sets.
 function(sfumato_folder name)
-  cmake_parse_arguments(ARG "" "PRECOMPILED" "USES" ${ARGN})
+  cmake_parse_arguments(ARG "COLD" "PRECOMPILED;TOGETHER" "USES" ${ARGN})
   if(NOT ARG_PRECOMPILED)
     set(ARG_PRECOMPILED sfumato_headers)
   endif()
@@ -99,18 +116,19 @@ function(sfumato_folder name)
   else()
     list(FILTER sources EXCLUDE REGEX "_tsan\\.cpp$")
   endif()
+  if(ARG_TOGETHER)
+    with_users_first(sources ${ARG_TOGETHER})
+  endif()
   add_library(sfumato_${name} STATIC ${sources})
   target_include_directories(sfumato_${name} PUBLIC ${PROJECT_SOURCE_DIR}/include
                              ${PROJECT_SOURCE_DIR}/src)
   target_link_libraries(sfumato_${name} PUBLIC sfumato_flags)
-  # A missing include must show somewhere: of these folders here, of the others in the build for
-  # WebAssembly.
-  if(NOT (SFUMATO_SANITIZE MATCHES "thread" AND name MATCHES "^(base|cli|gpu|import|output|tiles)$"))
+  if(ARG_COLD AND NOT SFUMATO_WASM AND NOT SFUMATO_SANITIZE)
+    target_compile_options(sfumato_${name} PRIVATE $<$<CONFIG:Release>:-O2>)
+  endif()
+  if(SFUMATO_UNITY)
     sfumato_precompile(sfumato_${name} ${ARG_PRECOMPILED})
-    # Files of these have constants of the same names.
-    if(SFUMATO_UNITY AND NOT name MATCHES "^(export|trace)$")
-      sfumato_unity(sfumato_${name} ${sources})
-    endif()
+    sfumato_unity(sfumato_${name} ${sources})
   endif()
   if(SFUMATO_SANITIZE MATCHES "fuzzer" AND NOT name MATCHES "^(base|document|codecs|formats)$")
     # A fuzzer that is told what was compared guesses words of a grammar. Kernels would only spend

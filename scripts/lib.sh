@@ -16,6 +16,17 @@ cpp_files() {
   )
 }
 
+# The folder that `make check` and `make check-all` build in.
+checked=build-check
+
+# build_checked OPTION... [--target TARGET...]: configures it with these options of CMake, and builds.
+build_checked() {
+  local options=()
+  while [[ $# -gt 0 && $1 != --target ]]; do options+=("$1") && shift; done
+  cmake --preset release -B "$checked" -DSFUMATO_TESTS=ON "${options[@]}" --log-level=WARNING >/dev/null &&
+    cmake --build "$checked" --parallel "$(nproc)" "$@"
+}
+
 # Lines of the Test Anything Protocol, which scripts/count-tests counts.
 passed() { echo "ok - $1"; }
 failed() { echo "not ok - $1"; }
@@ -27,32 +38,69 @@ install_npm() {
     npm ci --prefix "$1" --no-audit --no-fund
 }
 
-# timed COMMAND...: runs it and says how long it took.
-timed() {
-  local began=$SECONDS status=0
-  "$@" || status=$?
-  echo "# $((SECONDS - began)) s"
+# measured NAME COMMAND...: runs it, and notes the wall and CPU seconds of it and of all its processes in
+# $results/times.tsv, which scripts/time-table reads.
+measured() {
+  local name=$1 status=0 report wall user system cpu
+  shift
+  report=$(mktemp)
+  local TIMEFORMAT='%R %U %S'
+  { time "$@" 2>&3; } 3>&2 2>"$report" || status=$?
+  read -r wall user system <"$report"
+  rm -f "$report"
+  cpu=$(awk "BEGIN { printf \"%.1f\", $user + $system }")
+  printf '%s\t%s\t%s\n' "$wall" "$cpu" "$name" >>"$results/times.tsv"
+  echo "# ${wall%??} s, $cpu s of CPU"
   return "$status"
 }
 
-# stage NAME COMMAND...: one check that passes or fails as a whole, noted in the file $stages.
+# no_time_left NAME: whether CI's time is over ($SFUMATO_DEADLINE, seconds since 1970), so that the stage
+# NAME is skipped.
+no_time_left() {
+  [[ ${EPOCHSECONDS} -ge ${SFUMATO_DEADLINE:-$((EPOCHSECONDS + 1))} ]] || return 1
+  skipped "$1" "CI has no time left for it" | tee -a "$results/stages.tap"
+}
+
+# stage NAME COMMAND...: one check that passes or fails as a whole, noted in $results/stages.tap.
 stage() {
   local name=$1 verdict=failed
   shift
   echo "== $name"
-  if timed "$@"; then verdict=passed; fi
-  "$verdict" "$name" | tee -a "$stages"
+  if no_time_left "$name"; then return; fi
+  if measured "$name" "$@"; then verdict=passed; fi
+  "$verdict" "$name" | tee -a "$results/stages.tap"
 }
 
-# unit_tests FOLDER [OPTION...]: runs the tests of a build folder, in parallel on all cores, and names
-# the ten slowest; the options are ctest's. The tests themselves are counted from ctest's report
-# there; the exit code says whether there is one.
+# suite NAME COMMAND...: a command that prints its tests as TAP, kept in $results/NAME.tap.
+suite() {
+  local name=$1
+  shift
+  echo "== $name"
+  if no_time_left "$name"; then return; fi
+  measured "$name" "$@" | tee "$results/$name.tap"
+}
+
+# unit_tests BUILD [OPTION...]: runs the tests of a build folder, in parallel on all cores; the options are
+# ctest's. Their report, $results/ctest.xml, has the tests' verdicts and times; the exit code says whether
+# there is one.
 unit_tests() {
-  local log=$1/ctest.log
-  ctest --test-dir "$1" "${@:2}" --parallel "$(nproc)" --output-on-failure --output-junit ctest.xml \
-    --no-tests=error </dev/null >"$log" 2>&1
+  local log=$results/ctest.log
+  ctest --test-dir "$1" "${@:2}" --parallel "$(nproc)" --output-on-failure \
+    --output-junit "$PWD/$results/ctest.xml" --no-tests=error </dev/null >"$log" 2>&1
   grep -vE '^ *(Start +[0-9]+:|[0-9]+/[0-9]+ Test +#[0-9]+:.* Passed +)' "$log"
-  sed -nE 's/^ *[0-9]+\/[0-9]+ Test +#[0-9]+: ([^ ]+) .* ([0-9.]+) sec.*/# \2 s \1/p' "$log" |
-    sort -k 2nr | head -n 10
-  [[ -s $1/ctest.xml ]]
+  [[ -s $results/ctest.xml ]]
+}
+
+# start_results: an empty folder $results, but for what was built there.
+start_results() {
+  mkdir -p "$results"
+  rm -f "$results"/summary "$results"/times.tsv "$results"/*.tap "$results"/ctest*.xml
+}
+
+# end_results: where the time went, and the count of the tests, which is the last line and kept in
+# $results/summary. Exit 1 where a test failed.
+end_results() {
+  scripts/time-table "$results"
+  scripts/count-tests "$results" | tee "$results/summary"
+  return "${PIPESTATUS[0]}"
 }

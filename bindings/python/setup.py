@@ -108,7 +108,7 @@ class Build(build_py):
 
     def carry(self, target):
         given = os.environ.get("SFUMATO_LIBRARY")
-        library = Path(given) if given else built(HERE / "build" / "library")
+        library = Path(given) if given else built(ROOT / "build-python")
         if b"\0$ORIGIN\0" not in library.read_bytes():
             sys.exit(f"setup.py: {library} is not one that the target sfumato_carried makes")
         licences = target / "licences"
