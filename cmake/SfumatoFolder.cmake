@@ -56,13 +56,15 @@ function(sfumato_precompile target headers)
 endfunction()
 
 # sfumato_unity(TARGET SOURCE...): files are compiled sixteen at a time, as one. The compiler reads,
-# instantiates and optimises what they include once. Kernels are long enough alone, and libraries leave
-# out photos by the names of their objects.
+# instantiates and optimises what they include once. Kernels are long enough alone. Libraries leave out
+# photos by the names of their objects, and modules of WebAssembly have other files in the place of some.
 function(sfumato_unity target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 16)
-  set(alone ${ARGN})
-  list(FILTER alone INCLUDE REGEX "/kernels/|/codecs/photo")
-  set_source_files_properties(${alone} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  foreach(source ${ARGN})
+    if(source MATCHES "/kernels/|/codecs/photo|_wasm\\.cpp$|/html/viewer_exact\\.cpp$")
+      set_source_files_properties(${source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+    endif()
+  endforeach()
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # It takes what a file has for itself for what a header gives to many.
     target_compile_options(${target} PRIVATE -Wno-subobject-linkage)

@@ -103,8 +103,8 @@ StripPart strip_part(const SoftStrip& strip, int x, int y) {
     part.area[i] = static_cast<float>(strip.turn * sum.area);
   }
   // The sum of the edges' rounding is no part.
-  constexpr double kLeastPart = 1e-9;
-  if (std::fabs(sum.area) < kLeastPart) return {};
+  constexpr double kLeastRemainder = 1e-9;
+  if (std::fabs(sum.area) < kLeastRemainder) return {};
   const Vec2 along = to - from;
   const double place = dot(Vec2{sum.x, sum.y} / sum.area - from, along) / dot(along, along);
   part.along = static_cast<float>(place > 0 ? std::min(place, 1.0) : 0);

@@ -15,7 +15,7 @@ namespace {
 constexpr double kSmallLevelTexels = 65536;
 
 /// Rows handed to a thread at once.
-constexpr std::size_t kGrain = 32;
+constexpr std::size_t kTexelsPerTask = 32;
 
 /// Parts of the texels of the level before that one texel of a level covers, along one axis.
 struct Overlap {
@@ -110,7 +110,7 @@ Status TexturePyramid::fill_base(Context& context, const Texture& texture) {
   for (std::size_t i = 3; i < texture.rgba.size(); i += 4) opaque_ &= bytes[i] == 255;
   if (context.cancelled()) return context.cancel_status();
   const std::size_t width = static_cast<std::size_t>(level.width);
-  return parallel_for(context, static_cast<std::size_t>(level.height), kGrain,
+  return parallel_for(context, static_cast<std::size_t>(level.height), kTexelsPerTask,
                       [&](std::size_t begin, std::size_t end) {
                         for (std::size_t y = begin; y < end; ++y) {
                           const std::uint8_t* in = bytes + 4 * y * texture.width;
@@ -146,15 +146,16 @@ Status TexturePyramid::fill_level(Context& context, std::size_t index) {
     }
     for (int c = 0; c < 4; ++c) out[c] = static_cast<std::uint16_t>(std::min(sum[c], 65535.5f));
   };
-  return parallel_for(context, rows.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t y = begin; y < end; ++y) {
-      std::uint16_t* out = texels_.data() + 4 * (level.offset + y * columns.size());
-      for (const Overlap& column : columns) {
-        mean(rows[y], column, out);
-        out += 4;
-      }
-    }
-  });
+  return parallel_for(
+      context, rows.size(), kTexelsPerTask, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t y = begin; y < end; ++y) {
+          std::uint16_t* out = texels_.data() + 4 * (level.offset + y * columns.size());
+          for (const Overlap& column : columns) {
+            mean(rows[y], column, out);
+            out += 4;
+          }
+        }
+      });
 }
 
 }  // namespace sfumato::raster

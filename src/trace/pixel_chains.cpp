@@ -366,8 +366,8 @@ class EndSnapper {
   /// Adds the chain with its ends run on, for which there is room.
   Status add_snapped(std::uint32_t i, double reach, PixelChains& to) {
     const PixelChain chain = chains_[i];
-    constexpr std::size_t kLoopPixels = 12;
-    const bool closes = chain.size() >= kLoopPixels &&
+    constexpr std::size_t kLongLoopPixels = 12;
+    const bool closes = chain.size() >= kLongLoopPixels &&
                         length(center(chain.front()) - center(chain.back())) <= reach;
     const std::optional<PixelPlace> first = closes ? std::nullopt : ahead(i, false, reach);
     const std::optional<PixelPlace> last = closes ? chain.front() : ahead(i, true, reach);

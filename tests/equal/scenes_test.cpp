@@ -84,7 +84,7 @@ TEST(EqualScenesThemselves, differ_and_are_drawn) {
 TEST(EqualFiles, have_the_same_bits_under_every_configuration) {
   SceneChecker checker;
   int count = 0;
-  for (const std::string folder : {source_path("examples"), shared_path("scenes")}) {
+  for (const std::string& folder : {source_path("examples"), shared_path("scenes")}) {
     if (!std::filesystem::is_directory(folder)) continue;
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
       const std::string extension = entry.path().extension().string();

@@ -245,10 +245,10 @@ TEST(Rows, take_blur_of_any_radius_and_shaders_as_the_gather_does) {
 }
 
 std::optional<Document> example(const std::string& name) {
-  const auto text = sfumato::test::file_bytes(test::source_path("examples/") + name);
+  const auto text = sfumato::test::file_bytes(sfumato::test::source_path("examples/") + name);
   if (!text) return std::nullopt;
   Context context;
-  const sfumato::test::FolderFiles files(test::source_path("examples/"));
+  const sfumato::test::FolderFiles files(sfumato::test::source_path("examples/"));
   Result<ReadDocument> read = read_svg(context, *text, name, &files);
   if (!read) return std::nullopt;
   return std::move(read->document);

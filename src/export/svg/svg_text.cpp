@@ -81,12 +81,12 @@ std::string short_id(std::uint64_t number) {
 }
 
 void append_color(std::string& text, int r, int g, int b) {
-  constexpr const char* kDigits = "0123456789abcdef";
+  constexpr const char* kHexDigits = "0123456789abcdef";
   const bool is_short = r % 17 == 0 && g % 17 == 0 && b % 17 == 0;
   text += '#';
   for (const int channel : {r, g, b}) {
-    text += kDigits[channel >> 4 & 15];
-    if (!is_short) text += kDigits[channel & 15];
+    text += kHexDigits[channel >> 4 & 15];
+    if (!is_short) text += kHexDigits[channel & 15];
   }
 }
 

@@ -49,8 +49,8 @@ void add_field(const PatchField& field, const std::vector<Vec2>& position,
 
 Status find_node_positions(const Context& context, const PatchLayer& layer, const PatchField& field,
                            TableMemory& memory, std::vector<Vec2>& position) {
-  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  Status status = memory.resize(context, position, node_count(field), Vec2{kNone, kNone});
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  Status status = memory.resize(context, position, node_count(field), Vec2{kUnknown, kUnknown});
   if (!status || field.channel_count == 0) return status;
   RarePoll<kWritesPerPoll> poll(context);
   for (std::size_t t = 0; t < layer.triangle_count(); ++t) {
