@@ -19,7 +19,7 @@ using Names = std::vector<std::string>;
 
 constexpr const char* kOldContent = "what was here before";
 
-struct BadInput {
+struct BadScene {
   const char* name;
   std::string content;
   int exit_code;
@@ -43,7 +43,7 @@ std::string million_curves() {
   return scene_xml(64, 48, curves);
 }
 
-std::vector<BadInput> bad_inputs() {
+std::vector<BadScene> bad_scenes() {
   const std::string good = two_curve_scene();
   return {
       {"empty", "", 1, ": error: the file is empty"},
@@ -62,12 +62,8 @@ std::vector<BadInput> bad_inputs() {
   };
 }
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 TEST(BadInput, is_refused_and_leaves_everything_as_it_was) {
-  for (const BadInput& bad : bad_inputs()) {
+  for (const BadScene& bad : bad_scenes()) {
     const TemporaryFolder folder;
     const std::string input = folder.add("bad.xml", bad.content);
     const std::string output = folder.add("out.png", kOldContent);

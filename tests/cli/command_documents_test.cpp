@@ -10,7 +10,7 @@
 namespace sfumato::test {
 namespace {
 
-using Names = std::set<std::string>;
+using NameSet = std::set<std::string>;
 
 constexpr const char* kCommands[] = {"render", "solve",   "tiles", "info",  "convert", "trace",
                                      "lint",   "compare", "init",  "watch", "edit"};
@@ -31,9 +31,9 @@ std::string section(const std::string& text, const std::string& begin, const std
 }
 
 /// All first groups of matches, but --help.
-Names matches(const std::string& text, const std::string& pattern) {
+NameSet matches(const std::string& text, const std::string& pattern) {
   const std::regex expression(pattern);
-  Names names;
+  NameSet names;
   for (std::sregex_iterator i(text.begin(), text.end(), expression), end; i != end; ++i) {
     names.insert((*i)[1]);
   }
@@ -45,19 +45,19 @@ std::string help_of(const std::string& command) {
   return run_sfumato({command, "--help"}).out;
 }
 
-Names options_of(const std::string& command) {
+NameSet options_of(const std::string& command) {
   return matches(help_of(command), "\n  (?:-[a-z],)?(--[a-z-]+)");
 }
 
 /// The words among which an option's value is chosen: "exact", "off".
-Names choices_of(const std::string& command) {
-  Names words;
-  const Names lists = matches(help_of(command), "\n  --[a-z-]+ ([A-Za-z0-9]+(?:\\|[a-z0-9]+)+)");
+NameSet choices_of(const std::string& command) {
+  NameSet words;
+  const NameSet lists = matches(help_of(command), "\n  --[a-z-]+ ([A-Za-z0-9]+(?:\\|[a-z0-9]+)+)");
   for (const std::string& list : lists) words.merge(matches(list, "([a-z0-9]+)"));
   return words;
 }
 
-void expect_words(const Names& words, const std::string& text, const std::string& where) {
+void expect_words(const NameSet& words, const std::string& text, const std::string& where) {
   for (const std::string& word : words) {
     EXPECT_TRUE(std::regex_search(text, std::regex("\\b" + word + "\\b"))) << word << where;
   }
@@ -66,8 +66,8 @@ void expect_words(const Names& words, const std::string& text, const std::string
 constexpr const char* kOption = "(--[a-z]+(?:-[a-z]+)*)";
 
 TEST(CommandDocuments, the_help_names_options_and_choices) {
-  EXPECT_EQ(options_of("convert"), (Names{"--allow-files", "--limit", "--max-memory", "--max-time",
-                                          "--output", "--quiet"}));
+  EXPECT_EQ(options_of("convert"), (NameSet{"--allow-files", "--limit", "--max-memory",
+                                            "--max-time", "--output", "--quiet"}));
   EXPECT_TRUE(options_of("render").contains("--no-antialias"));
   EXPECT_TRUE(choices_of("render").contains("rays"));
   EXPECT_TRUE(choices_of("render").contains("off"));
@@ -75,15 +75,15 @@ TEST(CommandDocuments, the_help_names_options_and_choices) {
 
 TEST(CommandDocuments, every_command_is_known) {
   const std::string help = run_sfumato({"--help"}).out;
-  const Names commands = matches(section(help, "Subcommands:", "Examples:"), "\n  ([a-z]+)");
-  EXPECT_EQ(commands, Names(std::begin(kCommands), std::end(kCommands)));
+  const NameSet commands = matches(section(help, "Subcommands:", "Examples:"), "\n  ([a-z]+)");
+  EXPECT_EQ(commands, NameSet(std::begin(kCommands), std::end(kCommands)));
 }
 
 TEST(CommandDocuments, the_manual_in_markdown_names_every_option) {
   const std::string document = file_text("docs/cli.md");
   for (const std::string command : kCommands) {
     const std::string text = section(document, "\n## " + command + "\n", "\n## ");
-    Names named = matches(text, kOption);
+    NameSet named = matches(text, kOption);
     if (text.find("`-o") != std::string::npos) named.insert("--output");
     EXPECT_EQ(named, options_of(command)) << command;
     expect_words(choices_of(command), text, " in docs/cli.md, " + command);
@@ -176,8 +176,8 @@ TEST(CommandDocuments, zsh_completes_every_option) {
 TEST(CommandDocuments, fish_completes_every_option) {
   const std::string document = file_text("completions/sfumato.fish");
   for (const std::string command : kCommands) {
-    Names named;
-    const Names long_names = matches(
+    NameSet named;
+    const NameSet long_names = matches(
         document, "'__fish_seen_subcommand_from " + command + "'(?: -s [a-z])? -l ([a-z-]+)");
     for (const std::string& name : long_names) named.insert("--" + name);
     EXPECT_EQ(named, options_of(command)) << command;

@@ -9,10 +9,6 @@
 namespace sfumato::test {
 namespace {
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 TEST(Convert, writes_the_curves_of_orzan_xml_as_svg) {
   const CommandResult result = run_sfumato({"convert", "-", "-o", "-"}, two_curve_scene());
   EXPECT_EQ(result.exit_code, 0) << result.err;

@@ -16,12 +16,9 @@ namespace sfumato::test {
 namespace {
 
 constexpr const char* kPage = "<!doctype html><html><head><title>t</title></head></html>";
-constexpr const char* kDrawing = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 1 1\"/>";
+constexpr const char* kBlankDrawing =
+    "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 1 1\"/>";
 const std::string kPng = "\x89PNG\r\n\x1a\n and so on";
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 /// A folder with the command, the editor's page beside it, and a drawing.
 class Edit : public testing::Test {
@@ -32,7 +29,7 @@ class Edit : public testing::Test {
     program_ = folder_.path("bin/sfumato");
     std::filesystem::copy_file(sfumato_program(), program_);
     page_ = folder_.add("bin/editor.html", kPage);
-    drawing_ = folder_.add("work/a.svg", kDrawing);
+    drawing_ = folder_.add("work/a.svg", kBlankDrawing);
   }
 
   /// Serves the drawing.
@@ -75,7 +72,7 @@ TEST_F(Edit, gives_the_page_and_the_drawing_and_saves_it) {
   EXPECT_TRUE(contains(page, " 200 ")) << page;
   EXPECT_TRUE(contains(page, "<head><meta name=\"sfumato-file\" content=\"a.svg\"><title>"));
   EXPECT_TRUE(contains(page, "frame-ancestors 'none'"));
-  EXPECT_EQ(body_of(get("drawing")), kDrawing);
+  EXPECT_EQ(body_of(get("drawing")), kBlankDrawing);
   const std::string saved = save(tag(), "<svg/>");
   EXPECT_TRUE(contains(saved, " 204 ")) << saved;
   EXPECT_EQ(read_whole(drawing_), "<svg/>");
@@ -86,13 +83,13 @@ TEST_F(Edit, gives_the_page_and_the_drawing_and_saves_it) {
 }
 
 TEST_F(Edit, the_name_of_the_drawing_is_no_markup) {
-  drawing_ = folder_.add("work/\"><script>.svg", kDrawing);
+  drawing_ = folder_.add("work/\"><script>.svg", kBlankDrawing);
   start();
   EXPECT_TRUE(contains(get(""), "content=\"%22%3E%3Cscript%3E.svg\">"));
 }
 
 TEST_F(Edit, the_page_has_a_byte_for_a_character_whatever_the_drawing_is_called) {
-  drawing_ = folder_.add("work/caf\xc3\xa9.svg", kDrawing);
+  drawing_ = folder_.add("work/caf\xc3\xa9.svg", kBlankDrawing);
   start();
   const std::string page = get("");
   EXPECT_TRUE(contains(page, "Content-Type: text/html; charset=windows-1252"));
@@ -133,7 +130,7 @@ TEST_F(Edit, a_save_that_names_no_version_of_ours_changes_nothing) {
     EXPECT_TRUE(contains(save(match, "<svg>x</svg>"), " 412 ")) << match;
   }
   EXPECT_TRUE(contains(save(known, ""), " 400 "));
-  EXPECT_EQ(read_whole(drawing_), kDrawing);
+  EXPECT_EQ(read_whole(drawing_), kBlankDrawing);
 }
 
 TEST_F(Edit, nothing_is_there_without_the_secret) {
@@ -147,7 +144,7 @@ TEST_F(Edit, nothing_is_there_without_the_secret) {
     EXPECT_TRUE(contains(served_->get(path), " 404 ")) << path;
     EXPECT_TRUE(contains(put(path, "If-Match: *\r\n", "<svg>x</svg>"), " 404 ")) << path;
   }
-  EXPECT_EQ(read_whole(drawing_), kDrawing);
+  EXPECT_EQ(read_whole(drawing_), kBlankDrawing);
 }
 
 TEST_F(Edit, another_site_reaches_nothing_even_with_the_secret) {
@@ -163,7 +160,7 @@ TEST_F(Edit, another_site_reaches_nothing_even_with_the_secret) {
     const std::string headers = "If-Match: *\r\nOrigin: " + origin + "\r\n";
     EXPECT_TRUE(contains(put(secret_ + "drawing", headers, "<svg>x</svg>"), " 403 ")) << origin;
   }
-  EXPECT_EQ(read_whole(drawing_), kDrawing);
+  EXPECT_EQ(read_whole(drawing_), kBlankDrawing);
   const std::string own = "If-Match: *\r\nOrigin: http://" + served_->host() + "\r\n";
   EXPECT_TRUE(contains(put(secret_ + "drawing", own, "<svg>x</svg>"), " 204 "));
 }
@@ -176,7 +173,7 @@ TEST_F(Edit, other_methods_do_nothing) {
                                             "\r\nConnection: close\r\nContent-Length: 0\r\n\r\n");
     EXPECT_FALSE(answer.starts_with("HTTP/1.1 20")) << answer;
   }
-  EXPECT_EQ(read_whole(drawing_), kDrawing);
+  EXPECT_EQ(read_whole(drawing_), kBlankDrawing);
 }
 
 TEST_F(Edit, a_drawing_that_is_too_long_is_refused) {

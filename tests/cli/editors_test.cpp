@@ -10,7 +10,7 @@
 namespace sfumato::test {
 namespace {
 
-constexpr const char* kDrawing = R"svg(
+constexpr const char* kEditorsDrawing = R"svg(
 <svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1" viewBox="-8 0 256 256"
      sf:version="1">
   <defs>
@@ -50,7 +50,7 @@ void save(const std::string& command, const std::string& ours, const std::string
   EXPECT_NE(read_whole(ours), read_whole(saved)) << "nothing was saved";
 }
 
-double number_after(const std::string& json, const std::string& key) {
+double number_or_infinity(const std::string& json, const std::string& key) {
   const std::size_t at = json.find("\"" + key + "\":");
   if (at == std::string::npos) return std::numeric_limits<double>::infinity();
   return std::atof(json.c_str() + at + key.size() + 3);
@@ -66,15 +66,15 @@ void expect_same_picture(const TemporaryFolder& folder, const std::string& ours,
   ASSERT_EQ(rendered.exit_code, 0) << rendered.err << read_whole(saved);
   EXPECT_EQ(rendered.err, "");
   const std::string json = run_sfumato({"compare", "--json", picture, after}).out;
-  EXPECT_LT(number_after(json, "rms"), 0.2) << json;
-  EXPECT_LT(number_after(json, "maximum"), 16) << json;
+  EXPECT_LT(number_or_infinity(json, "rms"), 0.2) << json;
+  EXPECT_LT(number_or_infinity(json, "maximum"), 16) << json;
 }
 
 /// The document as we write it, saved by `command`, in which $1 is its name and $2 the new one.
 void expect_same_picture_after(const std::string& command) {
   const TemporaryFolder folder;
   const std::string ours = folder.path("ours.svg"), saved = folder.path("saved.svg");
-  ASSERT_EQ(run_sfumato({"convert", "-", "-o", ours}, kDrawing).exit_code, 0);
+  ASSERT_EQ(run_sfumato({"convert", "-", "-o", ours}, kEditorsDrawing).exit_code, 0);
   save(command, ours, saved);
   expect_same_picture(folder, ours, saved);
 }

@@ -14,19 +14,6 @@ namespace {
 
 using Arguments = std::vector<std::string>;
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
-Arguments names_in(const std::string& folder) {
-  Arguments names;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    names.push_back(entry.path().filename().string());
-  }
-  std::ranges::sort(names);
-  return names;
-}
-
 /// A canvas of 64 × 48 with a curve whose colours are these.
 std::string frame_scene(const std::string& left, int width = 64) {
   const std::string points =

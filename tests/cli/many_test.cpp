@@ -11,19 +11,6 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
-Names names_in(const std::string& folder) {
-  Names names;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    names.push_back(entry.path().filename().string());
-  }
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
 TEST(ManyDrawings, each_becomes_the_picture_that_it_becomes_alone) {
   const TemporaryFolder folder;
   const std::string a = folder.add("a.xml", two_curve_scene());
@@ -132,7 +119,7 @@ TEST(ManyDrawings, need_a_folder_and_names) {
   EXPECT_EQ(folder.names(), (Names{"a.xml", "b.xml"}));
 }
 
-struct BadPair {
+struct BadImageOption {
   const char* output;
   std::vector<std::string> options;
   const char* expected;
@@ -141,7 +128,7 @@ struct BadPair {
 TEST(ImageFormats, options_that_a_format_has_no_place_for_are_named) {
   const TemporaryFolder folder;
   const std::string a = folder.add("a.xml", two_curve_scene());
-  const BadPair cases[] = {
+  const BadImageOption cases[] = {
       {"o.jpg", {"--depth", "16"}, "PNG only"},
       {"o.webp", {"--depth", "16"}, "PNG only"},
       {"o.jpeg", {"--background", "none"}, "JPEG has no alpha"},
@@ -150,7 +137,7 @@ TEST(ImageFormats, options_that_a_format_has_no_place_for_are_named) {
       {"o.jpg", {"--lossless"}, "WebP only"},
       {"o.jpg", {"--quality", "0"}, "a whole number from 1 to 100"},
   };
-  for (const BadPair& bad : cases) {
+  for (const BadImageOption& bad : cases) {
     std::vector<std::string> arguments{"render", a, "-o", folder.path(bad.output)};
     arguments.insert(arguments.end(), bad.options.begin(), bad.options.end());
     const CommandResult result = run_sfumato(arguments);

@@ -12,10 +12,6 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 struct Output {
   const char* extension;
   const char* begin;  ///< of the file
@@ -129,7 +125,7 @@ TEST(Outputs, pages_have_the_size_that_was_asked_for) {
   EXPECT_TRUE(contains(svg, "width=\"128\" height=\"96\"")) << svg.substr(0, 300);
 }
 
-struct BadPair {
+struct BadOutputOption {
   const char* extension;
   Names options;
   const char* expected;
@@ -138,7 +134,7 @@ struct BadPair {
 TEST(Outputs, options_that_an_output_has_no_place_for_are_named) {
   const TemporaryFolder folder;
   const std::string drawing = folder.add("a.xml", two_curve_scene());
-  const BadPair cases[] = {
+  const BadOutputOption cases[] = {
       {"html", {"--depth", "16"}, "--depth"},
       {"pdf", {"--method", "pixels"}, "images only"},
       {"svg", {"--mesh-overlay"}, "images only"},
@@ -162,7 +158,7 @@ TEST(Outputs, options_that_an_output_has_no_place_for_are_named) {
       {"png", {"--device", "gpu", "--method", "pixels"}, "CPU only"},
       {"png", {"--gather", "gpu", "--method", "rays"}, "CPU only"},
   };
-  for (const BadPair& bad : cases) {
+  for (const BadOutputOption& bad : cases) {
     Names arguments{"render", drawing, "-o", folder.path(std::string("o.") + bad.extension)};
     arguments.insert(arguments.end(), bad.options.begin(), bad.options.end());
     const CommandResult result = run_sfumato(arguments);

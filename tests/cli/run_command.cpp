@@ -42,9 +42,9 @@ std::string TemporaryFolder::add(const std::string& name, const std::string& con
   return path(name);
 }
 
-std::vector<std::string> TemporaryFolder::names() const {
+std::vector<std::string> names_in(const std::filesystem::path& folder) {
   std::vector<std::string> found;
-  for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     found.push_back(entry.path().filename().string());
   }
   std::sort(found.begin(), found.end());
@@ -87,6 +87,10 @@ CommandResult run_sfumato(std::vector<std::string> arguments, const std::string&
 std::string read_whole(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
 }
 
 }  // namespace sfumato::test

@@ -17,6 +17,9 @@ struct CommandResult {
   std::size_t peak_bytes = 0;  ///< resident; this process's own at the start at least
 };
 
+/// The names of what is in a folder, sorted.
+std::vector<std::string> names_in(const std::filesystem::path& folder);
+
 /// A new folder that goes away with everything in it.
 class TemporaryFolder {
  public:
@@ -27,7 +30,7 @@ class TemporaryFolder {
 
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
   std::string add(const std::string& name, const std::string& content) const;
-  std::vector<std::string> names() const;  ///< sorted
+  std::vector<std::string> names() const { return names_in(folder_); }
 
  private:
   std::filesystem::path folder_;
@@ -52,5 +55,7 @@ CommandResult run_command(std::vector<std::string> arguments, const std::string&
 CommandResult run_sfumato(std::vector<std::string> arguments, const std::string& input = {});
 
 std::string read_whole(const std::string& path);
+
+bool contains(const std::string& text, const std::string& part);
 
 }  // namespace sfumato::test

@@ -126,13 +126,7 @@ INSTANTIATE_TEST_SUITE_P(For, SmallStack, testing::ValuesIn(drawings()), [](cons
   return fs::path(instance.param).stem().string();
 });
 
-std::string repeated(const std::string& text, int count) {
-  std::string all;
-  for (int i = 0; i < count; ++i) all += text;
-  return all;
-}
-
-std::string svg(const std::string& content) {
+std::string small_svg(const std::string& content) {
   return R"(<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1" )"
          R"(viewBox="0 0 64 48" sf:version="1">)" +
          content + "</svg>";
@@ -149,23 +143,24 @@ std::vector<DeepInput> deep_inputs() {
   for (int i = 1; i < 1000; ++i) {
     uses += "<g id='u" + std::to_string(i) + "'><use href='#u" + std::to_string(i - 1) + "'/></g>";
   }
-  const auto nested = [&](const std::string& open, int count) {
-    return svg(repeated(open, count) + layer + repeated("</g>", count));
+  const auto nested = [&](const std::string& open, std::size_t count) {
+    return small_svg(repeated(open, count) + layer + repeated("</g>", count));
   };
-  return {{"as_deep_as_allowed", nested("<g>", 250)},
-          {"deeper_than_allowed", nested("<g>", 300)},
-          {"a_million_groups", nested("<g>", 1'000'000)},
-          {"groups_never_closed", svg(repeated("<g>", 100'000))},
-          {"deep_compositing", nested("<g opacity='.9'>", 16)},
-          {"too_deep_compositing", nested("<g opacity='.9'>", 200)},
-          {"deep_switches", nested("<a><g>", 120) + "</a>"},
-          {"a_chain_of_uses", svg("<defs>" + uses + "</defs><use href='#u999'/>")},
-          {"a_circle_of_uses", svg("<g id='a'><use href='#a'/></g>")},
-          {"transforms",
-           svg("<g transform='" + repeated("rotate(1) ", 100'000) + "'>" + layer + "</g>")},
-          {"brackets", svg(repeated("<![CDATA[", 50'000))},
-          {"a_deep_doctype", "<!DOCTYPE svg [" + repeated("<![", 100'000) + "]>" + svg(layer)},
-          {"orzan", repeated("<curve_set>", 100'000)}};
+  return {
+      {"as_deep_as_allowed", nested("<g>", 250)},
+      {"deeper_than_allowed", nested("<g>", 300)},
+      {"a_million_groups", nested("<g>", 1'000'000)},
+      {"groups_never_closed", small_svg(repeated("<g>", 100'000))},
+      {"deep_compositing", nested("<g opacity='.9'>", 16)},
+      {"too_deep_compositing", nested("<g opacity='.9'>", 200)},
+      {"deep_switches", nested("<a><g>", 120) + "</a>"},
+      {"a_chain_of_uses", small_svg("<defs>" + uses + "</defs><use href='#u999'/>")},
+      {"a_circle_of_uses", small_svg("<g id='a'><use href='#a'/></g>")},
+      {"transforms",
+       small_svg("<g transform='" + repeated("rotate(1) ", 100'000) + "'>" + layer + "</g>")},
+      {"brackets", small_svg(repeated("<![CDATA[", 50'000))},
+      {"a_deep_doctype", "<!DOCTYPE svg [" + repeated("<![", 100'000) + "]>" + small_svg(layer)},
+      {"orzan", repeated("<curve_set>", 100'000)}};
 }
 
 TEST(SmallStackOf, deep_inputs_is_enough) {

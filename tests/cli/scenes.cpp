@@ -61,6 +61,17 @@ std::string busy_scene(int count) {
   return scene_xml(512, 512, curves);
 }
 
+std::string repeated(const std::string& text, std::size_t count) {
+  std::string result;
+  result.reserve(text.size() * count);
+  for (std::size_t i = 0; i < count; ++i) result += text;
+  return result;
+}
+
+std::string text_of(const std::vector<std::uint8_t>& bytes) {
+  return {bytes.begin(), bytes.end()};
+}
+
 std::string png_of(const Image& image) {
   Context context;
   const auto bytes = encode_png(context, image);

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include "sfumato/base/image.hpp"
 
@@ -22,6 +25,10 @@ std::string two_curve_scene();
 
 /// `count` open curves spread over a canvas of 512 × 512.
 std::string busy_scene(int count);
+
+std::string repeated(const std::string& text, std::size_t count);
+
+std::string text_of(const std::vector<std::uint8_t>& bytes);
 
 /// The bytes of a PNG of this image.
 std::string png_of(const Image& image);

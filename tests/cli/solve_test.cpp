@@ -12,7 +12,7 @@ namespace sfumato::test {
 namespace {
 
 /// A drawing of everything, with a size of its own.
-std::string drawing() {
+std::string drawing_of_everything() {
   return R"svg(<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1"
      width="96" height="72" viewBox="0 0 64 48" sf:version="1">
   <defs><linearGradient id="g" gradientUnits="userSpaceOnUse" x2="64"><stop stop-color="red"/>
@@ -29,7 +29,7 @@ std::string drawing() {
 std::string solved(const std::vector<std::string>& options = {}) {
   std::vector<std::string> call{"solve", "-", "-o", "-"};
   call.insert(call.end(), options.begin(), options.end());
-  const CommandResult result = run_sfumato(call, drawing());
+  const CommandResult result = run_sfumato(call, drawing_of_everything());
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(result.err, "");
   return result.out;
@@ -37,7 +37,7 @@ std::string solved(const std::vector<std::string>& options = {}) {
 
 TEST(Solve, every_output_of_a_solved_picture_is_that_of_its_drawing) {
   const TemporaryFolder folder;
-  folder.add("a.svg", drawing());
+  folder.add("a.svg", drawing_of_everything());
   struct Case {
     const char* name;
     std::vector<std::string> solving, drawing;
@@ -193,7 +193,7 @@ TEST(Solve, limits_end_it) {
 
 TEST(Solve, wrong_calls_are_refused) {
   const TemporaryFolder folder;
-  const std::string in = folder.add("a.svg", drawing());
+  const std::string in = folder.add("a.svg", drawing_of_everything());
   const auto error_of = [&](std::vector<std::string> call) {
     const CommandResult result = run_sfumato(std::move(call));
     EXPECT_EQ(result.exit_code, 2) << result.err;
@@ -216,7 +216,7 @@ TEST(Solve, wrong_calls_are_refused) {
 
 TEST(Solve, many_drawings_go_into_a_folder) {
   const TemporaryFolder folder;
-  folder.add("a.svg", drawing());
+  folder.add("a.svg", drawing_of_everything());
   folder.add("b.xml", two_curve_scene());
   const CommandResult result = run_sfumato({"solve", folder.path("a.svg"), folder.path("b.xml"),
                                             "--out-dir", folder.path("out"), "--stats", "-"});
@@ -228,7 +228,7 @@ TEST(Solve, many_drawings_go_into_a_folder) {
 
 TEST(Solve, the_file_is_replaced_in_one_step_or_not_at_all) {
   const TemporaryFolder folder;
-  const std::string in = folder.add("a.svg", drawing());
+  const std::string in = folder.add("a.svg", drawing_of_everything());
   const std::string out = folder.add("a.sfp", "as it was");
   EXPECT_EQ(run_sfumato({"solve", in, "-o", out, "--limit", "curves=0"}).exit_code, 3);
   EXPECT_TRUE(read_whole(out) == "as it was");

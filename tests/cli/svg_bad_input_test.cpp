@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/run_command.hpp"
+#include "cli/scenes.hpp"
 #include "formats/image_files.hpp"
 #include "support/sanitizers.hpp"
 
@@ -14,7 +15,7 @@ namespace sfumato::test {
 namespace {
 
 constexpr std::size_t kMillion = 1'000'000;
-constexpr double kMostSeconds = 2;
+constexpr double kMostBadInputSeconds = 2;
 constexpr std::size_t kMostBytes = std::size_t{256} << 20;
 
 /// Debug builds and sanitizers take longer and more.
@@ -24,34 +25,28 @@ constexpr bool kIsMeasured = true;
 constexpr bool kIsMeasured = false;
 #endif
 
-std::string repeated(const std::string& text, std::size_t count) {
-  std::string result;
-  result.reserve(text.size() * count);
-  for (std::size_t i = 0; i < count; ++i) result += text;
-  return result;
-}
-
 /// Line 1 is the <svg>, the content begins on line 2.
-std::string svg(const std::string& content) {
+std::string svg_of_lines(const std::string& content) {
   return "<svg xmlns='http://www.w3.org/2000/svg' xmlns:sf='urn:sfumato:1' viewBox='0 0 100 50' "
          "sf:version='1'>\n" +
          content + "\n</svg>\n";
 }
 
 /// A layer whose only curve, on line 2, has these attributes; then more content.
-std::string curve(const std::string& attributes, const std::string& more = "") {
-  return svg("<g sf:diffuse='true'><path d='M9 9h80' " + attributes + "/></g>\n" + more);
+std::string layer_of_curve(const std::string& attributes, const std::string& more = "") {
+  return svg_of_lines("<g sf:diffuse='true'><path d='M9 9h80' " + attributes + "/></g>\n" + more);
 }
 
 /// A curve with a gradient on line 3.
 std::string gradient(const std::string& attributes, const std::string& stops) {
-  return curve("sf:left='url(#p)'", "<linearGradient id='p' gradientUnits='userSpaceOnUse' " +
-                                        attributes + ">" + stops + "</linearGradient>");
+  return layer_of_curve("sf:left='url(#p)'",
+                        "<linearGradient id='p' gradientUnits='userSpaceOnUse' " + attributes +
+                            ">" + stops + "</linearGradient>");
 }
 
 /// A curve with a texture on line 4.
 std::string textured(const std::string& href) {
-  return curve(
+  return layer_of_curve(
       "sf:left='url(#p)'",
       "<pattern id='p' patternUnits='userSpaceOnUse' width='4' height='4'>\n<image href='" + href +
           "' width='4' height='4'/></pattern>");
@@ -67,10 +62,6 @@ std::string laughs(const std::string& first) {
               repeated("<use href='#g" + std::to_string(i - 1) + "'/>", 10) + "</g>";
   }
   return "<defs>" + groups + "</defs>";
-}
-
-std::string text_of(const std::vector<std::uint8_t>& bytes) {
-  return {bytes.begin(), bytes.end()};
 }
 
 void set_word(std::string& bytes, std::size_t at, std::size_t value, int byte_count) {
@@ -102,7 +93,7 @@ std::string damaged_png() {
   return png;
 }
 
-struct BadInput {
+struct BadDrawing {
   const char* name;
   std::string (*content)();
   int exit_code;
@@ -110,15 +101,15 @@ struct BadInput {
   std::string (*texture)() = nullptr;
 };
 
-void PrintTo(const BadInput& bad, std::ostream* out) {
+void PrintTo(const BadDrawing& bad, std::ostream* out) {
   *out << bad.name;
 }
 
-std::string name_of(const testing::TestParamInfo<BadInput>& bad) {
+std::string name_of_bad_drawing(const testing::TestParamInfo<BadDrawing>& bad) {
   return bad.param.name;
 }
 
-class SvgBadInput : public testing::TestWithParam<BadInput> {
+class SvgBadInput : public testing::TestWithParam<BadDrawing> {
  protected:
   /// Writes bad.svg and what it refers to. This process stays small: the commands' peak of memory
   /// begins at its own.
@@ -128,7 +119,7 @@ class SvgBadInput : public testing::TestWithParam<BadInput> {
 
   void expect_cheap(const CommandResult& result) {
     if (!kIsMeasured) return;
-    EXPECT_LT(result.cpu_seconds, kMostSeconds);
+    EXPECT_LT(result.cpu_seconds, kMostBadInputSeconds);
     EXPECT_LT(result.peak_bytes, kMostBytes);
   }
 
@@ -137,7 +128,7 @@ class SvgBadInput : public testing::TestWithParam<BadInput> {
 };
 
 TEST_P(SvgBadInput, ends_soon_with_its_exit_code_and_one_line) {
-  const BadInput& bad = GetParam();
+  const BadDrawing& bad = GetParam();
   const std::string output = folder_.add("out.png", "as it was");
   const CommandResult result = run_sfumato({"render", input_, "-o", output});
   EXPECT_EQ(result.exit_code, bad.exit_code);
@@ -150,15 +141,15 @@ TEST_P(SvgBadInput, ends_soon_with_its_exit_code_and_one_line) {
   expect_cheap(info);
 }
 
-const BadInput kReferences[] = {
-    {"undefined_url", [] { return curve("sf:left='url(#p)'"); }, 1,
+const BadDrawing kReferences[] = {
+    {"undefined_url", [] { return layer_of_curve("sf:left='url(#p)'"); }, 1,
      "2:22: error: <path> refers to #p, but no element has that id"},
-    {"undefined_use", [] { return svg("<use href='#p'/>"); }, 1,
+    {"undefined_use", [] { return svg_of_lines("<use href='#p'/>"); }, 1,
      "2:1: error: <use> refers to #p, but no element has that id"},
     {"cyclic_use",
-     [] { return svg("<g id='a'><use href='#b'/></g>\n<g id='b'><use href='#a'/></g>"); }, 1,
-     "2:11: error: the <use> goes round in a circle: #b → #a → #b"},
-    {"use_of_its_own_group", [] { return svg("<g id='a'><use href='#a'/></g>"); }, 1,
+     [] { return svg_of_lines("<g id='a'><use href='#b'/></g>\n<g id='b'><use href='#a'/></g>"); },
+     1, "2:11: error: the <use> goes round in a circle: #b → #a → #b"},
+    {"use_of_its_own_group", [] { return svg_of_lines("<g id='a'><use href='#a'/></g>"); }, 1,
      "2:11: error: the <use> goes round in a circle: #a → #a"},
     {"undefined_href_of_a_gradient", [] { return gradient("href='#q'", ""); }, 1,
      "3:1: error: <linearGradient> refers to #q, but no element has that id"},
@@ -166,7 +157,8 @@ const BadInput kReferences[] = {
      "3:1: error: the hrefs of paints go round in a circle: #p → #p"},
     {"cyclic_pattern",
      [] {
-       return curve("sf:left='url(#p)'", "<pattern id='p' href='#q'/><pattern id='q' href='#p'/>");
+       return layer_of_curve("sf:left='url(#p)'",
+                             "<pattern id='p' href='#q'/><pattern id='q' href='#p'/>");
      },
      1, "3:1: error: the hrefs of paints go round in a circle: #p → #q → #p"},
     {"long_chain_of_gradients",
@@ -176,7 +168,7 @@ const BadInput kReferences[] = {
          chain += "<linearGradient id='p" + std::to_string(i) + "' href='#p" +
                   std::to_string(i + 1) + "'/>";
        }
-       return curve("sf:left='url(#p0)'", chain);
+       return layer_of_curve("sf:left='url(#p0)'", chain);
      },
      3,
      "3:1: error: more than the limit of 256 paints that inherit from each other "
@@ -184,7 +176,7 @@ const BadInput kReferences[] = {
 };
 
 // Files that are missing or lie elsewhere: svg_input_test.cpp.
-const BadInput kTextures[] = {
+const BadDrawing kTextures[] = {
     {"lying_png", [] { return textured("texture"); }, 3,
      "4:1: error: \"texture\": an image of 60000 × 60000 pixels; the limit is 16384 pixels on a "
      "side (--limit image-side=N sets another)",
@@ -224,34 +216,38 @@ const BadInput kTextures[] = {
      [] { return std::string("hello\n"); }},
 };
 
-const BadInput kStopLists[] = {
-    {"empty", [] { return curve("sf:left=''"); }, 1,
+const BadDrawing kStopLists[] = {
+    {"empty", [] { return layer_of_curve("sf:left=''"); }, 1,
      "2:22: error: sf:left of <path>: is empty; expected a list of stops"},
-    {"of_commas", [] { return curve("sf:blur=',,'"); }, 1,
+    {"of_commas", [] { return layer_of_curve("sf:blur=',,'"); }, 1,
      "2:22: error: sf:blur of <path>: a stop is missing beside a comma"},
     {"empty_gradient", [] { return gradient("", ""); }, 1,
      "3:1: error: the gradient has no stops; expected one at least"},
-    {"out_of_order", [] { return curve("sf:left='red 90%, lime 20%, blue 50%'"); }, 0, ""},
+    {"out_of_order", [] { return layer_of_curve("sf:left='red 90%, lime 20%, blue 50%'"); }, 0, ""},
     {"out_of_order_in_a_gradient",
      [] { return gradient("", "<stop offset='.9'/><stop offset='.2' stop-color='red'/>"); }, 0, ""},
-    {"nan_offset", [] { return curve("sf:left='red nan%'"); }, 1,
+    {"nan_offset", [] { return layer_of_curve("sf:left='red nan%'"); }, 1,
      "2:22: error: sf:left of <path>: the offset \"nan%\" is none; expected 0% to 100% of the "
      "length, or @ and a segment like @2.5"},
-    {"nan_value", [] { return curve("sf:left='red' sf:opacity='1, nan'"); }, 1,
+    {"nan_value", [] { return layer_of_curve("sf:left='red' sf:opacity='1, nan'"); }, 1,
      "2:22: error: sf:opacity of <path>: \"nan\" is no opacity; expected a number from 0 to 1"},
     {"nan_in_a_gradient", [] { return gradient("", "<stop offset='nan'/>"); }, 1,
      "3:56: error: offset of <stop> is \"nan\"; expected a number from 0 to 1 or a percentage"},
-    {"million_colours", [] { return curve("sf:left='red" + repeated(",blue", kMillion) + "'"); }, 3,
+    {"million_colours",
+     [] { return layer_of_curve("sf:left='red" + repeated(",blue", kMillion) + "'"); }, 3,
      "2:22: error: sf:left of <path>: more than the limit of 10000 stops in one list "
      "(--limit stops-per-list=N sets another)"},
     {"million_opacities",
-     [] { return curve("sf:left='red' sf:right-opacity='1" + repeated(",0", kMillion) + "'"); }, 3,
+     [] {
+       return layer_of_curve("sf:left='red' sf:right-opacity='1" + repeated(",0", kMillion) + "'");
+     },
+     3,
      "2:22: error: sf:right-opacity of <path>: more than the limit of 10000 stops in one list "
      "(--limit stops-per-list=N sets another)"},
     {"million_radii",
      [] {
-       return svg("<path d='M9 9h80' sf:left='red' sf:radius='1" + repeated(",2", kMillion) +
-                  "'/>");
+       return svg_of_lines("<path d='M9 9h80' sf:left='red' sf:radius='1" +
+                           repeated(",2", kMillion) + "'/>");
      },
      3,
      "2:1: error: sf:radius of <path>: more than the limit of 10000 stops in one list "
@@ -261,7 +257,7 @@ const BadInput kStopLists[] = {
      "(--limit stops-per-list=N sets another)"},
 };
 
-const BadInput kBombs[] = {
+const BadDrawing kBombs[] = {
     {"laughs_of_entities",
      [] {
        std::string entities = "<!ENTITY a0 'ha'>";
@@ -269,84 +265,92 @@ const BadInput kBombs[] = {
          entities += "<!ENTITY a" + std::to_string(i) + " '" +
                      repeated("&a" + std::to_string(i - 1) + ";", 10) + "'>";
        }
-       return "<!DOCTYPE svg [" + entities + "]>" + svg("<g id='&a9;'>&a9;</g>" + kLayer);
+       return "<!DOCTYPE svg [" + entities + "]>" + svg_of_lines("<g id='&a9;'>&a9;</g>" + kLayer);
      },
      0, ""},
-    {"uses_of_layers", [] { return svg(laughs(kLayer) + "<use href='#g9'/>"); }, 3,
+    {"uses_of_layers", [] { return svg_of_lines(laughs(kLayer) + "<use href='#g9'/>"); }, 3,
      "2:18: error: more than the limit of 200000 layers, local curves and groups after every use "
      "was followed "
      "(--limit stack-items=N sets another)"},
-    {"uses_of_nothing", [] { return svg(laughs("") + "<use href='#g9'/>"); }, 3,
+    {"uses_of_nothing", [] { return svg_of_lines(laughs("") + "<use href='#g9'/>"); }, 3,
      "2:7: error: more than the limit of 1000000 elements read through <use> "
      "(--limit used-elements=N sets another)"},
     {"uses_of_curves",
      [] {
-       return svg(laughs("<path d='M9 9h9' sf:left='red'/>") +
-                  "<g sf:diffuse='true'><use href='#g9'/></g>");
+       return svg_of_lines(laughs("<path d='M9 9h9' sf:left='red'/>") +
+                           "<g sf:diffuse='true'><use href='#g9'/></g>");
      },
      3,
      "2:18: error: more than the limit of 200000 curves "
      "(--limit curves=N sets another)"},
     {"uses_of_stops",
      [] {
-       return svg(laughs("<path d='M9 9h9' sf:left='red" + repeated(",lime", 9'999) + "'/>") +
-                  "<g sf:diffuse='true'><use href='#g9'/></g>");
+       return svg_of_lines(
+           laughs("<path d='M9 9h9' sf:left='red" + repeated(",lime", 9'999) + "'/>") +
+           "<g sf:diffuse='true'><use href='#g9'/></g>");
      },
      3,
      "2:18: error: more than the limit of 16777216 bytes read again through <use> or for paints "
      "(--limit used-bytes=N sets another)"},
-    {"nested_groups", [] { return svg(repeated("<g>", kMillion) + repeated("</g>", kMillion)); }, 3,
+    {"nested_groups",
+     [] { return svg_of_lines(repeated("<g>", kMillion) + repeated("</g>", kMillion)); }, 3,
      "2:766: error: more than the limit of 256 elements within each other "
      "(--limit xml-depth=N sets another)"},
 };
 
-const BadInput kValues[] = {
-    {"garbage_in_a_path", [] { return svg("<g sf:diffuse='true'><path d='M0 0 L9 9 @#%'/></g>"); },
-     1,
+const BadDrawing kValues[] = {
+    {"garbage_in_a_path",
+     [] { return svg_of_lines("<g sf:diffuse='true'><path d='M0 0 L9 9 @#%'/></g>"); }, 1,
      "2:22: error: d of <path>: at character 11, before \"@#%\": expected a path command, one of "
      "MmLlHhVvCcSsQqTtAaZz"},
-    {"bytes_in_a_path", [] { return svg("<g sf:diffuse='true'><path d='M0 0 \x01\x02'/></g>"); }, 1,
+    {"bytes_in_a_path",
+     [] { return svg_of_lines("<g sf:diffuse='true'><path d='M0 0 \x01\x02'/></g>"); }, 1,
      "2:22: error: d of <path>: at character 6, before \"??\": expected a path command, one of "
      "MmLlHhVvCcSsQqTtAaZz"},
     {"megabyte_of_garbage",
-     [] { return svg("<g sf:diffuse='true'><path d='" + repeated("x", kMillion) + "'/></g>"); }, 1,
-     "2:22: error: d of <path>: at character 1, before \"xxxxxxxxxxxx\": expected M or m"},
-    {"negative_radius_of_a_circle", [] { return svg("<g sf:diffuse='true'><circle r='-1'/></g>"); },
-     1, "2:22: error: r of <circle> is negative; expected 0 or more"},
+     [] {
+       return svg_of_lines("<g sf:diffuse='true'><path d='" + repeated("x", kMillion) + "'/></g>");
+     },
+     1, "2:22: error: d of <path>: at character 1, before \"xxxxxxxxxxxx\": expected M or m"},
+    {"negative_radius_of_a_circle",
+     [] { return svg_of_lines("<g sf:diffuse='true'><circle r='-1'/></g>"); }, 1,
+     "2:22: error: r of <circle> is negative; expected 0 or more"},
     {"negative_radius_of_a_corner",
-     [] { return svg("<g sf:diffuse='true'><rect width='3' height='3' rx='-1'/></g>"); }, 1,
-     "2:22: error: rx of <rect> is negative; expected 0 or more"},
-    {"negative_radius_of_blur", [] { return curve("sf:left='red' sf:blur='3, -1'"); }, 1,
+     [] { return svg_of_lines("<g sf:diffuse='true'><rect width='3' height='3' rx='-1'/></g>"); },
+     1, "2:22: error: rx of <rect> is negative; expected 0 or more"},
+    {"negative_radius_of_blur", [] { return layer_of_curve("sf:left='red' sf:blur='3, -1'"); }, 1,
      "2:22: error: sf:blur of <path>: \"-1\" is no blur radius; expected a number from 0 to "
      "10000000"},
     {"negative_radius_of_influence",
-     [] { return svg("<path d='M9 9h80' sf:left='red' sf:radius='-1'/>"); }, 1,
+     [] { return svg_of_lines("<path d='M9 9h80' sf:left='red' sf:radius='-1'/>"); }, 1,
      "2:1: error: sf:radius of <path>: \"-1\" is no radius of influence; expected a number from 0 "
      "to 10000000"},
     {"negative_radius_of_a_gradient",
      [] {
-       return curve("sf:left='url(#p)'",
-                    "<radialGradient id='p' gradientUnits='userSpaceOnUse' r='-1'><stop/>"
-                    "</radialGradient>");
+       return layer_of_curve("sf:left='url(#p)'",
+                             "<radialGradient id='p' gradientUnits='userSpaceOnUse' r='-1'><stop/>"
+                             "</radialGradient>");
      },
      1, "3:1: error: r is negative; expected 0 or more"},
-    {"alpha_in_hex", [] { return curve("sf:left='#ff000080'"); }, 1,
+    {"alpha_in_hex", [] { return layer_of_curve("sf:left='#ff000080'"); }, 1,
      "2:22: error: sf:left of <path>: the colour \"#ff000080\" is not opaque; expected an opaque "
      "colour, and sf:left-opacity, sf:right-opacity or sf:opacity for the opacity"},
-    {"alpha_in_rgba", [] { return curve("sf:right='lime, rgba(255,0,0,.5)'"); }, 1,
+    {"alpha_in_rgba", [] { return layer_of_curve("sf:right='lime, rgba(255,0,0,.5)'"); }, 1,
      "2:22: error: sf:right of <path>: the colour \"rgba(255,0,0,.5)\" is not opaque; expected an "
      "opaque colour, and sf:left-opacity, sf:right-opacity or sf:opacity for the opacity"},
-    {"alpha_of_transparent", [] { return curve("sf:left='transparent'"); }, 1,
+    {"alpha_of_transparent", [] { return layer_of_curve("sf:left='transparent'"); }, 1,
      "2:22: error: sf:left of <path>: the colour \"transparent\" is not opaque; expected an opaque "
      "colour, and sf:left-opacity, sf:right-opacity or sf:opacity for the opacity"},
-    {"alpha_of_1", [] { return curve("sf:left='#ff0000ff'"); }, 0, ""},
+    {"alpha_of_1", [] { return layer_of_curve("sf:left='#ff0000ff'"); }, 0, ""},
 };
 
-INSTANTIATE_TEST_SUITE_P(References, SvgBadInput, testing::ValuesIn(kReferences), name_of);
-INSTANTIATE_TEST_SUITE_P(Textures, SvgBadInput, testing::ValuesIn(kTextures), name_of);
-INSTANTIATE_TEST_SUITE_P(StopLists, SvgBadInput, testing::ValuesIn(kStopLists), name_of);
-INSTANTIATE_TEST_SUITE_P(Bombs, SvgBadInput, testing::ValuesIn(kBombs), name_of);
-INSTANTIATE_TEST_SUITE_P(Values, SvgBadInput, testing::ValuesIn(kValues), name_of);
+INSTANTIATE_TEST_SUITE_P(References, SvgBadInput, testing::ValuesIn(kReferences),
+                         name_of_bad_drawing);
+INSTANTIATE_TEST_SUITE_P(Textures, SvgBadInput, testing::ValuesIn(kTextures), name_of_bad_drawing);
+INSTANTIATE_TEST_SUITE_P(StopLists, SvgBadInput, testing::ValuesIn(kStopLists),
+                         name_of_bad_drawing);
+INSTANTIATE_TEST_SUITE_P(Bombs, SvgBadInput, testing::ValuesIn(kBombs), name_of_bad_drawing);
+INSTANTIATE_TEST_SUITE_P(Values, SvgBadInput, testing::ValuesIn(kValues), name_of_bad_drawing);
 
 }  // namespace
 }  // namespace sfumato::test

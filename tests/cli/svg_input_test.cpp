@@ -16,7 +16,7 @@ constexpr const char* kHead =
     "<svg xmlns='http://www.w3.org/2000/svg' xmlns:sf='urn:sfumato:1' viewBox='0 0 64 48' "
     "sf:version='1'>\n";
 
-std::string drawing(const std::string& href) {
+std::string textured_drawing(const std::string& href) {
   return kHead +
          ("<pattern id='p' patternUnits='userSpaceOnUse' width='64' height='64'>\n<image href='" +
           href +
@@ -42,7 +42,8 @@ class SvgInput : public testing::Test {
   }
 
   CommandResult info_of(const std::string& href, const std::vector<std::string>& allowed = {}) {
-    std::vector<std::string> command{"info", folder_.add("art/drawing.svg", drawing(href))};
+    std::vector<std::string> command{"info",
+                                     folder_.add("art/drawing.svg", textured_drawing(href))};
     for (const std::string& folder : allowed) {
       command.insert(command.end(), {"--allow-files", folder});
     }
@@ -98,7 +99,7 @@ TEST_F(SvgInput, textures_from_elsewhere_need_leave) {
 }
 
 TEST_F(SvgInput, every_command_takes_folders) {
-  const std::string input = folder_.add("art/drawing.svg", drawing("../wood.png"));
+  const std::string input = folder_.add("art/drawing.svg", textured_drawing("../wood.png"));
   const std::vector<std::vector<std::string>> commands{
       {"render", input, "-o", folder_.path("out.png")},
       {"convert", input, "-o", folder_.path("out.svg")},
@@ -142,7 +143,7 @@ TEST_F(SvgInput, a_document_from_stdin_is_in_the_current_folder) {
   const auto info_in = [this](const std::string& folder) {
     return run_command({"/bin/sh", "-c", "cd \"$1\" && exec \"$2\" info -", "sh",
                         folder_.path(folder), sfumato_program()},
-                       drawing("../art/wood.png"));
+                       textured_drawing("../art/wood.png"));
   };
   EXPECT_EQ(info_in("art").exit_code, 0) << info_in("art").err;
   const CommandResult elsewhere = info_in("other");
@@ -191,7 +192,7 @@ TEST_F(SvgInput, format_is_told_and_render_draws) {
 
 TEST_F(SvgInput, packed_documents_are_read) {
   const std::string path = folder_.path("art/drawing.svgz");
-  const std::string text = drawing("wood.png");
+  const std::string text = textured_drawing("wood.png");
   gzFile file = gzopen(path.c_str(), "wb");
   ASSERT_NE(file, nullptr);
   gzwrite(file, text.data(), static_cast<unsigned>(text.size()));

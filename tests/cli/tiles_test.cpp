@@ -34,10 +34,6 @@ std::map<std::string, std::string> content_of(const std::string& folder) {
   return content;
 }
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 TEST(Tiles, a_folder_gets_a_description_and_tiles) {
   const TemporaryFolder folder;
   const std::string picture = solved_in(folder);
@@ -88,7 +84,7 @@ TEST(Tiles, more_than_was_solved_for_is_told) {
   EXPECT_TRUE(contains(result.err, "solved for 8 pixels per user unit, drawn at 16")) << result.err;
 }
 
-struct BadUsage {
+struct BadTilesUsage {
   Names options;
   const char* expected;
 };
@@ -96,7 +92,7 @@ struct BadUsage {
 TEST(Tiles, bad_usage_is_named) {
   const TemporaryFolder folder;
   const std::string picture = solved_in(folder);
-  const BadUsage cases[] = {
+  const BadTilesUsage cases[] = {
       {{"-o", "deep", "--shard", "16/16"}, "I/N, with I from 0 to N - 1"},
       {{"-o", "deep", "--shard", "3"}, "I/N"},
       {{"-o", "deep", "--shard", "-1/4"}, "I/N"},
@@ -114,7 +110,7 @@ TEST(Tiles, bad_usage_is_named) {
       {{"-o", "a.tif", "--tile", "100"}, "multiple of 16"},
       {{}, "--output"},
   };
-  for (const BadUsage& bad : cases) {
+  for (const BadTilesUsage& bad : cases) {
     Names call{"tiles", picture};
     call.insert(call.end(), bad.options.begin(), bad.options.end());
     const CommandResult result = run_sfumato(call);

@@ -21,14 +21,6 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-std::string text_of(const Bytes& bytes) {
-  return {bytes.begin(), bytes.end()};
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 /// A disc on a ground of another colour.
 Image disc(int width, int height) {
   Image image{width, height, PixelFormat::rgb8, {}};
@@ -244,13 +236,13 @@ TEST(Trace, takes_all_its_options) {
   }
 }
 
-struct BadUsage {
+struct BadTraceUsage {
   std::vector<std::string> options;
   const char* expected;
 };
 
 TEST(Trace, wrong_options_are_told_and_nothing_is_done) {
-  const BadUsage cases[] = {
+  const BadTraceUsage cases[] = {
       {{"--points", "0"}, "expected a whole number from 1 to 4000000"},
       {{"--detail", "1.5"}, "expected a number from 0 to 1"},
       {{"--detail", "nan"}, "expected a number from 0 to 1"},
@@ -281,7 +273,7 @@ TEST(Trace, wrong_options_are_told_and_nothing_is_done) {
       {{"--colors-only", "a.svg", "--only", "0:0,"}, "--only: \"0:0,\" given, expected"},
       {{"--colors-only", "a.svg", "--only", "0:4294967296"}, "expected LAYER:CURVE"},
   };
-  for (const BadUsage& bad : cases) {
+  for (const BadTraceUsage& bad : cases) {
     const TemporaryFolder folder;
     const CommandResult result = trace(folder, disc_png(), bad.options);
     EXPECT_EQ(result.exit_code, 2) << bad.options.front() << result.err;
@@ -294,7 +286,7 @@ TEST(Trace, files_that_do_not_go_together_are_bad_usage) {
   const TemporaryFolder folder;
   const std::string a = folder.add("a.png", disc_png()), b = folder.add("b.png", disc_png());
   const std::string drawing = folder.add("d.svg", "x"), out = folder.path("o.svg");
-  const BadUsage cases[] = {
+  const BadTraceUsage cases[] = {
       {{a}, "--output: expected, or --out-dir"},
       {{a, b, "-o", out}, "several pictures given, expected --out-dir for their drawings"},
       {{"-", b, "--out-dir", folder.path("o")}, "stdin has no name, expected -o"},
@@ -308,7 +300,7 @@ TEST(Trace, files_that_do_not_go_together_are_bad_usage) {
        "the drawing would replace the picture"},
   };
   const Names before = folder.names();
-  for (const BadUsage& bad : cases) {
+  for (const BadTraceUsage& bad : cases) {
     std::vector<std::string> arguments = bad.options;
     arguments.insert(arguments.begin(), "trace");
     const CommandResult result = run_sfumato(arguments, disc_png());

@@ -13,10 +13,6 @@ CommandResult render_with(const TemporaryFolder& folder, std::vector<std::string
   return run_sfumato(std::move(options));
 }
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 TEST(Usage, help_without_arguments_is_an_error) {
   const CommandResult result = run_sfumato({});
   EXPECT_EQ(result.exit_code, 2);

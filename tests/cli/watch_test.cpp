@@ -12,7 +12,7 @@
 namespace sfumato::test {
 namespace {
 
-std::string drawing(const std::string& color) {
+std::string drawing_in(const std::string& color) {
   return "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:sf=\"urn:sfumato:1\" "
          "viewBox=\"0 0 16 16\" sf:version=\"1\"><g sf:diffuse=\"true\"><circle cx=\"8\" cy=\"8\" "
          "r=\"5\" sf:left=\"white\" sf:right=\"" +
@@ -52,7 +52,7 @@ class Watch : public ServedCommand {
 
 TEST(Watch, serves_a_page_and_the_newest_picture_to_many) {
   const TemporaryFolder folder;
-  const std::string file = folder.add("a.svg", drawing("red"));
+  const std::string file = folder.add("a.svg", drawing_in("red"));
   Watch watch({file});
   EXPECT_NE(watch.get("/").find("sfumato watch"), std::string::npos);
   EXPECT_NE(watch.get("/").find("default-src 'none'"), std::string::npos);
@@ -61,7 +61,7 @@ TEST(Watch, serves_a_page_and_the_newest_picture_to_many) {
   EXPECT_EQ(before.substr(1, 3), "PNG");
   std::string second_client;
   std::thread other([&] { second_client = watch.wait_for("\"picture\":2"); });
-  write(file, drawing("blue"));
+  write(file, drawing_in("blue"));
   watch.wait_for("\"picture\":2");
   other.join();
   EXPECT_NE(second_client.find("\"picture\":2"), std::string::npos);
@@ -71,13 +71,13 @@ TEST(Watch, serves_a_page_and_the_newest_picture_to_many) {
 
 TEST(Watch, follows_files_that_are_replaced_by_renaming) {
   const TemporaryFolder folder;
-  const std::string file = folder.add("a.svg", drawing("red"));
+  const std::string file = folder.add("a.svg", drawing_in("red"));
   const std::string picture = folder.path("a.png");
   Watch watch({file, "-o", picture});
   watch.wait_for("\"picture\":1");
   const std::string before = read_whole(picture);
   for (int i = 2; i < 5; ++i) {
-    const std::string next = folder.add("next.svg", drawing("#00000" + std::to_string(i)));
+    const std::string next = folder.add("next.svg", drawing_in("#00000" + std::to_string(i)));
     std::filesystem::rename(next, file);
     watch.wait_for("\"picture\":" + std::to_string(i));
   }
@@ -87,16 +87,16 @@ TEST(Watch, follows_files_that_are_replaced_by_renaming) {
 
 TEST(Watch, keeps_the_last_good_picture_and_shows_what_is_wrong) {
   const TemporaryFolder folder;
-  const std::string file = folder.add("a.svg", drawing("red"));
+  const std::string file = folder.add("a.svg", drawing_in("red"));
   Watch watch({file});
   watch.wait_for("\"picture\":1");
   const std::string before = watch.picture();
-  write(file, drawing("nonsense"));
+  write(file, drawing_in("nonsense"));
   const std::string state = watch.wait_for("\"failed\":true");
   EXPECT_NE(state.find("nonsense"), std::string::npos) << state;
   EXPECT_EQ(watch.picture(), before);
   std::filesystem::remove(file);
-  write(file, drawing("blue"));
+  write(file, drawing_in("blue"));
   watch.wait_for("\"picture\":2");
 }
 
@@ -105,20 +105,20 @@ TEST(Watch, draws_anew_when_a_texture_changes) {
   const std::string texture =
       "<pattern id=\"t\" patternUnits=\"userSpaceOnUse\" width=\"4\" "
       "height=\"4\"><image href=\"t.png\" width=\"4\" height=\"4\"/></pattern>";
-  std::string text = drawing("url(#t)");
+  std::string text = drawing_in("url(#t)");
   text.insert(text.find("<g "), texture);
   const std::string file = folder.add("a.svg", text);
   Watch watch({file});
   watch.wait_for("\"failed\":true");  // it is not there yet
   const CommandResult made =
-      run_sfumato({"render", "-", "-o", folder.path("t.png"), "--width", "4"}, drawing("red"));
+      run_sfumato({"render", "-", "-o", folder.path("t.png"), "--width", "4"}, drawing_in("red"));
   EXPECT_EQ(made.exit_code, 0) << made.err;
   watch.wait_for("\"picture\":1");
 }
 
 TEST(Watch, answers_this_machine_by_name_alone_and_has_no_files) {
   const TemporaryFolder folder;
-  Watch watch({folder.add("a.svg", drawing("red"))});
+  Watch watch({folder.add("a.svg", drawing_in("red"))});
   EXPECT_NE(watch.get("/", "evil.example").find(" 403 "), std::string::npos);
   EXPECT_NE(watch.get("/", "127.0.0.1").find(" 403 "), std::string::npos);
   EXPECT_NE(watch.get("/", "localhost:" + std::to_string(watch.port())).find(" 200 "),
@@ -137,7 +137,7 @@ TEST(Watch, answers_this_machine_by_name_alone_and_has_no_files) {
 
 TEST(Watch, answers_no_page_of_another_origin) {
   const TemporaryFolder folder;
-  Watch watch({folder.add("a.svg", drawing("red"))});
+  Watch watch({folder.add("a.svg", drawing_in("red"))});
   const auto from = [&watch](const std::string& origin) {
     return watch.ask("GET / HTTP/1.1\r\nHost: " + watch.host() + "\r\nOrigin: " + origin +
                      "\r\nConnection: close\r\n\r\n");
@@ -149,7 +149,7 @@ TEST(Watch, answers_no_page_of_another_origin) {
 
 TEST(Watch, a_port_that_is_taken_is_told) {
   const TemporaryFolder folder;
-  const std::string file = folder.add("a.svg", drawing("red"));
+  const std::string file = folder.add("a.svg", drawing_in("red"));
   Watch watch({file});
   const CommandResult second = run_sfumato({"watch", file, "--port", std::to_string(watch.port())});
   EXPECT_EQ(second.exit_code, 3);
