@@ -154,13 +154,13 @@ void add_compare(Family& family) {
   bomb.with("a", [] { return png_of_zeros({5000, 5000, 8, 0}, 5000); });
 }
 
-void add_cases(Family& family) {
+void add_commands_cases(Family& family) {
   add_calls(family);
   add_outputs(family);
   add_compare(family);
 }
 
-const Register kCommands("commands", add_cases);
+const Register kCommands("commands", add_commands_cases);
 
 }  // namespace
 }  // namespace sfumato::hostile

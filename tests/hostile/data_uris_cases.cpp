@@ -10,7 +10,7 @@ std::string data(const std::string& text) {
   return textured("data:image/png;base64," + text);
 }
 
-void add_cases(Family& family) {
+void add_data_uris_cases(Family& family) {
   const std::string good = base64(good_png());
   family.add("good", kDone, "", data(good));
   family.add("without_type", kDone, "", textured("data:;base64," + good));
@@ -81,7 +81,7 @@ void add_cases(Family& family) {
   });
 }
 
-const Register kDataUris("data_uris", add_cases);
+const Register kDataUris("data_uris", add_data_uris_cases);
 
 }  // namespace
 }  // namespace sfumato::hostile

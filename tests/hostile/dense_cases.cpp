@@ -49,13 +49,13 @@ void add_dust(Family& family) {
       .also({"--max-time", "1", "--threads", "1"});
 }
 
-void add_cases(Family& family) {
+void add_dense_cases(Family& family) {
   add_dust(family);
   add_open_sides(family);
   add_close(family);
 }
 
-const Register kDense("dense", add_cases);
+const Register kDense("dense", add_dense_cases);
 
 }  // namespace
 }  // namespace sfumato::hostile

@@ -30,6 +30,8 @@ std::string painted(const std::string& paint);
 
 /// A curve with a texture on line 4: <image href>.
 std::string textured(const std::string& href);
+/// One whose image, the file t, fills its tile whatever its shape.
+inline const std::string kTextured = textured("t' preserveAspectRatio='none");
 
 /// A layer that is easy to draw.
 inline const std::string kLayer = "<g sf:diffuse='true'><path d='M9 9h80' sf:left='red'/></g>";

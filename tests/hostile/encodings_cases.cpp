@@ -93,13 +93,13 @@ void add_zeros(Family& family) {
                    "der'"));
 }
 
-void add_cases(Family& family) {
+void add_encodings_cases(Family& family) {
   add_marks(family);
   add_invalid(family);
   add_zeros(family);
 }
 
-const Register kEncodings("encodings", add_cases);
+const Register kEncodings("encodings", add_encodings_cases);
 
 }  // namespace
 }  // namespace sfumato::hostile

@@ -18,7 +18,7 @@ std::string laughing_entities(int levels) {
   return entities;
 }
 
-void add_cases(Family& family) {
+void add_entities_cases(Family& family) {
   family.add("billion_laughs", kDone, "",
              [] { return typed(laughing_entities(9), "<g id='&a9;'>&a9;</g>"); });
   family.add("quadratic_blowup", kDone, "", [] {
@@ -80,7 +80,7 @@ void add_cases(Family& family) {
       svg("<xi:include xmlns:xi='http://www.w3.org/2001/XInclude' href='in.svg'/>" + kLayer));
 }
 
-const Register kEntities("entities", add_cases);
+const Register kEntities("entities", add_entities_cases);
 
 }  // namespace
 }  // namespace sfumato::hostile

@@ -57,7 +57,7 @@ const Odd kOdd[] = {
      }},
 };
 
-void add_cases(Family& family) {
+void add_exports_cases(Family& family) {
   for (const Odd& odd : kOdd) {
     for (const char* output :
          {"png", "jpg", "webp", "html", "pdf", "eps", "svg", "glb", "sfv", "npz", "ply", "json"}) {
@@ -76,7 +76,7 @@ void add_cases(Family& family) {
   }
 }
 
-const Register kExports("exports", add_cases);
+const Register kExports("exports", add_exports_cases);
 
 }  // namespace
 }  // namespace sfumato::hostile

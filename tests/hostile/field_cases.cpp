@@ -13,7 +13,7 @@ std::string plain(const std::string& content, const std::string& size = "width='
 }
 
 /// Each is drawn by other programs too: nothing of ours is in it.
-void add_cases(Family& family) {
+void add_field_cases(Family& family) {
   const char* empty = "the picture is empty";
   const char* not_read = "is not read";
   family.add("attributes_200000", kLimit, "more than the limit of 1024 attributes of one element",
@@ -111,7 +111,7 @@ void add_cases(Family& family) {
                    "width='9' height='9' filter='url(#f)'/>"));
 }
 
-const Register kField("field", add_cases);
+const Register kField("field", add_field_cases);
 
 }  // namespace
 }  // namespace sfumato::hostile

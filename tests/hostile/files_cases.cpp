@@ -19,7 +19,7 @@ void write(const std::string& name, const std::string& bytes) {
   std::ofstream(name, std::ios::binary) << bytes;
 }
 
-void add_places(Family& family) {
+void add_places_of_files(Family& family) {
   const char* outside = "outside of";
   for (const auto& [name, href] : {std::pair("parent", "../secret.png"),
                                    {"grandparent", "../../../../../../etc/passwd"},
@@ -109,7 +109,7 @@ void add_links(Family& family) {
 }
 
 /// The document itself.
-void add_documents(Family& family) {
+void add_odd_documents(Family& family) {
   const auto reading = [&](const char* name, int code, const char* message, const char* file,
                            std::function<void()> make = {}) {
     family.add_call(name, code, message, {"render", file, "-o", "out.png"})
@@ -135,13 +135,13 @@ void add_documents(Family& family) {
                   {"info", "a\x1b[31m\n\xff"});
 }
 
-void add_cases(Family& family) {
-  add_places(family);
+void add_files_cases(Family& family) {
+  add_places_of_files(family);
   add_links(family);
-  add_documents(family);
+  add_odd_documents(family);
 }
 
-const Register kFiles("files", add_cases);
+const Register kFiles("files", add_files_cases);
 
 }  // namespace
 }  // namespace sfumato::hostile

@@ -8,14 +8,14 @@
 namespace sfumato::hostile {
 namespace {
 
-std::string decimal(double value) {
+std::string precise(double value) {
   char text[32];
   std::snprintf(text, sizeof(text), "%.12g", value);
   return text;
 }
 
 std::string line(double x0, double y0, double x1, double y1) {
-  return "M" + decimal(x0) + " " + decimal(y0) + "L" + decimal(x1) + " " + decimal(y1);
+  return "M" + precise(x0) + " " + precise(y0) + "L" + precise(x1) + " " + precise(y1);
 }
 
 /// Lines through one point, or nearly.
@@ -43,7 +43,7 @@ std::string spiral(int turns, double pitch) {
   for (int i = 1; i <= 16 * turns; ++i) {
     const double angle = 3.14159265358979 / 8 * i, radius = pitch * i / 16;
     data +=
-        "L" + decimal(50 + radius * std::cos(angle)) + " " + decimal(25 + radius * std::sin(angle));
+        "L" + precise(50 + radius * std::cos(angle)) + " " + precise(25 + radius * std::sin(angle));
   }
   return path(data);
 }
@@ -102,14 +102,14 @@ void add_crossing(Family& family) {
   family.add("circles_15_about_one_point", kDone, "", [] {
     std::string circles;
     for (int i = 1; i <= 15; ++i) {
-      circles += "<circle cx='50' cy='25' r='" + decimal(1.5 * i) + "' sf:left='red'/>";
+      circles += "<circle cx='50' cy='25' r='" + precise(1.5 * i) + "' sf:left='red'/>";
     }
     return layer(circles);
   });
   family.add("circles_1000_of_nearly_one_radius", kDone, "", [] {
     std::string circles;
     for (int i = 0; i < 1000; ++i) {
-      circles += "<circle cx='50' cy='25' r='" + decimal(20 + 1e-10 * i) + "' sf:left='red'/>";
+      circles += "<circle cx='50' cy='25' r='" + precise(20 + 1e-10 * i) + "' sf:left='red'/>";
     }
     return layer(circles);
   });
@@ -123,7 +123,7 @@ void add_crossing(Family& family) {
   family.add("dust_1000", kDone, "", [] {
     std::string data;
     for (int i = 0; i < 1000; ++i) {
-      data += "M" + decimal(std::fmod(i * 61.8034, 100)) + " " + decimal(std::fmod(i * 0.05, 50)) +
+      data += "M" + precise(std::fmod(i * 61.8034, 100)) + " " + precise(std::fmod(i * 0.05, 50)) +
               "h.001";
     }
     return path(data);
@@ -157,8 +157,8 @@ void add_extent(Family& family) {
   family.add("blur_of_every_radius", kDone, "", [] {
     std::string curves;
     for (int i = 0; i < 40; ++i) {
-      curves += "<path d='M0 " + decimal(i + 5) + "h100' sf:left='red' sf:right='blue' sf:blur='" +
-                decimal(std::pow(10, i / 10.0 - 2)) + "'/>";
+      curves += "<path d='M0 " + precise(i + 5) + "h100' sf:left='red' sf:right='blue' sf:blur='" +
+                precise(std::pow(10, i / 10.0 - 2)) + "'/>";
     }
     return layer(curves);
   });
@@ -189,14 +189,14 @@ void add_outside(Family& family) {
   add("circle_enlarged_2e6_times", seen_closely("0 0 64 64", "scale(2e6)", circle));
 }
 
-void add_cases(Family& family) {
+void add_geometry_cases(Family& family) {
   add_degenerate(family);
   add_crossing(family);
   add_extent(family);
   add_outside(family);
 }
 
-const Register kGeometry("geometry", add_cases);
+const Register kGeometry("geometry", add_geometry_cases);
 
 }  // namespace
 }  // namespace sfumato::hostile

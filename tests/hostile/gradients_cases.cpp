@@ -131,13 +131,13 @@ void add_frames(Family& family) {
              svg("<path d='M9 9h9' sf:left='url(#p)' sf:radius='1'/><linearGradient id='p'/>"));
 }
 
-void add_cases(Family& family) {
+void add_gradients_cases(Family& family) {
   add_references(family);
   add_stops(family);
   add_frames(family);
 }
 
-const Register kGradients("gradients", add_cases);
+const Register kGradients("gradients", add_gradients_cases);
 
 }  // namespace
 }  // namespace sfumato::hostile

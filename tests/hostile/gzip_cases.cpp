@@ -11,7 +11,7 @@ std::string header(unsigned char flags) {
   return bytes + std::string(4, '\0') + "\x02\x03";
 }
 
-void add_bombs(Family& family) {
+void add_gzip_bombs(Family& family) {
   family.add("bomb_of_blanks_2_gib", kLimit, "unpacks to more than the limit of 67108864 bytes",
              [] { return gzip_of_byte(' ', std::size_t{2} << 30); });
   family.add("bomb_of_zeros_100_mib", kLimit, "bytes of each packed byte",
@@ -87,13 +87,13 @@ void add_joined(Family& family) {
   family.add("documents_side_by_side", kDone, "", gzip(text) + gzip(text));
 }
 
-void add_cases(Family& family) {
-  add_bombs(family);
+void add_gzip_cases(Family& family) {
+  add_gzip_bombs(family);
   add_damaged(family);
   add_joined(family);
 }
 
-const Register kGzip("gzip", add_cases);
+const Register kGzip("gzip", add_gzip_cases);
 
 }  // namespace
 }  // namespace sfumato::hostile

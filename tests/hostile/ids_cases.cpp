@@ -152,7 +152,7 @@ void add_endless(Family& family) {
   });
 }
 
-void add_odd(Family& family) {
+void add_odd_ids(Family& family) {
   family.add("empty", kDone, "", svg("<g id=''/><g id=''/>" + kLayer));
   family.add("reference_to_the_empty_one", kBadInput, "href of <use> is \"#\"",
              svg("<g id=''/><use href='#'/>"));
@@ -180,13 +180,13 @@ void add_odd(Family& family) {
       .run({"convert", "in.svg", "-o", "out.svg"});
 }
 
-void add_cases(Family& family) {
+void add_ids_cases(Family& family) {
   add_collisions(family);
   add_endless(family);
-  add_odd(family);
+  add_odd_ids(family);
 }
 
-const Register kIds("ids", add_cases);
+const Register kIds("ids", add_ids_cases);
 
 }  // namespace
 }  // namespace sfumato::hostile

@@ -22,7 +22,7 @@ Case& add(Family& family, std::string name, int exit_code, std::string message, 
       .with("in.svg", std::move(document));
 }
 
-void add_broken(Family& family) {
+void add_broken_input(Family& family) {
   add(family, "empty", kBadInput, "the file is empty", "");
   add(family, "no_xml", kBadInput, "no XML element found", "hello");
   add(family, "no_svg", kBadInput, "expected <svg>", "<html/>");
@@ -43,7 +43,7 @@ void add_broken(Family& family) {
       icon("<linearGradient id='a' href='#a'/><rect width='9' height='9' fill='url(#a)'/>"));
 }
 
-void add_strokes(Family& family) {
+void add_imported_strokes(Family& family) {
   add(family, "width_of_a_million", kDone, "",
       shape("M0 0L90 90", "stroke='red' stroke-width='1e6'"));
   add(family, "width_of_nearly_nothing", kDone, "",
@@ -118,14 +118,14 @@ void add_many(Family& family) {
       [] { return icon("<title>" + repeated("&lt;", 250'000) + "</title><circle r='9'/>"); });
 }
 
-void add_cases(Family& family) {
-  add_broken(family);
-  add_strokes(family);
+void add_import_cases(Family& family) {
+  add_broken_input(family);
+  add_imported_strokes(family);
   add_long_strokes(family);
   add_many(family);
 }
 
-const Register kImport("import", add_cases);
+const Register kImport("import", add_import_cases);
 
 }  // namespace
 }  // namespace sfumato::hostile

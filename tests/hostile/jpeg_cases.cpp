@@ -6,10 +6,7 @@
 namespace sfumato::hostile {
 namespace {
 
-/// The image fills its tile whatever its shape.
-const std::string kTextured = textured("t' preserveAspectRatio='none");
-
-void add_kinds(Family& family) {
+void add_jpeg_kinds(Family& family) {
   const struct {
     const char* name;
     int channels;
@@ -43,7 +40,7 @@ void add_kinds(Family& family) {
   }
 }
 
-void add_damage(Family& family) {
+void add_jpeg_damage(Family& family) {
   const std::string good = jpeg(24, 16, 3, JpegKind::baseline);
   const auto damaged = [&](const std::string& name, std::string bytes,
                            const char* message = "\"t\": the JPEG image is damaged") {
@@ -99,7 +96,7 @@ void add_damage(Family& family) {
   });
 }
 
-void add_work(Family& family) {
+void add_jpeg_work(Family& family) {
   const char* scans = "the JPEG image is damaged: more than";
   family.add("scans_5000", kBadInput, scans, kTextured).with("t", [] {
     return jpeg_of_scans(64, 64, 5000);
@@ -125,13 +122,13 @@ void add_work(Family& family) {
       });
 }
 
-void add_cases(Family& family) {
-  add_kinds(family);
-  add_damage(family);
-  add_work(family);
+void add_jpeg_cases(Family& family) {
+  add_jpeg_kinds(family);
+  add_jpeg_damage(family);
+  add_jpeg_work(family);
 }
 
-const Register kJpeg("jpeg", add_cases);
+const Register kJpeg("jpeg", add_jpeg_cases);
 
 }  // namespace
 }  // namespace sfumato::hostile

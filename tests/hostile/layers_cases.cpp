@@ -71,7 +71,7 @@ void add_blending(Family& family) {
              svg("<g opacity='1e-320'>" + kLayer + kStroke + "</g>"));
 }
 
-void add_strokes(Family& family) {
+void add_layer_strokes(Family& family) {
   family.add("radius_of_0", kBadInput, "is nowhere above 0", stroke("sf:radius='0'"));
   family.add("radius_tiny", kDone, "", stroke("sf:radius='1e-30'"));
   family.add("radius_vanishing", kBadInput, "is nowhere above 0", stroke("sf:radius='1e-320'"));
@@ -105,13 +105,13 @@ void add_strokes(Family& family) {
   });
 }
 
-void add_cases(Family& family) {
+void add_layers_cases(Family& family) {
   add_counts(family);
   add_blending(family);
-  add_strokes(family);
+  add_layer_strokes(family);
 }
 
-const Register kLayers("layers", add_cases);
+const Register kLayers("layers", add_layers_cases);
 
 }  // namespace
 }  // namespace sfumato::hostile

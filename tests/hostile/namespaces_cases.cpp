@@ -7,7 +7,7 @@ namespace {
 
 const std::string kSpace = "xmlns='http://www.w3.org/2000/svg' viewBox='0 0 9 9' ";
 
-void add_cases(Family& family) {
+void add_namespaces_cases(Family& family) {
   family.add("prefix_not_declared", kBadInput, "the prefix sf is not declared",
              "<svg " + kSpace + "sf:version='1'/>");
   family.add("prefix_declared_below", kBadInput, "the prefix sf is not declared",
@@ -65,7 +65,7 @@ void add_cases(Family& family) {
   });
 }
 
-const Register kNamespaces("namespaces", add_cases);
+const Register kNamespaces("namespaces", add_namespaces_cases);
 
 }  // namespace
 }  // namespace sfumato::hostile

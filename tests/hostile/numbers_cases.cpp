@@ -134,7 +134,7 @@ void add_small(Family& family) {
              [] { return path("M0 0h9v9e-" + repeated("1", kMillion)); });
 }
 
-void add_cases(Family& family) {
+void add_numbers_cases(Family& family) {
   for (const Place& place : kPlaces) {
     for (const auto& [name, text] : kWords) {
       family.add(std::string(name) + "_as_" + place.name, kBadInput, place.message,
@@ -149,7 +149,7 @@ void add_cases(Family& family) {
   add_small(family);
 }
 
-const Register kNumbers("numbers", add_cases);
+const Register kNumbers("numbers", add_numbers_cases);
 
 }  // namespace
 }  // namespace sfumato::hostile

@@ -11,16 +11,16 @@ std::string label_of(const std::string& option, const std::string& what) {
   return label;
 }
 
-void add_cases(Family& family) {
+void add_options_cases(Family& family) {
   const std::string good = svg(kLayer);
   const auto with = [&](const std::string& name, int code, const std::string& message,
                         const std::vector<std::string>& more) -> Case& {
     return family.add(name, code, message, good).also(more);
   };
-  const char* kNumbers[] = {"--width",     "--height",    "--scale",      "--rays",
-                            "--seed",      "--tolerance", "--max-error",  "--max-area",
-                            "--min-angle", "--threads",   "--max-memory", "--quality",
-                            "--detail",    "--dpi",       "--viewport"};
+  const char* kNumberOptions[] = {"--width",     "--height",    "--scale",      "--rays",
+                                  "--seed",      "--tolerance", "--max-error",  "--max-area",
+                                  "--min-angle", "--threads",   "--max-memory", "--quality",
+                                  "--detail",    "--dpi",       "--viewport"};
   const std::pair<const char*, std::string> kBad[] = {{"empty", ""},
                                                       {"word", "many"},
                                                       {"nan", "nan"},
@@ -32,7 +32,7 @@ void add_cases(Family& family) {
                                                       {"two_numbers", "1 2"},
                                                       {"hex", "0x10"},
                                                       {"bytes", "\xff\xfe"}};
-  for (const char* option : kNumbers) {
+  for (const char* option : kNumberOptions) {
     for (const auto& [what, value] : kBad) {
       with(label_of(option, what), kBadUsage, option, {std::string(option) + "=" + value});
     }
@@ -100,7 +100,7 @@ void add_cases(Family& family) {
   with("allow_files_missing", kBadUsage, "--allow-files", {"--allow-files", "nowhere"});
 }
 
-const Register kOptions("options", add_cases);
+const Register kOptions("options", add_options_cases);
 
 }  // namespace
 }  // namespace sfumato::hostile

@@ -69,7 +69,7 @@ void add_structure(Family& family) {
   });
 }
 
-void add_values(Family& family) {
+void add_orzan_values(Family& family) {
   for (const auto& [name, attributes] : {std::pair("no_id", "R='1' G='1' B='1'"),
                                          {"no_red", "globalID='0' R='1' G='1'"},
                                          {"no_blue", "globalID='0' B='1' G='1'"},
@@ -134,12 +134,12 @@ void add_values(Family& family) {
                    "</control_points_set></curve>"));
 }
 
-void add_cases(Family& family) {
+void add_orzan_cases(Family& family) {
   add_structure(family);
-  add_values(family);
+  add_orzan_values(family);
 }
 
-const Register kOrzan("orzan", add_cases);
+const Register kOrzan("orzan", add_orzan_cases);
 
 }  // namespace
 }  // namespace sfumato::hostile

@@ -103,12 +103,12 @@ void add_shapes(Family& family) {
   family.add("percent_of_1e7", kBadInput, "r of <circle>", shape("circle r='9999999999%'"));
 }
 
-void add_cases(Family& family) {
+void add_paths_cases(Family& family) {
   add_syntax(family);
   add_shapes(family);
 }
 
-const Register kPaths("paths", add_cases);
+const Register kPaths("paths", add_paths_cases);
 
 }  // namespace
 }  // namespace sfumato::hostile

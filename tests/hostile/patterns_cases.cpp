@@ -13,7 +13,7 @@ std::string pattern(const std::string& attributes, const std::string& image = ""
 
 const std::string kTile = "patternUnits='userSpaceOnUse' width='9' height='9' ";
 
-void add_cases(Family& family) {
+void add_patterns_cases(Family& family) {
   const auto add = [&](const char* name, int code, const char* message, Bytes document) {
     family.add(name, code, message, std::move(document)).with("t", good_png());
   };
@@ -103,7 +103,7 @@ void add_cases(Family& family) {
   });
 }
 
-const Register kPatterns("patterns", add_cases);
+const Register kPatterns("patterns", add_patterns_cases);
 
 }  // namespace
 }  // namespace sfumato::hostile

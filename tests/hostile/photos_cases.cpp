@@ -84,7 +84,7 @@ std::string rgb_icc(const std::string& curve) {
                       {"bTRC", curve}});
 }
 
-std::string curve(std::uint64_t count, const std::string& values) {
+std::string tone_curve(std::uint64_t count, const std::string& values) {
   return std::string("curv\0\0\0\0", 8) + big_endian(count, 4) + values;
 }
 
@@ -95,7 +95,7 @@ std::string table(const char* type, int inputs, int outputs, int points) {
   return bytes + std::string(36, 1) + big_endian(2, 2) + big_endian(2, 2) + std::string(2000, 7);
 }
 
-void add_sizes(Family& family) {
+void add_photo_sizes(Family& family) {
   const char* side = "the limit is 16384 pixels on a side (--limit image-side=N";
   const char* texels = "the limit is 64000000 texels (--limit texels=N";
   add_photo(family, "jpeg_60000", kLimit, side, jpeg_of_size(small_jpeg(), 60'000, 60'000));
@@ -158,11 +158,11 @@ void add_profiles(Family& family) {
   ignored("zeros", std::string(60'000, 0));
   ignored("of_4_billion_tags", icc("RGB ", {}, 0xFFFFFFFF));
   ignored("of_100_tags_of_none", icc("RGB ", {}, 100));
-  ignored("curve_of_4_billion", rgb_icc(curve(0xFFFFFFFF, "")));
-  ignored("curve_of_60000", rgb_icc(curve(30'000, std::string(60'000, 9))));
-  ignored("curve_of_none", rgb_icc(curve(0, "")));
-  ignored("curve_of_zeros", rgb_icc(curve(4, std::string(8, 0))));
-  ignored("gamma_0", rgb_icc(curve(1, std::string(2, 0))));
+  ignored("curve_of_4_billion", rgb_icc(tone_curve(0xFFFFFFFF, "")));
+  ignored("curve_of_60000", rgb_icc(tone_curve(30'000, std::string(60'000, 9))));
+  ignored("curve_of_none", rgb_icc(tone_curve(0, "")));
+  ignored("curve_of_zeros", rgb_icc(tone_curve(4, std::string(8, 0))));
+  ignored("gamma_0", rgb_icc(tone_curve(1, std::string(2, 0))));
   ignored("formula_99", rgb_icc(std::string("para\0\0\0\0\0\x63\0\0", 12) + std::string(40, 1)));
   ignored("formula_of_extremes",
           rgb_icc(std::string("para\0\0\0\0\0\4\0\0", 12) + repeated("\x7f\xff\xff\xff", 7)));
@@ -223,14 +223,14 @@ void add_chunks(Family& family) {
   with_chunk("png_exif_of_nothing", "eXIf", std::string("II"));
 }
 
-void add_cases(Family& family) {
-  add_sizes(family);
+void add_photos_cases(Family& family) {
+  add_photo_sizes(family);
   add_exif(family);
   add_profiles(family);
   add_chunks(family);
 }
 
-const Register kPhotos("photos", add_cases);
+const Register kPhotos("photos", add_photos_cases);
 
 }  // namespace
 }  // namespace sfumato::hostile

@@ -8,10 +8,7 @@
 namespace sfumato::hostile {
 namespace {
 
-/// The image fills its tile whatever its shape.
-const std::string kTextured = textured("t' preserveAspectRatio='none");
-
-void add_headers(Family& family) {
+void add_png_headers(Family& family) {
   const auto lying = [&](const char* name, int code, const char* message, PngHeader header) {
     family.add(name, code, message, kTextured).with("t", [header] {
       return png_header(header) + png_chunk("IDAT", zlib_packed("x")) + png_chunk("IEND", "");
@@ -41,7 +38,7 @@ void add_headers(Family& family) {
   lying("palette_missing", kBadInput, damaged, {15, 15, 8, 3});
 }
 
-void add_kinds(Family& family) {
+void add_png_kinds(Family& family) {
   const auto kind = [&](const char* name, PngHeader header, std::size_t bytes,
                         std::string before = "") {
     family.add(name, kDone, "", kTextured).with("t", [header, bytes, before] {
@@ -64,7 +61,7 @@ void add_kinds(Family& family) {
   kind("row_of_16384", {16'384, 1, 1, 0}, 2049);
 }
 
-void add_damage(Family& family) {
+void add_png_damage(Family& family) {
   const std::string good = good_png();
   const auto damaged = [&](const std::string& name, std::string bytes,
                            const char* message = "\"t\": the PNG image is damaged") {
@@ -114,7 +111,7 @@ void add_damage(Family& family) {
   });
 }
 
-void add_bombs(Family& family) {
+void add_png_bombs(Family& family) {
   const std::string good = good_png();
   const auto with_chunks = [&](const char* name, int code, const char* message,
                                std::function<std::string()> chunks) {
@@ -168,14 +165,14 @@ void add_bombs(Family& family) {
   });
 }
 
-void add_cases(Family& family) {
-  add_headers(family);
-  add_kinds(family);
-  add_damage(family);
-  add_bombs(family);
+void add_png_cases(Family& family) {
+  add_png_headers(family);
+  add_png_kinds(family);
+  add_png_damage(family);
+  add_png_bombs(family);
 }
 
-const Register kPng("png", add_cases);
+const Register kPng("png", add_png_cases);
 
 }  // namespace
 }  // namespace sfumato::hostile

@@ -87,7 +87,7 @@ std::string with_byte(std::size_t at, char byte) {
   return file;
 }
 
-void add_headers(Family& family) {
+void add_solved_headers(Family& family) {
   family.add("as_it_is", kDone, "", good());
   family.add("magic_alone", kBadInput, "cut off", std::string("SFPICT\x1a"));
   family.add("header_alone", kBadInput, "it ends within a part", Solved().file());
@@ -134,7 +134,7 @@ void add_lengths(Family& family) {
   lying("paint_of_no_kind", Solved().begin().count(1).count(0).put(std::uint8_t{2}));
 }
 
-void add_values(Family& family) {
+void add_solved_values(Family& family) {
   const auto wrong = [&](const char* name, const char* message, const Solved& solved) {
     family.add(name, kBadInput, message, solved.file());
   };
@@ -210,14 +210,14 @@ void add_masses(Family& family) {
              [] { return good() + std::string(std::size_t{64} << 20, 'x'); });
 }
 
-void add_cases(Family& family) {
-  add_headers(family);
+void add_solved_cases(Family& family) {
+  add_solved_headers(family);
   add_lengths(family);
-  add_values(family);
+  add_solved_values(family);
   add_masses(family);
 }
 
-const Register kSolved("solved", add_cases);
+const Register kSolved("solved", add_solved_cases);
 
 }  // namespace
 }  // namespace sfumato::hostile

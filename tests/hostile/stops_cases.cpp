@@ -122,12 +122,12 @@ void add_colors(Family& family) {
              [] { return colored("#" + repeated("1", kMillion)); });
 }
 
-void add_cases(Family& family) {
+void add_stops_cases(Family& family) {
   add_lists(family);
   add_colors(family);
 }
 
-const Register kStops("stops", add_cases);
+const Register kStops("stops", add_stops_cases);
 
 }  // namespace
 }  // namespace sfumato::hostile

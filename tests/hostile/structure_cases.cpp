@@ -45,7 +45,7 @@ void add_view_boxes(Family& family) {
              box("0 0 1e-6 100000"));
 }
 
-void add_sizes(Family& family) {
+void add_canvas_sizes(Family& family) {
   const auto size = [](const std::string& width, const std::string& height) {
     return root("sf:version='1' width='" + width + "' height='" + height + "'");
   };
@@ -98,7 +98,7 @@ void add_settings(Family& family) {
              svg("<defs><g sf:x='1'/></defs>" + kLayer));
 }
 
-void add_places(Family& family) {
+void add_places_of_elements(Family& family) {
   family.add("curve_outside_of_layers", kBadInput, "stands in no layer",
              svg("<path d='M0 0h9' sf:left='red'/>"));
   family.add("layer_in_a_layer", kBadInput, "stands in another layer",
@@ -144,14 +144,14 @@ void add_places(Family& family) {
   });
 }
 
-void add_cases(Family& family) {
+void add_structure_cases(Family& family) {
   add_view_boxes(family);
-  add_sizes(family);
+  add_canvas_sizes(family);
   add_settings(family);
-  add_places(family);
+  add_places_of_elements(family);
 }
 
-const Register kStructure("structure", add_cases);
+const Register kStructure("structure", add_structure_cases);
 
 }  // namespace
 }  // namespace sfumato::hostile

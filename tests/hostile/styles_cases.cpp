@@ -136,12 +136,12 @@ void add_attributes(Family& family) {
              styled("transform:scale(1e300)"));
 }
 
-void add_cases(Family& family) {
+void add_styles_cases(Family& family) {
   add_sheets(family);
   add_attributes(family);
 }
 
-const Register kStyles("styles", add_cases);
+const Register kStyles("styles", add_styles_cases);
 
 }  // namespace
 }  // namespace sfumato::hostile

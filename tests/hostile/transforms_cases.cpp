@@ -13,7 +13,7 @@ std::string curve_transformed(const std::string& transform) {
   return layer("<path transform='" + transform + "' d='M9 9h80v30' sf:left='red' sf:blur='3'/>");
 }
 
-void add_cases(Family& family) {
+void add_transforms_cases(Family& family) {
   for (const auto& [name, text] : {std::pair("unknown", "perspective(1)"),
                                    {"misspelt", "rotat(1)"},
                                    {"no_bracket", "scale 1"},
@@ -88,7 +88,7 @@ void add_cases(Family& family) {
              svg("<g transform='matrix(1 1 1 1.000001 0 0)'>" + kStroke + "</g>"));
 }
 
-const Register kTransforms("transforms", add_cases);
+const Register kTransforms("transforms", add_transforms_cases);
 
 }  // namespace
 }  // namespace sfumato::hostile

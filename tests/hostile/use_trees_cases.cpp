@@ -157,7 +157,7 @@ void add_costly(Family& family) {
       .run({"info", "in.svg"});
 }
 
-void add_odd(Family& family) {
+void add_odd_trees(Family& family) {
   family.add("of_a_shape_outside_of_layers", kBadInput, "stands in no layer",
              svg("<defs>" + std::string("<path id='p' d='M0 0h9' sf:left='red'/>") +
                  "</defs><use href='#p'/>"));
@@ -183,15 +183,15 @@ void add_odd(Family& family) {
              svg("<g id='a'/><use href='#a'>" + kLayer + "</use>" + kLayer));
 }
 
-void add_cases(Family& family) {
+void add_use_trees_cases(Family& family) {
   add_circles(family);
   add_scales(family);
   add_trees(family);
   add_costly(family);
-  add_odd(family);
+  add_odd_trees(family);
 }
 
-const Register kUseTrees("use_trees", add_cases);
+const Register kUseTrees("use_trees", add_use_trees_cases);
 
 }  // namespace
 }  // namespace sfumato::hostile

@@ -5,7 +5,7 @@
 namespace sfumato::hostile {
 namespace {
 
-void add_broken(Family& family) {
+void add_broken_xml(Family& family) {
   const std::string good = svg(kLayer);
   family.add("empty", kBadInput, "in.svg: error: the file is empty", "");
   family.add("blanks", kBadInput, "in.svg: error: no XML element found", " \t\r\n");
@@ -113,13 +113,13 @@ void add_deep(Family& family) {
              [] { return repeated("<!DOCTYPE a [", kMillion) + svg(kLayer); });
 }
 
-void add_cases(Family& family) {
-  add_broken(family);
+void add_xml_cases(Family& family) {
+  add_broken_xml(family);
   add_large(family);
   add_deep(family);
 }
 
-const Register kXml("xml", add_cases);
+const Register kXml("xml", add_xml_cases);
 
 }  // namespace
 }  // namespace sfumato::hostile
