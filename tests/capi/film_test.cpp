@@ -13,7 +13,7 @@
 namespace sfumato::test {
 namespace {
 
-constexpr std::int32_t kSide = 160;  ///< pixels
+constexpr std::int32_t kFilmSide = 160;  ///< pixels
 constexpr int kFrames = 12;
 
 struct Disc {
@@ -53,8 +53,9 @@ std::string frame_drawing(int frame) {
 }
 
 std::vector<std::uint8_t> pixels_of(sfumato_context* context, const sfumato_picture* picture) {
-  std::vector<std::uint8_t> pixels(std::size_t{kSide} * kSide * 3);
-  const sfumato_image image{pixels.data(), std::size_t{kSide} * 3, kSide, kSide, SFUMATO_RGB8};
+  std::vector<std::uint8_t> pixels(std::size_t{kFilmSide} * kFilmSide * 3);
+  const sfumato_image image{pixels.data(), std::size_t{kFilmSide} * 3, kFilmSide, kFilmSide,
+                            SFUMATO_RGB8};
   EXPECT_EQ(sfumato_raster(context, picture, &image, "background=white"), SFUMATO_OK);
   return pixels;
 }
@@ -64,9 +65,9 @@ int largest_difference(const std::vector<std::uint8_t>& a, const std::vector<std
                        bool anywhere = false) {
   int largest = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
-    const auto column = static_cast<double>(i / 3 % kSide),
-               row = static_cast<double>(i / 3 / kSide);
-    const double x = (column + 0.5) * 100 / kSide, y = (row + 0.5) * 100 / kSide;
+    const auto column = static_cast<double>(i / 3 % kFilmSide),
+               row = static_cast<double>(i / 3 / kFilmSide);
+    const double x = (column + 0.5) * 100 / kFilmSide, y = (row + 0.5) * 100 / kFilmSide;
     const auto holds = [&](const Disc& d) { return std::hypot(x - d.x, y - d.y) < d.radius; };
     if (anywhere || std::ranges::any_of(kStill, holds)) {
       largest = std::max(largest, std::abs(int{a[i]} - int{b[i]}));

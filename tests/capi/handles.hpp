@@ -41,6 +41,12 @@ inline DocumentHandle read_text(sfumato_context* context, const std::string& tex
   return DocumentHandle(document);
 }
 
+inline ContextHandle context_of(const char* options = "threads=2") {
+  ContextHandle context(sfumato_context_new(options));
+  EXPECT_STREQ(sfumato_error_text(context.get()), "");
+  return context;
+}
+
 inline PictureHandle solve(sfumato_context* context, const sfumato_document* document,
                            const char* options = nullptr) {
   sfumato_picture* picture = nullptr;

@@ -18,7 +18,7 @@ std::int32_t load_example(void*, const char* href, sfumato_deliver_fn deliver, v
 constexpr sfumato_loader kLoader{load_example, nullptr};
 
 /// A curve whose left side bears an image in a data: URI: the bytes "image", which are no file.
-constexpr const char* kText = R"svg(<svg xmlns="http://www.w3.org/2000/svg"
+constexpr const char* kTexturedText = R"svg(<svg xmlns="http://www.w3.org/2000/svg"
     xmlns:sf="urn:sfumato:1" viewBox="0 0 8 8" sf:version="1">
   <defs><pattern id="p" patternUnits="userSpaceOnUse" width="8" height="8">
     <image href="data:;base64,aW1hZ2U=" width="8" height="8"/></pattern></defs>
@@ -71,18 +71,18 @@ TEST_F(CImage, of_any_bytes_and_any_format_is_the_texture) {
   const std::uint8_t rgba8[] = {200, 0, 100, 255, 200, 0, 100, 255};
   const std::uint16_t rgb16[] = {200 * 257, 100, 100 * 257, 200 * 257, 0, 100 * 257};
   const std::uint16_t rgba16[] = {200 * 257, 100, 100 * 257, 65535, 200 * 257, 0, 100 * 257, 65535};
-  EXPECT_EQ(read(kText, nullptr), SFUMATO_BAD_INPUT);
+  EXPECT_EQ(read(kTexturedText, nullptr), SFUMATO_BAD_INPUT);
   const std::vector<std::pair<const void*, std::int32_t>> given{{rgb8, SFUMATO_RGB8},
                                                                 {rgba8, SFUMATO_RGBA8},
                                                                 {rgb16, SFUMATO_RGB16},
                                                                 {rgba16, SFUMATO_RGBA16}};
   for (const auto& [pixels, format] : given) {
     ASSERT_EQ(add(pixels, format), SFUMATO_OK);
-    ASSERT_EQ(read(kText, nullptr), SFUMATO_OK) << sfumato_error_text(context.get());
+    ASSERT_EQ(read(kTexturedText, nullptr), SFUMATO_OK) << sfumato_error_text(context.get());
     EXPECT_EQ(halves(), (std::vector<int>{200, 0, 100, 200, 0, 100})) << format;
   }
   ASSERT_EQ(sfumato_add_image(context.get(), kFile.data(), kFile.size(), nullptr), SFUMATO_OK);
-  EXPECT_EQ(read(kText, nullptr), SFUMATO_BAD_INPUT);
+  EXPECT_EQ(read(kTexturedText, nullptr), SFUMATO_BAD_INPUT);
 }
 
 TEST_F(CImage, goes_before_what_the_library_would_decode_and_equals_it) {

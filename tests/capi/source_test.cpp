@@ -11,7 +11,7 @@ namespace sfumato::test {
 namespace {
 
 /// A shape within defs that two layers use, parts of no length, and movements that draw nothing.
-constexpr const char* kText = R"(<?xml version="1.0"?>
+constexpr const char* kTwoLayersText = R"(<?xml version="1.0"?>
 <!-- é --><svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1" viewBox="0 0 64 48"
   sf:version="1">
   <defs><path id="shared" d="M1 1 L9 9" sf:left="red"/></defs>
@@ -57,7 +57,8 @@ class CSource : public testing::Test {
 };
 
 TEST_F(CSource, is_the_element_and_the_subpath_of_a_curve) {
-  for (const std::string& given : {std::string(kText), "\xEF\xBB\xBF" + std::string(kText)}) {
+  for (const std::string& given :
+       {std::string(kTwoLayersText), "\xEF\xBB\xBF" + std::string(kTwoLayersText)}) {
     const DocumentHandle document = read(given);
     EXPECT_EQ(find(document, 0, 0), first);
     EXPECT_EQ(find(document, 0, 1), third);
@@ -68,7 +69,7 @@ TEST_F(CSource, is_the_element_and_the_subpath_of_a_curve) {
 }
 
 TEST_F(CSource, stays_with_its_curve_when_the_document_is_edited) {
-  const DocumentHandle document = read(kText);
+  const DocumentHandle document = read(kTwoLayersText);
   sfumato_document* d = document.get();
   const double xy[8] = {0, 0, 1, 1, 2, 2, 3, 3};
   ASSERT_EQ(sfumato_insert_curve(context.get(), d, 0, 1, xy, 4), SFUMATO_OK);

@@ -25,8 +25,8 @@ std::vector<std::uint8_t> disc(int side) {
   return pixels;
 }
 
-constexpr int kSide = 64;
-constexpr std::size_t kRowBytes = std::size_t{4} * kSide;
+constexpr int kPhotoSide = 64;
+constexpr std::size_t kRowBytes = std::size_t{4} * kPhotoSide;
 
 struct Told {
   sfumato_context* context = nullptr;
@@ -56,7 +56,7 @@ class CTrace : public testing::Test {
   double error() {
     const PictureHandle picture = solve(context.get(), document.get(), "width=64");
     std::vector<std::uint8_t> drawn(pixels.size());
-    const sfumato_image into{drawn.data(), kRowBytes, kSide, kSide, SFUMATO_RGBA8};
+    const sfumato_image into{drawn.data(), kRowBytes, kPhotoSide, kPhotoSide, SFUMATO_RGBA8};
     EXPECT_EQ(sfumato_raster(context.get(), picture.get(), &into, ""), SFUMATO_OK);
     double sum = 0;
     for (std::size_t i = 0; i < pixels.size(); ++i) {
@@ -67,8 +67,8 @@ class CTrace : public testing::Test {
   }
 
   ContextHandle context{sfumato_context_new("threads=1")};
-  std::vector<std::uint8_t> pixels = disc(kSide);
-  sfumato_image image{pixels.data(), kRowBytes, kSide, kSide, SFUMATO_RGBA8};
+  std::vector<std::uint8_t> pixels = disc(kPhotoSide);
+  sfumato_image image{pixels.data(), kRowBytes, kPhotoSide, kPhotoSide, SFUMATO_RGBA8};
   DocumentHandle document;
 };
 
@@ -76,8 +76,8 @@ TEST_F(CTrace, of_a_picture_looks_like_it) {
   ASSERT_EQ(trace(nullptr), SFUMATO_OK) << sfumato_error_text(context.get());
   double box[4];
   sfumato_document_artboard(document.get(), box);
-  EXPECT_EQ(box[2], kSide);
-  EXPECT_EQ(box[3], kSide);
+  EXPECT_EQ(box[2], kPhotoSide);
+  EXPECT_EQ(box[3], kPhotoSide);
   EXPECT_GE(sfumato_curve_count(document.get(), 0), 2U);
   EXPECT_LT(error(), 100);  // 28 dB
 }
@@ -86,7 +86,7 @@ TEST_F(CTrace, of_rows_that_are_padded_is_the_same) {
   ASSERT_EQ(trace(nullptr), SFUMATO_OK);
   const std::string text = written(context.get(), document.get());
   std::vector<std::uint8_t> padded;
-  for (std::size_t y = 0; y < kSide; ++y) {
+  for (std::size_t y = 0; y < kPhotoSide; ++y) {
     const auto row = pixels.begin() + static_cast<std::ptrdiff_t>(y * kRowBytes);
     padded.insert(padded.end(), row, row + kRowBytes);
     padded.insert(padded.end(), 12, std::uint8_t{77});
@@ -201,7 +201,7 @@ TEST_F(CTrace, gives_a_drawing_the_colors_of_a_picture) {
   EXPECT_EQ(sfumato_fit_colors(context.get(), nullptr, &image, "", &out), SFUMATO_BAD_USAGE);
   EXPECT_EQ(sfumato_document_new(context.get(), "artboard=0,0,8,8", &out), SFUMATO_OK);
   const DocumentHandle empty(out);
-  image.width = kSide;
+  image.width = kPhotoSide;
   EXPECT_EQ(sfumato_fit_colors(context.get(), empty.get(), &image, "", &out), SFUMATO_BAD_INPUT);
 }
 

@@ -14,12 +14,8 @@
 namespace sfumato::test {
 namespace {
 
-constexpr std::uint32_t kSide = 24;
-constexpr std::size_t kPoints = kSide * kSide;
-
-ContextHandle context_of(const char* options = "threads=2") {
-  return ContextHandle(sfumato_context_new(options));
-}
+constexpr std::uint32_t kGridSide = 24;
+constexpr std::size_t kPoints = kGridSide * kGridSide;
 
 /// Sides with stops, gradients, opacities, a barrier, blur that varies, and a line that is alike on
 /// both sides, in OKLab.
@@ -42,8 +38,8 @@ std::vector<double> points_of(const sfumato_document* document) {
   EXPECT_EQ(sfumato_document_artboard(document, box), SFUMATO_OK);
   std::vector<double> xy;
   for (std::size_t i = 0; i < kPoints; ++i) {
-    xy.push_back(box[0] + (i % kSide + 0.377) / kSide * box[2]);
-    xy.push_back(box[1] + (i / kSide + 0.619) / kSide * box[3]);
+    xy.push_back(box[0] + (i % kGridSide + 0.377) / kGridSide * box[2]);
+    xy.push_back(box[1] + (i / kGridSide + 0.619) / kGridSide * box[3]);
   }
   return xy;
 }

@@ -14,12 +14,6 @@
 namespace sfumato::test {
 namespace {
 
-ContextHandle context_of(const char* options = "threads=2") {
-  ContextHandle context(sfumato_context_new(options));
-  EXPECT_STREQ(sfumato_error_text(context.get()), "");
-  return context;
-}
-
 void move_first_point(sfumato_context* c, sfumato_document* document, std::uint32_t layer,
                       std::uint32_t curve) {
   sfumato_view view{};

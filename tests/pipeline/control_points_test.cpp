@@ -17,7 +17,7 @@
 namespace sfumato {
 namespace {
 
-const std::string kFolder = test::shared_path("reference/controls/");
+const std::string kControlsFolder = test::shared_path("reference/controls/");
 
 struct ControlPoint {
   int x, y;
@@ -46,7 +46,7 @@ std::vector<ControlPoint> read_points(const std::string& text) {
 class ControlImages final : public ResourceLoader {
  public:
   Result<std::vector<std::uint8_t>> load(std::string_view href) const override {
-    const auto bytes = test::file_bytes(kFolder + std::string(href));
+    const auto bytes = test::file_bytes(kControlsFolder + std::string(href));
     if (!bytes) return make_error(StatusCode::bad_input, std::string(href));
     return std::vector<std::uint8_t>(bytes->begin(), bytes->end());
   }
@@ -55,8 +55,8 @@ class ControlImages final : public ResourceLoader {
 class ControlPoints : public testing::TestWithParam<const char*> {};
 
 TEST_P(ControlPoints, are_those_of_brute_force) {
-  const auto svg = test::file_bytes(kFolder + GetParam() + ".svg");
-  const auto csv = test::file_bytes(kFolder + GetParam() + ".csv");
+  const auto svg = test::file_bytes(kControlsFolder + GetParam() + ".svg");
+  const auto csv = test::file_bytes(kControlsFolder + GetParam() + ".csv");
   if (!svg || !csv) GTEST_SKIP() << "the shared reference colours are not here";
   Context context;
   const ControlImages images;

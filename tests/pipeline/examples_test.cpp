@@ -1,4 +1,6 @@
 // Our own drawings: each reads without a warning, renders, and shows what the gallery says of it.
+#include "pipeline/examples.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,22 +29,10 @@
 namespace sfumato {
 namespace {
 
-const std::string kFolder = test::source_path("examples/");
-
-/// Textures beside the examples.
-class ExampleFiles : public ResourceLoader {
- public:
-  Result<std::vector<std::uint8_t>> load(std::string_view href) const override {
-    const auto bytes = test::file_bytes(kFolder + std::string(href));
-    if (!bytes) return make_error(StatusCode::bad_input, "no such file: " + std::string(href));
-    return std::vector<std::uint8_t>(bytes->begin(), bytes->end());
-  }
-};
-
 Document example(const std::string& name) {
   Context context;
-  const ExampleFiles files;
-  const auto bytes = test::file_bytes(kFolder + name);
+  const test::FolderFiles files = test::example_textures();
+  const auto bytes = test::file_bytes(test::kExamplesFolder + name);
   if (!bytes) {
     ADD_FAILURE() << "no " << name;
     return {};
@@ -58,7 +48,7 @@ Document example(const std::string& name) {
 
 std::vector<std::string> example_names() {
   std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(kFolder)) {
+  for (const auto& entry : std::filesystem::directory_iterator(test::kExamplesFolder)) {
     const std::string extension = entry.path().extension().string();
     if (extension == ".svg" || extension == ".xml") names.push_back(entry.path().filename());
   }
@@ -67,7 +57,7 @@ std::vector<std::string> example_names() {
 }
 
 /// 256 pixels wide.
-Image drawn(const Document& document) {
+Image drawn_256_wide(const Document& document) {
   Context context;
   const double width = document.artboard.max.x - document.artboard.min.x;
   const double height = document.artboard.max.y - document.artboard.min.y;
@@ -144,7 +134,7 @@ class Example : public testing::TestWithParam<std::string> {};
 TEST_P(Example, reads_without_warnings_and_renders) {
   const Document document = example(GetParam());
   ASSERT_FALSE(HasFailure());
-  const Image image = drawn(document);
+  const Image image = drawn_256_wide(document);
   ASSERT_EQ(image.width, 256);
   EXPECT_GT(color_count(image), 1000u);
 }
@@ -330,7 +320,7 @@ TEST_P(TracedExample, has_one_layer_of_at_most_2000_control_points_with_blur_of_
 
 TEST_P(TracedExample, looks_like_its_photo) {
   const std::string file = std::string("photos/") + GetParam() + ".jpg";
-  const auto bytes = test::file_bytes(kFolder + file);
+  const auto bytes = test::file_bytes(test::kExamplesFolder + file);
   ASSERT_TRUE(bytes.has_value());
   Context context;
   const Result<Image> photo = codecs::read_photo(

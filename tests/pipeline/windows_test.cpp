@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/examples.hpp"
 #include "sfumato/base/native/thread_pool.hpp"
 #include "sfumato/formats/read_document.hpp"
 #include "sfumato/raster/rasterize.hpp"
@@ -21,21 +22,10 @@
 namespace sfumato::test {
 namespace {
 
-constexpr std::uint64_t kSeeds = SFUMATO_HAS_SANITIZER ? 12 : 300;
-const std::string kFolder = source_path("examples/");
+constexpr std::uint64_t kWindowSeeds = SFUMATO_HAS_SANITIZER ? 12 : 300;
 
 /// As tiles are cut; of no tile's sides; of few tiles, for which triangles are found another way.
 constexpr Cut kCuts[] = {{256, 256}, {173, 119, -40, -31}, {600, 90, 0, -17}};
-
-/// Textures beside the examples.
-class ExampleFiles : public ResourceLoader {
- public:
-  Result<std::vector<std::uint8_t>> load(std::string_view href) const override {
-    const auto bytes = file_bytes(kFolder + std::string(href));
-    if (!bytes) return make_error(StatusCode::bad_input, "no such file: " + std::string(href));
-    return std::vector<std::uint8_t>(bytes->begin(), bytes->end());
-  }
-};
 
 RasterOptions whole_image(const Document& document, int width) {
   RasterOptions options;
@@ -61,16 +51,16 @@ class WindowsOf : public testing::TestWithParam<std::string> {};
 
 TEST_P(WindowsOf, have_the_bytes_of_the_whole_image) {
   Context context;
-  const ExampleFiles files;
-  const auto bytes = file_bytes(kFolder + GetParam());
+  const FolderFiles files = example_textures();
+  const auto bytes = file_bytes(kExamplesFolder + GetParam());
   ASSERT_TRUE(bytes);
   const Result<ReadDocument> read = read_document(context, *bytes, GetParam(), &files);
   ASSERT_TRUE(read.ok()) << read.status().message;
-  constexpr int kWidth = SFUMATO_HAS_SANITIZER ? 300 : 720;
+  constexpr int kDrawnWidth = SFUMATO_HAS_SANITIZER ? 300 : 720;
   DiffuseOptions diffuse;
-  diffuse.pixels_per_unit = kWidth / read->document.artboard.width();
+  diffuse.pixels_per_unit = kDrawnWidth / read->document.artboard.width();
   const Picture picture = solved(context, read->document, diffuse);
-  RasterOptions options = whole_image(read->document, kWidth);
+  RasterOptions options = whole_image(read->document, kDrawnWidth);
   options.dither = true;
   const Image whole = painted(context, picture, options);
   for (const Cut& cut : kCuts) {
@@ -83,9 +73,9 @@ TEST_P(WindowsOf, have_the_bytes_of_the_whole_image) {
                      painted(context, picture, options), "with its mesh");
 }
 
-std::vector<std::string> example_names() {
+std::vector<std::string> example_stems() {
   std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(kFolder)) {
+  for (const auto& entry : std::filesystem::directory_iterator(kExamplesFolder)) {
     const std::string extension = entry.path().extension().string();
     if (extension == ".svg" || extension == ".xml") names.push_back(entry.path().stem());
   }
@@ -94,8 +84,8 @@ std::vector<std::string> example_names() {
 
 std::vector<std::string> example_files() {
   std::vector<std::string> files;
-  for (const std::string& name : example_names()) {
-    const bool is_svg = std::filesystem::exists(kFolder + name + ".svg");
+  for (const std::string& name : example_stems()) {
+    const bool is_svg = std::filesystem::exists(kExamplesFolder + name + ".svg");
     files.push_back(name + (is_svg ? ".svg" : ".xml"));
   }
   std::sort(files.begin(), files.end());
@@ -125,7 +115,7 @@ RasterOptions random_options(const Document& document, std::uint64_t seed) {
 
 TEST(RandomWindows, have_the_bytes_of_the_whole_image) {
   ThreadPool three_threads(3);
-  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+  for (std::uint64_t seed = 1; seed <= kWindowSeeds; ++seed) {
     const std::string where = "seed " + std::to_string(seed);
     const Document document = random_document(seed);
     const RasterOptions options = random_options(document, seed);
