@@ -10,7 +10,7 @@
 namespace sfumato::test {
 namespace {
 
-constexpr Box kBox{{0, 0}, {8, 8}};
+constexpr Box kComposedBox{{0, 0}, {8, 8}};
 constexpr Rgb kRed{1, 0, 0}, kBlue{0, 0, 1};
 
 /// Layers of one colour each, bottom first, all over the box.
@@ -34,26 +34,26 @@ void expect_color(const Image& image, const Rgb& expected, double steps = 1.5) {
 }
 
 TEST(RasterCompositing, a_uniform_opacity_mixes_the_layer_with_the_background) {
-  Picture picture = make_picture(flat_layer(kBox, {0.8f, 0.2f, 0.6f}, 0.5f));
+  Picture picture = make_picture(flat_layer(kComposedBox, {0.8f, 0.2f, 0.6f}, 0.5f));
   picture.background = Rgb{0.4f, 1, 0};
   expect_color(rasterized(picture, image_size(40, 30)), {0.6f, 0.6f, 0.3f});
   picture.background.reset();
   expect_color(rasterized(picture, image_size(40, 30)), {0.9f, 0.6f, 0.8f});  // white
-  picture.layers[0] = flat_layer(kBox, {0.8f, 0.2f, 0.6f});
+  picture.layers[0] = flat_layer(kComposedBox, {0.8f, 0.2f, 0.6f});
   std::get<PatchInstance>(picture.stack[0]).opacity = 0.5f;
   expect_color(rasterized(picture, image_size(40, 30)), {0.9f, 0.6f, 0.8f});
 }
 
 TEST(RasterCompositing, an_image_with_alpha_keeps_colour_and_opacity_apart) {
-  const Picture picture = make_picture(flat_layer(kBox, {0.8f, 0.2f, 0.6f}, 0.25f));
+  const Picture picture = make_picture(flat_layer(kComposedBox, {0.8f, 0.2f, 0.6f}, 0.25f));
   const Image image = rasterized(picture, image_size(40, 30, PixelFormat::rgba16));
   expect_color(image, {0.8f, 0.2f, 0.6f}, 2);
   EXPECT_NEAR(channel(image, 20, 7, 3), 65535 * 0.25, 1);
 }
 
 TEST(RasterCompositing, an_opaque_opacity_is_no_opacity) {
-  const Picture opaque = make_picture(flat_layer(kBox, {0.8f, 0.2f, 0.6f}));
-  const Picture covered = make_picture(flat_layer(kBox, {0.8f, 0.2f, 0.6f}, 1));
+  const Picture opaque = make_picture(flat_layer(kComposedBox, {0.8f, 0.2f, 0.6f}));
+  const Picture covered = make_picture(flat_layer(kComposedBox, {0.8f, 0.2f, 0.6f}, 1));
   for (PixelFormat format : {PixelFormat::rgb8, PixelFormat::rgba8, PixelFormat::rgba16}) {
     const RasterOptions options = image_size(70, 90, format);
     EXPECT_EQ(rasterized(opaque, options).bytes, rasterized(covered, options).bytes);
@@ -61,23 +61,25 @@ TEST(RasterCompositing, an_opaque_opacity_is_no_opacity) {
 }
 
 TEST(RasterCompositing, later_layers_lie_over_earlier_ones) {
-  const PatchLayer red = flat_layer(kBox, kRed, 0.5f), blue = flat_layer(kBox, kBlue, 0.5f);
-  Picture picture = stacked({flat_layer(kBox, {0, 0, 0}), red, blue});
+  const PatchLayer red = flat_layer(kComposedBox, kRed, 0.5f),
+                   blue = flat_layer(kComposedBox, kBlue, 0.5f);
+  Picture picture = stacked({flat_layer(kComposedBox, {0, 0, 0}), red, blue});
   expect_color(rasterized(picture, image_size(9, 9)), {0.25f, 0, 0.5f});
-  picture = stacked({flat_layer(kBox, {0, 0, 0}), blue, red});
+  picture = stacked({flat_layer(kComposedBox, {0, 0, 0}), blue, red});
   expect_color(rasterized(picture, image_size(9, 9)), {0.5f, 0, 0.25f});
 }
 
 TEST(RasterCompositing, an_opaque_layer_hides_what_lies_below) {
-  const Picture picture = stacked({flat_layer(kBox, kRed, 0.5f), flat_layer(kBox, kBlue)});
+  const Picture picture =
+      stacked({flat_layer(kComposedBox, kRed, 0.5f), flat_layer(kComposedBox, kBlue)});
   const Image image = rasterized(picture, image_size(9, 9, PixelFormat::rgba16));
   expect_color(image, kBlue);
   EXPECT_EQ(channel(image, 4, 4, 3), 65535);
 }
 
 TEST(RasterCompositing, a_group_fades_as_one) {
-  Picture picture =
-      stacked({flat_layer(kBox, {0, 0, 0}), flat_layer(kBox, kRed), flat_layer(kBox, kBlue)});
+  Picture picture = stacked({flat_layer(kComposedBox, {0, 0, 0}), flat_layer(kComposedBox, kRed),
+                             flat_layer(kComposedBox, kBlue)});
   picture.stack = {PatchInstance{0, {}}, GroupBegin{0.5f, {}}, PatchInstance{1, {}},
                    PatchInstance{2, {}}, GroupEnd{}};
   expect_color(rasterized(picture, image_size(9, 9)), {0, 0, 0.5f});
@@ -87,7 +89,8 @@ TEST(RasterCompositing, a_group_fades_as_one) {
 
 TEST(RasterCompositing, a_group_is_blended_by_itself) {
   // Multiplied onto the white backdrop red stays red, onto nothing in the group too.
-  Picture picture = stacked({flat_layer(kBox, {0.5f, 0.5f, 0.5f}), flat_layer(kBox, kRed)});
+  Picture picture =
+      stacked({flat_layer(kComposedBox, {0.5f, 0.5f, 0.5f}), flat_layer(kComposedBox, kRed)});
   const PatchInstance multiplied{1, {}, 1, BlendMode::multiply};
   picture.stack = {PatchInstance{0, {}}, GroupBegin{}, multiplied, GroupEnd{}};
   expect_color(rasterized(picture, image_size(9, 9)), kRed);
@@ -97,7 +100,8 @@ TEST(RasterCompositing, a_group_is_blended_by_itself) {
 }
 
 TEST(RasterCompositing, groups_nest_to_the_limit) {
-  Picture picture = stacked({flat_layer(kBox, {0, 0, 0}), flat_layer(kBox, {1, 1, 1})});
+  Picture picture =
+      stacked({flat_layer(kComposedBox, {0, 0, 0}), flat_layer(kComposedBox, {1, 1, 1})});
   picture.stack.pop_back();
   for (std::size_t i = 0; i < limits::kGroupDepth; ++i)
     picture.stack.push_back(GroupBegin{i < 3 ? 0.5f : 1.0f, {}});
@@ -111,7 +115,8 @@ TEST(RasterCompositing, groups_nest_to_the_limit) {
 }
 
 TEST(RasterCompositing, what_stands_apart_in_a_group_leaves_nothing_between) {
-  Picture picture = stacked({flat_layer(kBox, {0, 0, 0}), flat_layer(kBox, {1, 1, 1})});
+  Picture picture =
+      stacked({flat_layer(kComposedBox, {0, 0, 0}), flat_layer(kComposedBox, {1, 1, 1})});
   picture.stack.pop_back();
   picture.stack.push_back(GroupBegin{0.5f, {}});
   for (const auto& [x, y] : {std::pair{1.0, 1.0}, {6.5, 5.0}, {0.5, 6.0}, {3.0, 3.0}})
@@ -129,7 +134,7 @@ TEST(RasterCompositing, what_stands_apart_in_a_group_leaves_nothing_between) {
 TEST(RasterCompositing, a_soft_mask_has_no_fringe) {
   // Red inside where it is opaque, blue outside where it is not.
   for (const auto& [a, b] : {std::pair{Vec2{3.3, 8}, Vec2{4.9, 0}}, {{0, 2.2}, {8, 5.1}}}) {
-    const RegionMesh mesh = cut_box(kBox, a, b);
+    const RegionMesh mesh = cut_box(kComposedBox, a, b);
     PatchLayer layer = make_layer(mesh, [](int region, Vec2) { return region ? kBlue : kRed; });
     set_opacity(
         mesh, [](int region, Vec2) { return region ? 0.0f : 1.0f; }, &layer);
@@ -147,7 +152,7 @@ TEST(RasterCompositing, a_soft_mask_has_no_fringe) {
 }
 
 TEST(RasterCompositing, dropped_triangles_are_as_transparent_as_those_of_opacity_0) {
-  RegionMesh mesh = cut_box(kBox, {3.3, 8}, {4.9, 0});
+  RegionMesh mesh = cut_box(kComposedBox, {3.3, 8}, {4.9, 0});
   const auto color = [](int, Vec2 p) { return Rgb{static_cast<float>(p.x / 8), 0.5f, 0}; };
   const auto opacity = [](int region, Vec2) { return region ? 0.0f : 0.75f; };
   PatchLayer whole = make_layer(mesh, color);
@@ -167,7 +172,7 @@ TEST(RasterCompositing, dropped_triangles_are_as_transparent_as_those_of_opacity
 }
 
 TEST(RasterCompositing, a_smooth_opacity_is_the_patch_at_the_centre) {
-  const RegionMesh mesh = jittered_grid(kBox, 5, 3);
+  const RegionMesh mesh = jittered_grid(kComposedBox, 5, 3);
   PatchLayer layer = make_layer(mesh, [](int, Vec2) { return Rgb{1, 1, 1}; });
   const auto opacity = [](int, Vec2 p) {
     return static_cast<float>(0.1 + 0.1 * p.x - 0.002 * p.x * p.y * p.y + 0.03 * p.y);
@@ -183,14 +188,14 @@ TEST(RasterCompositing, a_smooth_opacity_is_the_patch_at_the_centre) {
 }
 
 TEST(RasterCompositing, opacity_beyond_its_range_is_clamped) {
-  Picture picture = make_picture(flat_layer(kBox, kRed, 1.75f));
+  Picture picture = make_picture(flat_layer(kComposedBox, kRed, 1.75f));
   picture.background = kBlue;
   expect_color(rasterized(picture, image_size(9, 9)), kRed);
-  picture.layers[0] = flat_layer(kBox, kRed, -0.5f);
+  picture.layers[0] = flat_layer(kComposedBox, kRed, -0.5f);
   expect_color(rasterized(picture, image_size(9, 9)), kBlue);
 }
 
-Rgb wavy(int region, Vec2 p) {
+Rgb smooth_wave(int region, Vec2 p) {
   const auto wave = [&](double a, double b) {
     return static_cast<float>(0.5 + 0.5 * std::sin(a * p.x + b * p.y + region));
   };
@@ -203,7 +208,7 @@ TEST(RasterCompositing, an_instance_equals_the_transformed_layer_alone) {
   const auto soft = [](int region, Vec2 p) {
     return static_cast<float>(0.5 + 0.4 * std::cos(p.x - p.y + region));
   };
-  PatchLayer layer = make_layer(mesh, wavy);
+  PatchLayer layer = make_layer(mesh, smooth_wave);
   set_opacity(mesh, soft, &layer);
   const Affine maps[] = {{1, 0, 0, 1, 4.013, 3.991},
                          {-0.71, 0, 0, 0.93, 3.1, 4.017},
@@ -217,11 +222,12 @@ TEST(RasterCompositing, an_instance_equals_the_transformed_layer_alone) {
     if (map.determinant() < 0)
       for (Corners& corner : moved.triangle) std::swap(corner[1], corner[2]);
     const Affine back = inverse(map);
-    PatchLayer alone = make_layer(moved, [&](int region, Vec2 p) { return wavy(region, back(p)); });
+    PatchLayer alone =
+        make_layer(moved, [&](int region, Vec2 p) { return smooth_wave(region, back(p)); });
     set_opacity(
         moved, [&](int region, Vec2 p) { return soft(region, back(p)); }, &alone);
     Picture instance = make_picture(layer), expected = make_picture(alone);
-    instance.viewport = expected.viewport = kBox;
+    instance.viewport = expected.viewport = kComposedBox;
     // The frame of what is turned is no rectangle: without one, pixels at the rim are all or none.
     instance.layers[0].frame = expected.layers[0].frame = Box{};
     std::get<PatchInstance>(instance.stack[0]).artboard_from_layer = map;
@@ -245,7 +251,7 @@ TEST(RasterCompositing, an_instance_equals_the_transformed_layer_alone) {
 
 TEST(RasterCompositing, an_instance_whose_corner_is_magnified_beyond_measure_is_still_there) {
   for (double scale : {1e3, 1e9, 1e15, 1e22}) {
-    Picture picture = make_picture(flat_layer(kBox, kRed, 0.5f));
+    Picture picture = make_picture(flat_layer(kComposedBox, kRed, 0.5f));
     picture.viewport = {{0, 0}, {8 / scale, 8 / scale}};
     picture.background = kBlue;
     expect_color(rasterized(picture, image_size(9, 9)), {0.5f, 0, 0.5f});
@@ -255,14 +261,14 @@ TEST(RasterCompositing, an_instance_whose_corner_is_magnified_beyond_measure_is_
 }
 
 TEST(RasterCompositing, a_map_onto_a_line_is_refused_as_in_documents) {
-  Picture picture = make_picture(flat_layer(kBox, kRed, 0.5f));
+  Picture picture = make_picture(flat_layer(kComposedBox, kRed, 0.5f));
   std::get<PatchInstance>(picture.stack[0]).artboard_from_layer = {1, 1, 1, 1, 0, 0};
   Context context;
   EXPECT_EQ(rasterize(context, picture, image_size(9, 9)).status().code, StatusCode::bad_input);
 }
 
 TEST(RasterCompositing, colours_are_interpolated_in_the_space_of_the_picture) {
-  const RegionMesh mesh = jittered_grid(kBox, 4, 3);
+  const RegionMesh mesh = jittered_grid(kComposedBox, 4, 3);
   const Rgb from{0.9f, 0.1f, 0.2f}, to{0.1f, 0.8f, 0.9f};
   for (InterpolationSpace space :
        {InterpolationSpace::srgb, InterpolationSpace::linear, InterpolationSpace::oklab}) {
@@ -282,7 +288,7 @@ TEST(RasterCompositing, colours_are_interpolated_in_the_space_of_the_picture) {
 }
 
 TEST(RasterCompositing, mixed_pixels_average_code_values_in_every_space) {
-  const RegionMesh mesh = cut_box(kBox, {4, 8}, {4, 0});
+  const RegionMesh mesh = cut_box(kComposedBox, {4, 8}, {4, 0});
   for (InterpolationSpace space : {InterpolationSpace::linear, InterpolationSpace::oklab}) {
     Picture picture = make_picture(make_layer(mesh, [&](int region, Vec2) {
       return from_srgb(space, region ? Rgb{0.2f, 0.4f, 1} : Rgb{0.8f, 0, 0.2f});
@@ -296,8 +302,8 @@ TEST(RasterCompositing, mixed_pixels_average_code_values_in_every_space) {
 }
 
 TEST(RasterCompositing, the_overlay_shows_every_instance) {
-  Picture picture = make_picture(flat_layer(kBox, {1, 1, 1}, 0.5f));
-  picture.viewport = kBox;
+  Picture picture = make_picture(flat_layer(kComposedBox, {1, 1, 1}, 0.5f));
+  picture.viewport = kComposedBox;
   picture.stack = {PatchInstance{0, {0.25, 0, 0, 0.25, 1, 1}},
                    PatchInstance{0, {0.25, 0, 0, 0.25, 5, 5}}};
   RasterOptions options = image_size(64, 64, PixelFormat::rgb8);

@@ -12,7 +12,7 @@
 namespace sfumato::test {
 namespace {
 
-Rgb wavy(int region, Vec2 p) {
+Rgb steep_wave(int region, Vec2 p) {
   const auto wave = [&](double a, double b) {
     return static_cast<float>(0.5 + 0.5 * std::sin(a * p.x + b * p.y + region));
   };
@@ -21,16 +21,16 @@ Rgb wavy(int region, Vec2 p) {
 
 Picture wavy_picture() {
   return make_picture(make_layer(
-      jittered_grid({{0, 0}, {6, 5}}, 30, 17, [](int i, int j) { return i * j % 7; }), wavy));
+      jittered_grid({{0, 0}, {6, 5}}, 30, 17, [](int i, int j) { return i * j % 7; }), steep_wave));
 }
 
 /// Soft layers, groups and every blend mode.
 Picture composited_picture(InterpolationSpace space) {
   const RegionMesh mesh =
       jittered_grid({{0, 0}, {6, 5}}, 12, 5, [](int i, int j) { return i * j % 5; });
-  PatchLayer soft = make_layer(mesh, wavy);
+  PatchLayer soft = make_layer(mesh, steep_wave);
   set_opacity(
-      mesh, [](int region, Vec2 p) { return wavy(region + 1, p).g; }, &soft);
+      mesh, [](int region, Vec2 p) { return steep_wave(region + 1, p).g; }, &soft);
   Picture picture = wavy_picture();
   picture.interpolation = space;
   picture.layers.push_back(soft);
@@ -170,8 +170,8 @@ TEST(RasterDeterminism, the_order_of_triangles_changes_nothing_visible) {
   std::reverse(reversed.triangle.begin(), reversed.triangle.end());
   std::reverse(reversed.region.begin(), reversed.region.end());
   for (Corners& corner : reversed.triangle) corner = {corner[1], corner[2], corner[0]};
-  const Image a = rasterized(make_picture(make_layer(mesh, wavy)), image_size(150, 100));
-  const Image b = rasterized(make_picture(make_layer(reversed, wavy)), image_size(150, 100));
+  const Image a = rasterized(make_picture(make_layer(mesh, steep_wave)), image_size(150, 100));
+  const Image b = rasterized(make_picture(make_layer(reversed, steep_wave)), image_size(150, 100));
   for (int i = 0; i < 150 * 100 * 3; ++i)
     ASSERT_NEAR(channel(a, i / 3 % 150, i / 450, i % 3), channel(b, i / 3 % 150, i / 450, i % 3),
                 2);

@@ -15,14 +15,14 @@ namespace {
 
 using raster::StrokePainter;
 
-constexpr int kSide = 160;
+constexpr int kStrokeSide = 160;
 constexpr double kHalfCode = 0.5 / 255;
 
 using Planes = std::array<std::vector<float>, 4>;
 
 Planes transparent() {
   Planes planes;
-  for (auto& plane : planes) plane.assign(std::size_t{kSide} * kSide, 0);
+  for (auto& plane : planes) plane.assign(std::size_t{kStrokeSide} * kStrokeSide, 0);
   return planes;
 }
 
@@ -38,23 +38,24 @@ StrokePainter painter_of(const LocalCurve& curve, const Affine& image_from_artbo
 }
 
 void paint_part(const StrokePainter& painter, int x, int y, int width, int height, Planes& planes) {
-  const std::size_t offset = static_cast<std::size_t>(y) * kSide + static_cast<std::size_t>(x);
+  const std::size_t offset =
+      static_cast<std::size_t>(y) * kStrokeSide + static_cast<std::size_t>(x);
   const Context context;
   const Status status = painter.paint(context, x, y, width, height, planes[0].data() + offset,
                                       planes[1].data() + offset, planes[2].data() + offset,
-                                      planes[3].data() + offset, kSide);
+                                      planes[3].data() + offset, kStrokeSide);
   EXPECT_TRUE(status.ok()) << to_string(status);
 }
 
 Planes painted(const StrokePainter& painter) {
   Planes planes = transparent();
-  paint_part(painter, 0, 0, kSide, kSide, planes);
+  paint_part(painter, 0, 0, kStrokeSide, kStrokeSide, planes);
   return planes;
 }
 
 float value(const Planes& planes, int channel, int x, int y) {
   return planes[static_cast<std::size_t>(channel)]
-               [static_cast<std::size_t>(y) * kSide + static_cast<std::size_t>(x)];
+               [static_cast<std::size_t>(y) * kStrokeSide + static_cast<std::size_t>(x)];
 }
 
 template <class Value>
@@ -73,7 +74,7 @@ LocalCurve straight(float radius) {
 }
 
 /// As the paper's Fig. 8: everything varies.
-LocalCurve wavy() {
+LocalCurve wavy_stroke() {
   LocalCurve curve;
   curve.control_points = {{20, 80}, {45, -20}, {95, 0}, {80, 50}, {65, 95}, {130, 100}, {145, 20}};
   curve.left_color = stops<Rgb>({{0, {1, 0.2f, 0.1f}}, {0.5, {1, 0.9f, 0.1f}}, {1, {0, 0.6f, 1}}});
@@ -174,8 +175,8 @@ double largest_difference(const LocalCurve& curve, const Affine& image_from_stro
   const Planes planes = painted(painter_of(curve, image_from_stroke));
   const DenseReference reference(curve, image_from_stroke);
   double largest = 0;
-  for (int y = 1; y < kSide; y += 4) {
-    for (int x = 1; x < kSide; x += 4) {
+  for (int y = 1; y < kStrokeSide; y += 4) {
+    for (int x = 1; x < kStrokeSide; x += 4) {
       const std::array<double, 4> expected = reference.at({x + 0.5, y + 0.5});
       for (int c = 0; c < 4; ++c) {
         largest = std::max(
@@ -217,11 +218,11 @@ TEST(LocalStroke, a_cancelled_stroke_says_so_and_one_beside_it_does_not) {
   Planes planes = transparent();
   const auto code = [&](int y, int height) {
     return painter
-        ->paint(context, 0, y, kSide, height, planes[0].data(), planes[1].data(), planes[2].data(),
-                planes[3].data(), kSide)
+        ->paint(context, 0, y, kStrokeSide, height, planes[0].data(), planes[1].data(),
+                planes[2].data(), planes[3].data(), kStrokeSide)
         .code;
   };
-  EXPECT_EQ(code(0, kSide), StatusCode::cancelled);
+  EXPECT_EQ(code(0, kStrokeSide), StatusCode::cancelled);
   EXPECT_EQ(code(0, 20), StatusCode::ok) << "nothing is to be painted there";
   for (float alpha : planes[3]) ASSERT_EQ(alpha, 0);
 }
@@ -229,8 +230,8 @@ TEST(LocalStroke, a_cancelled_stroke_says_so_and_one_beside_it_does_not) {
 TEST(LocalStroke, beyond_the_influence_radius_nothing_is_painted) {
   const StrokePainter painter = painter_of(straight(10));
   const Planes planes = painted(painter);
-  for (int y = 0; y < kSide; ++y) {
-    for (int x = 0; x < kSide; ++x) {
+  for (int y = 0; y < kStrokeSide; ++y) {
+    for (int x = 0; x < kStrokeSide; ++x) {
       const double beside = std::max({20 - (x + 0.5), x + 0.5 - 140, 0.0});
       const double distance = std::hypot(beside, y + 0.5 - 80.5);
       const bool inside = painter.bounds_px().contains({x + 0.5, y + 0.5});
@@ -288,30 +289,30 @@ TEST(LocalStroke, a_side_without_colours_takes_the_other_sides) {
 }
 
 TEST(LocalStroke, equal_colours_on_both_sides_are_that_colour_everywhere) {
-  LocalCurve curve = wavy();
+  LocalCurve curve = wavy_stroke();
   const Rgb color{0.25f, 0.5f, 0.75f};
   curve.left_color = stops<Rgb>({{0, color}});
   curve.right_color = stops<Rgb>({{0, color}}, StopSpace::parameter);
   const Planes planes = painted(painter_of(curve));
-  for (int y = 0; y < kSide; ++y) {
-    for (int x = 0; x < kSide; ++x) {
+  for (int y = 0; y < kStrokeSide; ++y) {
+    for (int x = 0; x < kStrokeSide; ++x) {
       ASSERT_NEAR(value(planes, 1, x, y), 0.5f * value(planes, 3, x, y), 1e-6);
     }
   }
 }
 
 TEST(LocalStroke, it_is_the_integral_of_the_paper_within_a_quarter_of_an_8_bit_step) {
-  EXPECT_LT(largest_difference(wavy(), {}), kHalfCode / 2);
-  LocalCurve sharp = wavy();
+  EXPECT_LT(largest_difference(wavy_stroke(), {}), kHalfCode / 2);
+  LocalCurve sharp = wavy_stroke();
   sharp.blur_radius = {};
   EXPECT_LT(largest_difference(sharp, {}), kHalfCode / 2);
-  LocalCurve even = wavy();
+  LocalCurve even = wavy_stroke();
   even.influence_radius = stops<float>({{0, 9}});
   EXPECT_LT(largest_difference(even, {}), kHalfCode / 2);
 }
 
 TEST(LocalStroke, a_curve_whose_speed_varies_and_one_with_a_cusp_are_integrated_as_well) {
-  LocalCurve curve = wavy();
+  LocalCurve curve = wavy_stroke();
   curve.right_color = stops<Rgb>({{0, {0, 0, 1}}, {1, {0, 1, 0}}});
   curve.control_points = {{20, 80}, {20, 80}, {140, 80}, {140, 80}};
   EXPECT_LT(largest_difference(curve, {}), kHalfCode / 2);
@@ -321,29 +322,29 @@ TEST(LocalStroke, a_curve_whose_speed_varies_and_one_with_a_cusp_are_integrated_
 
 TEST(LocalStroke, a_map_that_stretches_makes_ellipses_of_its_circles) {
   const Affine stretched{1.5, 0, 0, 0.5, -30, 20};
-  EXPECT_LT(largest_difference(wavy(), stretched), kHalfCode / 2);
+  EXPECT_LT(largest_difference(wavy_stroke(), stretched), kHalfCode / 2);
   const Affine sheared{0.8, 0.3, -0.5, 0.7, 30, -5};
-  EXPECT_LT(largest_difference(wavy(), sheared), kHalfCode / 2);
+  EXPECT_LT(largest_difference(wavy_stroke(), sheared), kHalfCode / 2);
 }
 
 TEST(LocalStroke, a_stroke_turned_by_a_right_angle_gives_the_turned_picture) {
-  const Planes upright = painted(painter_of(wavy()));
-  const Planes turned = painted(painter_of(wavy(), {0, 1, -1, 0, kSide, 0}));
-  for (int y = 0; y < kSide; ++y) {
-    for (int x = 0; x < kSide; ++x) {
+  const Planes upright = painted(painter_of(wavy_stroke()));
+  const Planes turned = painted(painter_of(wavy_stroke(), {0, 1, -1, 0, kStrokeSide, 0}));
+  for (int y = 0; y < kStrokeSide; ++y) {
+    for (int x = 0; x < kStrokeSide; ++x) {
       for (int c = 0; c < 4; ++c) {
-        ASSERT_NEAR(value(turned, c, kSide - 1 - y, x), value(upright, c, x, y), 2e-5);
+        ASSERT_NEAR(value(turned, c, kStrokeSide - 1 - y, x), value(upright, c, x, y), 2e-5);
       }
     }
   }
 }
 
 TEST(LocalStroke, scaled_curve_and_radii_give_what_a_scaled_map_gives) {
-  LocalCurve larger = wavy();
+  LocalCurve larger = wavy_stroke();
   for (Vec2& p : larger.control_points) p = p * 4;
   for (auto& stop : larger.influence_radius.stops) stop.value *= 4;
   for (auto& stop : larger.blur_radius.stops) stop.value *= 4;
-  const Planes expected = painted(painter_of(wavy()));
+  const Planes expected = painted(painter_of(wavy_stroke()));
   const Planes actual = painted(painter_of(larger, {0.25, 0, 0, 0.25, 0, 0}));
   for (std::size_t c = 0; c < 4; ++c) EXPECT_EQ(actual[c], expected[c]);
 }
@@ -367,7 +368,7 @@ TEST(LocalStroke, it_is_composited_over_what_is_there) {
   Planes planes = transparent();
   planes[1].assign(planes[1].size(), 1);
   planes[3].assign(planes[3].size(), 1);
-  paint_part(painter_of(curve), 0, 0, kSide, kSide, planes);
+  paint_part(painter_of(curve), 0, 0, kStrokeSide, kStrokeSide, planes);
   EXPECT_NEAR(value(planes, 0, 80, 72) / 0.5f, value(painted(painter_of(curve)), 0, 80, 72) / 0.5f,
               1e-6);
   EXPECT_NEAR(value(planes, 1, 80, 80), 0.5f, 0.001f);
@@ -383,12 +384,13 @@ TEST(LocalStroke, colours_are_blended_in_the_interpolation_space) {
 }
 
 TEST(LocalStroke, a_pixel_does_not_depend_on_the_rectangle_that_it_is_painted_in) {
-  const StrokePainter painter = painter_of(wavy());
+  const StrokePainter painter = painter_of(wavy_stroke());
   const Planes whole = painted(painter);
   Planes parts = transparent();
-  for (int y = 0; y < kSide; y += 23) {
-    for (int x = 0; x < kSide; x += 37) {
-      paint_part(painter, x, y, std::min(37, kSide - x), std::min(23, kSide - y), parts);
+  for (int y = 0; y < kStrokeSide; y += 23) {
+    for (int x = 0; x < kStrokeSide; x += 37) {
+      paint_part(painter, x, y, std::min(37, kStrokeSide - x), std::min(23, kStrokeSide - y),
+                 parts);
     }
   }
   for (std::size_t c = 0; c < 4; ++c) EXPECT_EQ(parts[c], whole[c]);
@@ -396,10 +398,10 @@ TEST(LocalStroke, a_pixel_does_not_depend_on_the_rectangle_that_it_is_painted_in
 
 TEST(LocalStroke, every_instruction_set_gives_the_same_bits) {
   for (InterpolationSpace space : {InterpolationSpace::srgb, InterpolationSpace::oklab}) {
-    const Planes expected = painted(painter_of(wavy(), {}, SimdLevel::sse2, space));
+    const Planes expected = painted(painter_of(wavy_stroke(), {}, SimdLevel::sse2, space));
     for (SimdLevel level : {SimdLevel::avx2, SimdLevel::avx512}) {
       if (level > detected_simd_level()) GTEST_SKIP() << "no such instruction set here";
-      const Planes actual = painted(painter_of(wavy(), {}, level, space));
+      const Planes actual = painted(painter_of(wavy_stroke(), {}, level, space));
       for (std::size_t c = 0; c < 4; ++c) EXPECT_EQ(actual[c], expected[c]);
     }
   }
@@ -442,7 +444,7 @@ TEST(LocalStroke, a_stroke_without_colour_or_length_paints_nothing) {
 TEST(LocalStroke, a_budget_that_is_too_small_is_a_limit_error) {
   Context context{.budget = Budget(4096)};
   const Result<StrokePainter> painter =
-      StrokePainter::create(context, {wavy(), {}}, {}, InterpolationSpace::srgb);
+      StrokePainter::create(context, {wavy_stroke(), {}}, {}, InterpolationSpace::srgb);
   EXPECT_EQ(painter.status().code, StatusCode::limit);
   EXPECT_EQ(context.budget.used(), 0u);
 }
@@ -451,7 +453,7 @@ TEST(LocalStroke, its_memory_is_given_back) {
   Context context;
   {
     const Result<StrokePainter> painter =
-        StrokePainter::create(context, {wavy(), {}}, {}, InterpolationSpace::srgb);
+        StrokePainter::create(context, {wavy_stroke(), {}}, {}, InterpolationSpace::srgb);
     ASSERT_TRUE(painter.ok());
     EXPECT_GT(context.budget.used(), 0u);
   }

@@ -15,9 +15,9 @@
 namespace sfumato::test {
 namespace {
 
-constexpr int kSide = 64;
-const Box kBox{{0, 0}, {kSide, kSide}};
-const Rgb kRed{0.8f, 0, 0.1f};
+constexpr int kOutlinesSide = 64;
+const Box kOutlinesBox{{0, 0}, {kOutlinesSide, kOutlinesSide}};
+const Rgb kDarkRed{0.8f, 0, 0.1f};
 
 struct Shape {
   std::vector<Vec2> rim;  ///< seen from `center` all of it, positive turns
@@ -52,17 +52,17 @@ RegionMesh fan(const Shape& shape) {
 PatchLayer shape_layer(const Shape& shape, const ColorField& color) {
   PatchLayer layer = make_layer(fan(shape), color);
   for (std::size_t t = 0; t < layer.triangle_count(); ++t) layer.edge_is_curve[3 * t + 1] = 1;
-  layer.frame = {{-kSide, -kSide}, {2 * kSide, 2 * kSide}};
+  layer.frame = {{-kOutlinesSide, -kOutlinesSide}, {2 * kOutlinesSide, 2 * kOutlinesSide}};
   return layer;
 }
 
 PatchLayer red_layer(const Shape& shape) {
-  return shape_layer(shape, [](int, Vec2) { return kRed; });
+  return shape_layer(shape, [](int, Vec2) { return kDarkRed; });
 }
 
 Picture picture_of(PatchLayer layer, const Affine& map = {}) {
   Picture picture = make_picture(std::move(layer));
-  picture.artboard = picture.viewport = kBox;
+  picture.artboard = picture.viewport = kOutlinesBox;
   std::get<PatchInstance>(picture.stack[0]).artboard_from_layer = map;
   return picture;
 }
@@ -92,14 +92,14 @@ TEST(RasterOutlines, alpha_is_the_area_of_random_polygons_in_every_pixel) {
     const Shape shape = random_star(seed);
     for (const Affine& map : kMaps) {
       const Image image = rasterized(picture_of(red_layer(shape), map),
-                                     image_size(kSide, kSide, PixelFormat::rgba16));
-      for (int y = 0; y < kSide; ++y) {
-        for (int x = 0; x < kSide; ++x) {
+                                     image_size(kOutlinesSide, kOutlinesSide, PixelFormat::rgba16));
+      for (int y = 0; y < kOutlinesSide; ++y) {
+        for (int x = 0; x < kOutlinesSide; ++x) {
           const double area = exact_area(shape, map, x, y);
           ASSERT_NEAR(channel(image, x, y, 3) / 65535.0, area, 2e-4)
               << seed << ' ' << x << ' ' << y;
           if (area > 0.01) {
-            ASSERT_NEAR(channel(image, x, y, 0) / 65535.0, kRed.r, 2e-4);
+            ASSERT_NEAR(channel(image, x, y, 0) / 65535.0, kDarkRed.r, 2e-4);
           }
         }
       }
@@ -131,13 +131,13 @@ TEST(RasterOutlines, what_lies_below_shows_in_the_rest_of_a_pixel) {
   Picture picture = picture_of(red_layer(below));
   picture.layers.push_back(shape_layer(above, [](int, Vec2) { return Rgb{0, 1, 1}; }));
   picture.stack.push_back(PatchInstance{1, {}, 1, BlendMode::normal});
-  RasterOptions options = image_size(kSide, kSide);
+  RasterOptions options = image_size(kOutlinesSide, kOutlinesSide);
   options.background = Rgb{1, 1, 0};
   const Image image = rasterized(picture, options);
-  for (int y = 0; y < kSide; ++y) {
-    for (int x = 0; x < kSide; ++x) {
+  for (int y = 0; y < kOutlinesSide; ++y) {
+    for (int x = 0; x < kOutlinesSide; ++x) {
       const double a = exact_area(below, {}, x, y), b = exact_area(above, {}, x, y);
-      const double red = (1 - b) * (a * kRed.r + (1 - a));
+      const double red = (1 - b) * (a * kDarkRed.r + (1 - a));
       const double green = b + (1 - b) * (1 - a);
       ASSERT_NEAR(channel(image, x, y, 0) / 65535.0, red, 2e-4) << x << ' ' << y;
       ASSERT_NEAR(channel(image, x, y, 1) / 65535.0, green, 2e-4) << x << ' ' << y;
@@ -171,7 +171,7 @@ TEST(RasterOutlines, a_group_ends_as_what_stands_in_it) {
   grouped.stack.push_back(GroupBegin{});
   grouped.stack.push_back(PatchInstance{});
   grouped.stack.push_back(GroupEnd{});
-  const RasterOptions options = image_size(kSide, kSide, PixelFormat::rgba8);
+  const RasterOptions options = image_size(kOutlinesSide, kOutlinesSide, PixelFormat::rgba8);
   const Image a = rasterized(picture_of(red_layer(shape)), options);
   const Image b = rasterized(grouped, options);
   for (std::size_t i = 0; i < a.bytes.size(); ++i) ASSERT_NEAR(a.bytes[i], b.bytes[i], 1);
@@ -194,10 +194,11 @@ TEST(RasterOutlines, frames_side_by_side_leave_no_seam) {
   }
 }
 
-/// The parts of kBox left and right of the line through two points on its upper and lower edge.
+/// The parts of kOutlinesBox left and right of the line through two points on its upper and lower
+/// edge.
 Shape half(Vec2 top, Vec2 bottom, bool is_left) {
-  const double side = is_left ? -kSide : 2 * kSide;
-  std::vector<Vec2> rim{{side, -kSide}, top, bottom, {side, 2 * kSide}};
+  const double side = is_left ? -kOutlinesSide : 2 * kOutlinesSide;
+  std::vector<Vec2> rim{{side, -kOutlinesSide}, top, bottom, {side, 2 * kOutlinesSide}};
   if (!is_left) std::reverse(rim.begin(), rim.end());
   const Vec2 center = (rim[0] + rim[1] + rim[2] + rim[3]) / 4;
   return {rim, center};
@@ -205,7 +206,7 @@ Shape half(Vec2 top, Vec2 bottom, bool is_left) {
 
 TEST(RasterOutlines, layers_that_abut_let_nothing_through) {
   for (const double x : {13.0, 20.5, 31.7, 44.2}) {
-    const Vec2 top{x, -kSide}, bottom{x + 11, 2 * kSide};
+    const Vec2 top{x, -kOutlinesSide}, bottom{x + 11, 2 * kOutlinesSide};
     Picture picture = picture_of(red_layer(half(top, bottom, true)));
     picture.layers.push_back(shape_layer(half(top, bottom, false), [](int, Vec2) {
       return Rgb{0.8f, 1, 0.1f};
@@ -229,7 +230,7 @@ TEST(RasterOutlines, layers_that_abut_let_nothing_through) {
 }
 
 TEST(RasterOutlines, what_is_painted_between_layers_that_abut_hides_the_lower) {
-  const Vec2 top{20.5, -kSide}, bottom{31.5, 2 * kSide};
+  const Vec2 top{20.5, -kOutlinesSide}, bottom{31.5, 2 * kOutlinesSide};
   Picture picture = picture_of(red_layer(half(top, bottom, true)));
   picture.layers.push_back(flat_layer({{-1, -1}, {65, 65}}, Rgb{0, 1, 0}));
   picture.layers.push_back(shape_layer(half(top, bottom, false), [](int, Vec2) {
@@ -244,8 +245,8 @@ TEST(RasterOutlines, what_is_painted_between_layers_that_abut_hides_the_lower) {
 TEST(RasterOutlines, curves_inside_a_layer_let_nothing_through) {
   for (std::uint32_t seed = 1; seed <= 10; ++seed) {
     const RegionMesh mesh = jittered_grid(
-        kBox, 30, seed, [](int column, int row) { return (column * 7 + row * 3) % 5; });
-    Picture picture = make_picture(make_layer(mesh, [](int, Vec2) { return kRed; }));
+        kOutlinesBox, 30, seed, [](int column, int row) { return (column * 7 + row * 3) % 5; });
+    Picture picture = make_picture(make_layer(mesh, [](int, Vec2) { return kDarkRed; }));
     for (int side : {64, 61, 200}) {
       const Image image = rasterized(picture, image_size(side, side, PixelFormat::rgba16));
       for (int i = 0; i < side * side; ++i) ASSERT_EQ(channel(image, i % side, i / side, 3), 65535);
@@ -260,11 +261,11 @@ TEST(RasterOutlines, every_instruction_set_gives_the_same_bytes) {
 }
 
 TEST(RasterOutlines, without_antialiasing_pixels_are_all_or_nothing) {
-  RasterOptions options = image_size(kSide, kSide, PixelFormat::rgba8);
+  RasterOptions options = image_size(kOutlinesSide, kOutlinesSide, PixelFormat::rgba8);
   options.antialias = false;
   const Image image = rasterized(picture_of(red_layer(random_star(2))), options);
-  for (int i = 0; i < kSide * kSide; ++i) {
-    const int alpha = channel(image, i % kSide, i / kSide, 3);
+  for (int i = 0; i < kOutlinesSide * kOutlinesSide; ++i) {
+    const int alpha = channel(image, i % kOutlinesSide, i / kOutlinesSide, 3);
     ASSERT_TRUE(alpha == 0 || alpha == 255);
   }
 }

@@ -11,7 +11,7 @@
 namespace sfumato::test {
 namespace {
 
-constexpr Box kBox{{0, 0}, {8, 8}};
+constexpr Box kShadedBox{{0, 0}, {8, 8}};
 constexpr int kWidth = 96, kHeight = 80;
 
 Shader constant_shader(const Rgb& color, float alpha = 1) {
@@ -66,7 +66,7 @@ float share(int region, Vec2 p) {
 
 TEST(RasterShading, weights_that_sum_to_1_of_one_constant_colour_give_that_colour) {
   const Rgb color{0.3f, 0.65f, 0.9f};
-  const RegionMesh mesh = jittered_grid(kBox, 6, 5, [](int i, int j) { return i * j % 3; });
+  const RegionMesh mesh = jittered_grid(kShadedBox, 6, 5, [](int i, int j) { return i * j % 3; });
   for (InterpolationSpace space :
        {InterpolationSpace::srgb, InterpolationSpace::linear, InterpolationSpace::oklab}) {
     const Rgb own = from_srgb(space, color);
@@ -91,7 +91,7 @@ TEST(RasterShading, weights_that_sum_to_1_of_one_constant_colour_give_that_colou
 }
 
 TEST(RasterShading, a_gradient_with_weight_1_is_the_gradient_at_every_pixel) {
-  const RegionMesh mesh = jittered_grid(kBox, 3, 2);
+  const RegionMesh mesh = jittered_grid(kShadedBox, 3, 2);
   PatchLayer layer = make_layer(mesh, black);
   add_weight(
       mesh, 0, [](int, Vec2) { return 1.0f; }, &layer.color);
@@ -108,10 +108,10 @@ TEST(RasterShading, a_gradient_with_weight_1_is_the_gradient_at_every_pixel) {
 
 TEST(RasterShading, a_texture_on_both_sides_of_a_curve_is_the_texture) {
   const auto one = [](int, Vec2) { return 1.0f; };
-  const RegionMesh whole = jittered_grid(kBox, 1, 2);
+  const RegionMesh whole = jittered_grid(kShadedBox, 1, 2);
   PatchLayer plain = make_layer(whole, black);
   add_weight(whole, 0, one, &plain.color);
-  const RegionMesh cut = cut_box(kBox, {3.3, 8}, {4.9, 0});
+  const RegionMesh cut = cut_box(kShadedBox, {3.3, 8}, {4.9, 0});
   PatchLayer divided = make_layer(cut, black);
   add_weight(cut, 0, one, &divided.color);
   Picture a = make_picture(plain), b = make_picture(divided);
@@ -137,7 +137,7 @@ TEST(RasterShading, a_textured_instance_equals_the_textured_layer_moved) {
   PatchLayer layer = make_layer(mesh, black);
   add_weight(mesh, 0, share, &layer.color);
   Picture instance = make_picture(layer);
-  instance.viewport = kBox;
+  instance.viewport = kShadedBox;
   instance.shaders = {checkered_texture()};
   const Affine map{0.6, 0.3, -0.31, 0.57, 4.013, 3.97};
   std::get<PatchInstance>(instance.stack[0]).artboard_from_layer = map;
@@ -149,7 +149,7 @@ TEST(RasterShading, a_textured_instance_equals_the_textured_layer_moved) {
 }
 
 TEST(RasterShading, each_of_nine_shaders_counts_with_its_own_weight) {
-  const RegionMesh mesh = jittered_grid(kBox, 5, 3);
+  const RegionMesh mesh = jittered_grid(kShadedBox, 5, 3);
   PatchLayer layer = make_layer(mesh, black);
   Picture picture = make_picture({});
   Rgb expected;
@@ -165,7 +165,7 @@ TEST(RasterShading, each_of_nine_shaders_counts_with_its_own_weight) {
                 expected.b + weight * color.b};
   }
   picture.layers = {layer};
-  picture.viewport = picture.artboard = kBox;
+  picture.viewport = picture.artboard = kShadedBox;
   const Image image = shaded(picture);
   for (int i = 0; i < kWidth * kHeight; ++i) {
     const int x = i % kWidth, y = i / kWidth;
@@ -176,7 +176,7 @@ TEST(RasterShading, each_of_nine_shaders_counts_with_its_own_weight) {
 }
 
 TEST(RasterShading, an_opacity_shader_gives_alpha_times_luminance) {
-  const RegionMesh mesh = jittered_grid(kBox, 3, 2);
+  const RegionMesh mesh = jittered_grid(kShadedBox, 3, 2);
   const Rgb color{0.9f, 0.4f, 0.2f};
   for (InterpolationSpace space : {InterpolationSpace::srgb, InterpolationSpace::oklab}) {
     PatchLayer layer = make_layer(mesh, black);
@@ -194,7 +194,7 @@ TEST(RasterShading, an_opacity_shader_gives_alpha_times_luminance) {
 
 TEST(RasterShading, a_mask_by_a_shader_has_no_fringe) {
   // Red where the mask is white, blue where it is black.
-  const RegionMesh mesh = cut_box(kBox, {3.3, 8}, {4.9, 0});
+  const RegionMesh mesh = cut_box(kShadedBox, {3.3, 8}, {4.9, 0});
   PatchLayer layer = make_layer(mesh, [](int region, Vec2) {
     return region ? Rgb{0, 0, 1} : Rgb{1, 0, 0};
   });
@@ -219,7 +219,7 @@ TEST(RasterShading, a_mask_by_a_shader_has_no_fringe) {
 }
 
 TEST(RasterShading, shaders_give_the_same_bytes_for_any_instruction_set_and_crop) {
-  const RegionMesh mesh = jittered_grid(kBox, 7, 3, [](int i, int j) { return i * j % 3; });
+  const RegionMesh mesh = jittered_grid(kShadedBox, 7, 3, [](int i, int j) { return i * j % 3; });
   PatchLayer layer = make_layer(mesh, [](int region, Vec2 p) {
     return lerp(Rgb{0.1f, 0.2f, 0.3f}, Rgb{0.9f, 0.2f, 0.1f}, share(region, p));
   });

@@ -9,7 +9,7 @@
 namespace sfumato {
 namespace {
 
-constexpr int kSide = 8;
+constexpr int kSourceSide = 8;
 
 /// One colour and half the opacity everywhere; its tables are `missing` values short.
 class EvenSource final : public picture::FieldSource {
@@ -47,10 +47,10 @@ PatchField field_of(int channels) {
 /// A layer of two triangles over the whole picture.
 Picture two_triangles() {
   Picture picture;
-  picture.artboard = picture.viewport = {{0, 0}, {kSide, kSide}};
+  picture.artboard = picture.viewport = {{0, 0}, {kSourceSide, kSourceSide}};
   PatchLayer layer;
   layer.frame = picture.artboard;
-  layer.vertex_position = {{0, 0}, {kSide, 0}, {kSide, kSide}, {0, kSide}};
+  layer.vertex_position = {{0, 0}, {kSourceSide, 0}, {kSourceSide, kSourceSide}, {0, kSourceSide}};
   layer.triangle_vertex = {0, 1, 2, 0, 2, 3};
   layer.edge_is_curve.assign(6, 0);
   layer.color = field_of(3);
@@ -63,7 +63,8 @@ Picture two_triangles() {
 Result<Image> drawn(const Picture& picture, const picture::FieldSource& source) {
   Context context;
   return rasterize(context, picture,
-                   {.width = kSide, .height = kSide, .format = PixelFormat::rgba8}, source);
+                   {.width = kSourceSide, .height = kSourceSide, .format = PixelFormat::rgba8},
+                   source);
 }
 
 TEST(FieldSource, its_values_are_the_pixels) {

@@ -9,7 +9,7 @@
 namespace sfumato::test {
 namespace {
 
-constexpr Box kBox{{0, 0}, {80, 60}};
+constexpr Box kStrokesBox{{0, 0}, {80, 60}};
 
 /// A straight stroke of one colour along y = 30, opaque on its axis.
 LocalStroke straight_stroke(const Rgb& color, float radius) {
@@ -22,12 +22,12 @@ LocalStroke straight_stroke(const Rgb& color, float radius) {
 }
 
 Picture white_picture() {
-  return make_picture(flat_layer(kBox, {1, 1, 1}));
+  return make_picture(flat_layer(kStrokesBox, {1, 1, 1}));
 }
 
 TEST(RasterStrokes, a_stroke_lies_at_its_place_in_the_stack) {
   Picture picture = white_picture();
-  picture.layers.push_back(flat_layer(kBox, {0, 0, 1}));
+  picture.layers.push_back(flat_layer(kStrokesBox, {0, 0, 1}));
   const Affine right_half{0.5, 0, 0, 1, 40, 0};
   picture.stack = {PatchInstance{0, {}}, straight_stroke({1, 0, 0}, 12),
                    PatchInstance{1, right_half}};

@@ -10,6 +10,9 @@
 
 namespace sfumato::test {
 
+/// Half a step of 16 bits, plus the error that is allowed to the rasterizer.
+inline constexpr double kAllowed = 0.5 / 257 + 0.02;
+
 inline RasterOptions image_size(int width, int height, PixelFormat format = PixelFormat::rgb16) {
   RasterOptions options;
   options.width = width;

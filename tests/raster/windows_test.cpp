@@ -125,10 +125,10 @@ TEST(RasterWindows, far_from_the_corner_show_the_same_where_they_overlap) {
   stroke.curve.influence_radius.stops = {{0, 0.000002f}};
   picture.stack.push_back(stroke);
   RasterOptions options = image_size(300, 200);
-  constexpr int kX = kFar / 4 * 3 - 150, kY = kFar / 4 * 3 - 100;
-  options.window = RasterWindow{kX, kY, kFar, kFar};
+  constexpr int kCornerX = kFar / 4 * 3 - 150, kCornerY = kFar / 4 * 3 - 100;
+  options.window = RasterWindow{kCornerX, kCornerY, kFar, kFar};
   const Image first = rasterized(picture, options);
-  options.window = RasterWindow{kX + 33, kY + 21, kFar, kFar};
+  options.window = RasterWindow{kCornerX + 33, kCornerY + 21, kFar, kFar};
   const Image second = rasterized(picture, options);
   int colors = 0;
   for (int y = 0; y < 179; ++y) {

@@ -30,7 +30,7 @@ using test::kRed;
 using test::straight_curve;
 using test::with_opacity;
 
-const StopPlace kFirst{0, 0, CurveSide::left, StopAttribute::color, 0};
+const StopPlace kFirstStop{0, 0, CurveSide::left, StopAttribute::color, 0};
 
 /// Two curves that meet, a blurred one, and a second layer with opacities.
 Document drawing() {
@@ -96,7 +96,7 @@ class ColorDrag : public testing::Test {
 };
 
 TEST_F(ColorDrag, shows_the_values_of_the_new_colour) {
-  ASSERT_TRUE(solution.begin_color(context, kFirst).ok());
+  ASSERT_TRUE(solution.begin_color(context, kFirstStop).ok());
   for (const Rgb color : {kGreen, Rgb{0.2f, 0.4f, 0.9f}}) {
     ASSERT_TRUE(solution.color(context, color).ok());
     EXPECT_EQ(stops()[0].value, color);
@@ -119,7 +119,7 @@ TEST_F(ColorDrag, among_specks_is_as_good_as_the_gather_there) {
         colored(straight_curve({x, y}, {x + 0.002 * number(), y + 0.1}), kGreen, kBlue));
   }
   take_over(std::move(document));
-  ASSERT_TRUE(solution.begin_color(context, kFirst).ok());
+  ASSERT_TRUE(solution.begin_color(context, kFirstStop).ok());
   for (const Rgb color : {kGreen, Rgb{1, 1, 1}}) {
     ASSERT_TRUE(solution.color(context, color).ok());
     EXPECT_LT(farthest_from_exact(), 1);
@@ -129,7 +129,7 @@ TEST_F(ColorDrag, among_specks_is_as_good_as_the_gather_there) {
 TEST_F(ColorDrag, leaves_the_picture_of_diffuse_once_it_is_solved) {
   const DiffuseOptions fine{.max_error = 2};
   ASSERT_TRUE(solution.solve(context, fine).ok());
-  ASSERT_TRUE(solution.begin_color(context, kFirst).ok());
+  ASSERT_TRUE(solution.begin_color(context, kFirstStop).ok());
   ASSERT_TRUE(solution.color(context, Rgb{0.5f, 0.25f, 0}).ok());
   ASSERT_TRUE(solution.solve(context, fine).ok());
   EXPECT_EQ(difference_of(solution.picture(), diffused(solution.document(), fine)), "");
@@ -138,7 +138,7 @@ TEST_F(ColorDrag, leaves_the_picture_of_diffuse_once_it_is_solved) {
 }
 
 TEST_F(ColorDrag, depends_on_the_value_alone) {
-  ASSERT_TRUE(solution.begin_color(context, kFirst).ok());
+  ASSERT_TRUE(solution.begin_color(context, kFirstStop).ok());
   ASSERT_TRUE(solution.color(context, kBlue).ok());
   const Picture first = solution.picture();
   for (const Rgb color : {kGreen, Rgb{1, 1, 1}, kBlue}) {
@@ -161,7 +161,7 @@ TEST_F(ColorDrag, of_an_opacity_shows_what_was_invisible) {
 }
 
 TEST_F(ColorDrag, of_a_whole_side_moves_all_its_stops) {
-  StopPlace side = kFirst;
+  StopPlace side = kFirstStop;
   side.index.reset();
   take_over(with_stops({{0, {0.5f, 0.25f, 0}}, {1, {0.25f, 0.5f, 0.5f}}}));
   ASSERT_TRUE(solution.begin_color(context, side).ok());
@@ -196,7 +196,7 @@ TEST_F(ColorDrag, is_exact_beside_a_curve_whose_colours_are_equal_and_whose_opac
 }
 
 TEST_F(ColorDrag, with_the_colour_as_it_was_leaves_the_layer_solved) {
-  ASSERT_TRUE(solution.begin_color(context, kFirst).ok());
+  ASSERT_TRUE(solution.begin_color(context, kFirstStop).ok());
   ASSERT_TRUE(solution.color(context, stops()[0].value).ok());
   EXPECT_LT(farthest_from_exact(), 0.05);
   ASSERT_TRUE(solution.begin_color(context, {0, 2, CurveSide::left, StopAttribute::color, 0}).ok());
@@ -208,7 +208,7 @@ TEST_F(ColorDrag, with_the_colour_as_it_was_leaves_the_layer_solved) {
 
 TEST_F(ColorDrag, tells_which_layer_is_new) {
   (void)solution.take_delta();
-  ASSERT_TRUE(solution.begin_color(context, kFirst).ok());
+  ASSERT_TRUE(solution.begin_color(context, kFirstStop).ok());
   EXPECT_TRUE(solution.take_delta().empty());
   for (const Rgb color : {kBlue, kGreen}) {
     ASSERT_TRUE(solution.color(context, color).ok());
@@ -219,7 +219,7 @@ TEST_F(ColorDrag, tells_which_layer_is_new) {
 }
 
 TEST_F(ColorDrag, has_a_factor_for_each_row_of_values) {
-  ASSERT_TRUE(solution.begin_color(context, kFirst).ok());
+  ASSERT_TRUE(solution.begin_color(context, kFirstStop).ok());
   ASSERT_TRUE(solution.color(context, stops()[0].value).ok());
   const std::vector<float> before = solution.picture().layers[0].color.node_value;
   const std::vector<float> factor(solution.color_response().begin(),
@@ -243,13 +243,13 @@ TEST_F(ColorDrag, refuses_what_is_not_a_stop_or_not_solved) {
   expect_refused(begin({0, 0, CurveSide::left, StopAttribute::opacity, {}}), "no such stop");
   expect_refused(begin({0, 0, static_cast<CurveSide>(2), StopAttribute::color, 0}), "no such stop");
   expect_refused(begin({0, 0, CurveSide::left, static_cast<StopAttribute>(2), 0}), "no such stop");
-  ASSERT_TRUE(begin(kFirst).ok());
+  ASSERT_TRUE(begin(kFirstStop).ok());
   expect_refused(solution.color(context, 0.5f), "a colour for an opacity");
   expect_refused(solution.color(context, Rgb{0, 1.5f, 0}), "not within 0 to 1");
   ASSERT_TRUE(solution.color(context, kBlue).ok());
   const Curve curve = solution.document().layers[0].curves[0];
   ASSERT_TRUE(solution.apply(context, ReplaceCurve{0, 0, curve}).ok());
-  expect_refused(begin(kFirst), "to be solved");
+  expect_refused(begin(kFirstStop), "to be solved");
   expect_refused(solution.color(context, kBlue), "no stop is prepared");
   expect_refused(solution.begin_drag(context, 0, 0), "to be solved");
 }
@@ -272,12 +272,12 @@ TEST_F(ColorDrag, that_is_cancelled_leaves_document_and_picture) {
     test::CancelAt watch(at, hurried.cancel);
     hurried.poll_watch = &watch;
     const Picture before = solution.picture();
-    const Status status = solution.begin_color(hurried, kFirst);
+    const Status status = solution.begin_color(hurried, kFirstStop);
     EXPECT_TRUE(status.ok() || status.code == StatusCode::cancelled) << status.message;
     EXPECT_EQ(difference_of(solution.picture(), before), "");
     solution.end_drag();
   }
-  ASSERT_TRUE(solution.begin_color(context, kFirst).ok());
+  ASSERT_TRUE(solution.begin_color(context, kFirstStop).ok());
   const Document document = solution.document();
   const Picture picture = solution.picture();
   Context stopped;
@@ -290,7 +290,7 @@ TEST_F(ColorDrag, that_is_cancelled_leaves_document_and_picture) {
 
 TEST_F(ColorDrag, keeps_no_memory_beyond_its_end) {
   Context lender;
-  ASSERT_TRUE(solution.begin_color(lender, kFirst).ok());
+  ASSERT_TRUE(solution.begin_color(lender, kFirstStop).ok());
   EXPECT_GT(lender.budget.used(), 4 * solution.color_response().size());
   ASSERT_TRUE(solution.color(lender, kBlue).ok());
   ASSERT_TRUE(solution.color(lender, kGreen).ok());

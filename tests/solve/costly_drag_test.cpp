@@ -50,7 +50,7 @@ Curve moved(Curve curve, Vec2 by) {
 }
 
 /// A curve that is costly to drag, and one that is not.
-Document drawing(Curve costly) {
+Document drawing_of_costly(Curve costly) {
   return test::one_layer({std::move(costly), colored(circle_curve({50, 50}, 3), kBlue, kGreen)});
 }
 
@@ -60,7 +60,7 @@ std::size_t triangles(const Solution& solution) {
 
 TEST(CostlyDrag, has_a_mesh_that_is_rough_throughout) {
   Context context;
-  Solution solution = expecting_drags(context, drawing(wave()));
+  Solution solution = expecting_drags(context, drawing_of_costly(wave()));
   const std::size_t exact = triangles(solution);
   ASSERT_TRUE(solution.begin_drag(context, 0, 0).ok());
   EXPECT_EQ(triangles(solution), exact) << "the picture stays as it is";
@@ -76,7 +76,7 @@ TEST(CostlyDrag, has_a_mesh_that_is_rough_throughout) {
 
 TEST(CostlyDrag, is_that_of_the_costly_curve_alone) {
   Context context;
-  Solution solution = expecting_drags(context, drawing(wave()));
+  Solution solution = expecting_drags(context, drawing_of_costly(wave()));
   const std::size_t exact = triangles(solution);
   ASSERT_TRUE(solution.begin_drag(context, 0, 1).ok());
   const Curve small = solution.document().layers[0].curves[1];
@@ -86,7 +86,7 @@ TEST(CostlyDrag, is_that_of_the_costly_curve_alone) {
 
 TEST(CostlyDrag, depends_on_where_the_curve_is_alone_beyond_the_picture_too) {
   Context context;
-  Solution solution = expecting_drags(context, drawing(wave()));
+  Solution solution = expecting_drags(context, drawing_of_costly(wave()));
   ASSERT_TRUE(solution.begin_drag(context, 0, 0).ok());
   ASSERT_TRUE(solution.drag(context, moved(wave(), {4, 3})).ok());
   const Picture straight = solution.picture();
@@ -130,7 +130,7 @@ TEST(CostlyDrag, of_any_curve_shows_it_and_ends_in_the_picture_of_diffuse) {
   for (const auto& [name, curve] : odd_curves()) {
     SCOPED_TRACE(name);
     Context context;
-    Document document = drawing(curve);
+    Document document = drawing_of_costly(curve);
     LayerInstance instance;  // a larger one beside the first
     instance.artboard_from_layer = {2, 0, 0, 2, 30, 10};
     document.stack.push_back(instance);
@@ -151,7 +151,7 @@ TEST(CostlyDrag, of_any_curve_shows_it_and_ends_in_the_picture_of_diffuse) {
 TEST(CostlyDrag, waits_where_nothing_is_seen_without_the_curve) {
   Context context;
   const Curve outline = with_opacity(wave(), 0, 1);
-  Solution solution = expecting_drags(context, drawing(outline));
+  Solution solution = expecting_drags(context, drawing_of_costly(outline));
   ASSERT_TRUE(solution.begin_drag(context, 0, 0).ok());
   ASSERT_TRUE(solution.drag(context, moved(outline, {1, 1}), nullptr, 0).ok());
   ASSERT_TRUE(solution.drag_more(context).ok());

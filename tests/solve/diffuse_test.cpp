@@ -8,6 +8,7 @@
 
 #include "sfumato/base/native/thread_pool.hpp"
 #include "sfumato/solve/point_evaluator.hpp"
+#include "solve/diffused.hpp"
 #include "support/drawing.hpp"
 #include "support/picture_sampler.hpp"
 #include "support/scenes.hpp"
@@ -17,16 +18,9 @@ namespace {
 
 using test::circle_curve;
 using test::colored;
+using test::diffused;
 using test::one_layer;
 using test::straight_curve;
-
-Picture diffused(const Document& document, const DiffuseOptions& options = {},
-                 DiffuseStats* stats = nullptr) {
-  Context context;
-  Result<Picture> picture = diffuse(context, document, options, stats);
-  EXPECT_TRUE(picture.ok()) << picture.status().message;
-  return picture.ok() ? *picture : Picture{};
-}
 
 std::array<double, 3> exact_color(const Document& document, Vec2 p) {
   Context context;

@@ -36,7 +36,7 @@ using test::kRed;
 using test::mean_difference;
 using test::solved;
 
-constexpr std::uint64_t kDocuments = SFUMATO_HAS_SANITIZER ? 2 : 10;
+constexpr std::uint64_t kDraggedDocuments = SFUMATO_HAS_SANITIZER ? 2 : 10;
 
 TEST(Drag, shows_the_curve_where_it_is) {
   Context context;
@@ -157,7 +157,7 @@ TEST(Drag, goes_on_a_little_at_a_time_with_what_matters_most) {
 TEST(Drag, with_and_without_time_ends_alike_whatever_is_dragged) {
   std::size_t waited = 0;
   constexpr std::uint64_t kFirst = 12;  // in which nodes may wait
-  for (std::uint64_t seed = kFirst; seed < kFirst + kDocuments / 2; ++seed) {
+  for (std::uint64_t seed = kFirst; seed < kFirst + kDraggedDocuments / 2; ++seed) {
     SCOPED_TRACE(seed);
     Context context;
     std::mt19937 random(static_cast<std::uint32_t>(seed));
@@ -459,7 +459,7 @@ TEST(Drag, gives_back_all_memory) {
 }
 
 TEST(Drag, ends_in_the_picture_of_diffuse_whatever_is_dragged) {
-  for (std::uint64_t seed = 0; seed < kDocuments; ++seed) {
+  for (std::uint64_t seed = 0; seed < kDraggedDocuments; ++seed) {
     SCOPED_TRACE(seed);
     Context context;
     std::mt19937 random(static_cast<std::uint32_t>(seed));

@@ -36,7 +36,7 @@ std::string difference_of(const ExactLayer& a, const ExactLayer& b) {
   return "";
 }
 
-void expect_as_diffused(Solution& solution, DiffuseOptions options) {
+void expect_exact_layers_as_diffused(Solution& solution, DiffuseOptions options) {
   Context context;
   ASSERT_TRUE(solution.solve(context, options));
   options.exact_fields = true;
@@ -56,13 +56,13 @@ TEST(ExactLayerOfASolution, is_that_of_diffuse_after_changes_too) {
     Solution solution = test::solution_of(context, std::move(document));
     DiffuseOptions options;
     options.pixels_per_unit = seed % 3 == 0 ? 4 : 1;
-    expect_as_diffused(solution, options);
+    expect_exact_layers_as_diffused(solution, options);
     const Document& now = solution.document();
     if (now.layers.empty() || now.layers[0].curves.empty()) continue;
     Curve moved = now.layers[0].curves[0];
     for (Vec2& point : moved.control_points) point = point + Vec2{0.5, 0.25};
     ASSERT_TRUE(solution.apply(context, ReplaceCurve{0, 0, std::move(moved)}));
-    expect_as_diffused(solution, options);
+    expect_exact_layers_as_diffused(solution, options);
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include "sfumato/solve/diffuse.hpp"
 #include "sfumato/solve/point_evaluator.hpp"
+#include "solve/diffused.hpp"
 #include "support/drawing.hpp"
 #include "support/picture_sampler.hpp"
 
@@ -15,16 +16,10 @@ namespace {
 using test::blurred;
 using test::circle_curve;
 using test::colored;
+using test::diffused;
 using test::one_layer;
 using test::straight_curve;
 using test::with_opacity;
-
-Picture diffused(const Document& document, const DiffuseOptions& options = {}) {
-  Context context;
-  Result<Picture> picture = diffuse(context, document, options);
-  EXPECT_TRUE(picture.ok()) << picture.status().message;
-  return picture.ok() ? *picture : Picture{};
-}
 
 Curve imaged(Curve curve, std::uint32_t left, std::uint32_t right) {
   curve.left.color = {ShaderKind::image_domain, {}, left};

@@ -21,11 +21,11 @@
 namespace sfumato::solve {
 namespace {
 
-constexpr std::uint64_t kDocuments = SFUMATO_HAS_SANITIZER ? 4 : 40;
+constexpr std::uint64_t kLayerDragDocuments = SFUMATO_HAS_SANITIZER ? 4 : 40;
 
 /// A frame may be this much wrong. Windows too narrow to count are left out of a gather: which ones
 /// depends on the mesh around a point.
-constexpr float kMost = 1.0f / 255;
+constexpr float kMostDragMiss = 1.0f / 255;
 
 /// Of a point at which two curves nearly touch one cannot say which side of them it lies on.
 constexpr double kAside = 1e-3;
@@ -50,7 +50,8 @@ struct Comparison {
     for (const std::uint32_t n : free) {
       const float* const value = layout.value.data() + channels * n;
       float miss = largest_miss(value, exact.data() + channels * n, channels);
-      if (miss > kMost) miss = least_miss_around(context, gatherer, layout.position[n], value);
+      if (miss > kMostDragMiss)
+        miss = least_miss_around(context, gatherer, layout.position[n], value);
       if (!(miss <= worst)) worst = miss, place = layout.position[n];
     }
   }
@@ -156,12 +157,12 @@ void expect_exact_frames(const Document& document, LayerCurve at, const DiffuseO
     }
     rows = std::move(made->rows);
     EXPECT_EQ(test::difference_of(picture_of(shown), picture_of(anew->layer)), "");
-    EXPECT_LE(seen.worst, kMost) << "at " << seen.place.x << ", " << seen.place.y;
+    EXPECT_LE(seen.worst, kMostDragMiss) << "at " << seen.place.x << ", " << seen.place.y;
   }
 }
 
 TEST(LayerDrag, has_the_exact_values_at_all_nodes_of_its_frames) {
-  for (std::uint64_t seed = 0; seed < kDocuments; ++seed) {
+  for (std::uint64_t seed = 0; seed < kLayerDragDocuments; ++seed) {
     const Document document = test::random_document(seed);
     std::mt19937 random(static_cast<std::uint32_t>(seed));
     DiffuseOptions options;
@@ -200,14 +201,14 @@ void expect_small_misses(const Document& document, LayerCurve at, double most, s
     // A border is where it is seen to be, and what is cut there has other nodes.
     if (about->layer.color.triangle_node != exact->layer.color.triangle_node) continue;
     const float miss = test::largest_difference(about->layer.color, exact->layer.color);
-    EXPECT_LE(miss, 1.5 * most + kMost) << "frame " << frame;
+    EXPECT_LE(miss, 1.5 * most + kMostDragMiss) << "frame " << frame;
     missed += miss > 0;
   }
 }
 
 TEST(LayerDrag, misses_no_more_than_it_may) {
   int missed = 0;
-  for (std::uint64_t seed = 0; seed < kDocuments; ++seed) {
+  for (std::uint64_t seed = 0; seed < kLayerDragDocuments; ++seed) {
     const Document document = test::random_document(seed);
     std::mt19937 random(static_cast<std::uint32_t>(seed));
     const double most = seed % 2 == 0 ? 0.02 : 0.2;

@@ -20,10 +20,10 @@
 namespace sfumato::solve {
 namespace {
 
-constexpr std::uint64_t kDocuments = SFUMATO_HAS_SANITIZER ? 6 : 60;
+constexpr std::uint64_t kResponseDocuments = SFUMATO_HAS_SANITIZER ? 6 : 60;
 
 /// What is foretold may miss by this much.
-constexpr float kMost = 0.01f / 255;
+constexpr float kMostResponseMiss = 0.01f / 255;
 
 /// A stop of a curve whose two sides do not come to be equal by the change of it.
 struct Changed {
@@ -137,7 +137,7 @@ struct Sample {
 /// Some stops of each layer of random documents.
 template <class Visit>
 void for_samples(Context& context, Visit visit) {
-  for (std::uint64_t seed = 0; seed < kDocuments; ++seed) {
+  for (std::uint64_t seed = 0; seed < kResponseDocuments; ++seed) {
     const Document document = test::random_document(seed);
     std::mt19937 random(static_cast<std::uint32_t>(seed));
     DiffuseOptions options;
@@ -182,15 +182,15 @@ TEST(LayerResponse, foretells_what_the_gather_finds) {
                               is->layer.color),
                  largest_miss(was->layer.opacity, sample.is_color() ? none : was->factor, shift,
                               is->layer.opacity));
-    EXPECT_LE(miss, kMost);
+    EXPECT_LE(miss, kMostResponseMiss);
     worst = std::max(worst, miss);
     ++stops;
     blurred += sample.is_blurred();
     nodes += was->factor.size();
   });
-  EXPECT_GT(stops, 2 * kDocuments);
-  EXPECT_GT(blurred, kDocuments / 4);
-  EXPECT_GT(nodes, 100 * kDocuments);
+  EXPECT_GT(stops, 2 * kResponseDocuments);
+  EXPECT_GT(blurred, kResponseDocuments / 4);
+  EXPECT_GT(nodes, 100 * kResponseDocuments);
   RecordProperty("largest_miss_in_code_values", std::to_string(255 * worst));
 }
 
@@ -208,16 +208,16 @@ TEST(LayerResponse, misses_no_node_that_answers) {
     if (refined.nodes.opacity) refined.nodes.opacity->layout.is_fixed.swap(marks.opacity);
     if (some->factor.size() != all->factor.size()) return;  // another node sees nothing
     for (std::size_t node = 0; node < some->factor.size(); ++node) {
-      ASSERT_GE(some->factor[node], -kMost);
-      ASSERT_LE(some->factor[node], 1 + kMost);
+      ASSERT_GE(some->factor[node], -kMostResponseMiss);
+      ASSERT_LE(some->factor[node], 1 + kMostResponseMiss);
       ++(some->factor[node] > 0 ? answering : silent);
       if (some->factor[node] == 0) {
         ASSERT_LE(all->factor[node], 1.0f / 255) << node;
       }
     }
   });
-  EXPECT_GT(answering, 100 * kDocuments);
-  EXPECT_GT(silent, 100 * kDocuments);
+  EXPECT_GT(answering, 100 * kResponseDocuments);
+  EXPECT_GT(silent, 100 * kResponseDocuments);
 }
 
 }  // namespace

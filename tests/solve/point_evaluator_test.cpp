@@ -17,7 +17,7 @@ Document square() {
   Document document;
   document.artboard = {{0, 0}, {10, 10}};
   Curve curve = polyline({{2, 2}, {8, 2}, {8, 8}, {2, 8}, {2, 2}});
-  curve.right = colored({rgb(0x336699)});
+  curve.right = sfumato::colored({rgb(0x336699)});
   curve.left.color.kind = ShaderKind::barrier;
   add_layer(document, {curve});
   document.layers.push_back({"hidden", {curve}});

@@ -10,6 +10,7 @@
 #include "base/charge.hpp"
 #include "sfumato/base/native/thread_pool.hpp"
 #include "sfumato/solve/solution.hpp"
+#include "solve/circles.hpp"
 #include "solve/diffused.hpp"
 #include "solve/mean_difference.hpp"
 #include "solve/solved.hpp"
@@ -24,6 +25,7 @@
 namespace sfumato {
 namespace {
 
+using test::circle_at;
 using test::circle_curve;
 using test::colored;
 using test::difference_of;
@@ -34,11 +36,7 @@ using test::kRed;
 using test::mean_difference;
 using test::solved;
 
-constexpr std::uint32_t kDocuments = SFUMATO_HAS_SANITIZER ? 3 : 20;
-
-Curve circle_at(Vec2 center) {
-  return colored(circle_curve(center, 12), kRed, kBlue);
-}
+constexpr std::uint32_t kRoughDocuments = SFUMATO_HAS_SANITIZER ? 3 : 20;
 
 LocalStroke stroke_at(Vec2 center) {
   const Curve circle = circle_at(center);
@@ -50,7 +48,7 @@ LocalStroke stroke_at(Vec2 center) {
 }
 
 /// Two circles in a large one, two layers over them, and a local curve.
-Document circles() {
+Document circles_in_layers() {
   Document document = test::one_layer({circle_at({30, 30}), circle_at({60, 40}),
                                        colored(circle_curve({50, 50}, 45), kBlue, kGreen)});
   document.layers.push_back({"above", {colored(circle_curve({70, 70}, 9), kGreen, kRed)}});
@@ -74,7 +72,7 @@ bool is_exact(const Solution& solution, const DiffuseOptions& options = {}) {
 
 TEST(Rough, pictures_solve_the_layers_that_changed) {
   Context context;
-  Solution solution = solved(context, circles());
+  Solution solution = solved(context, circles_in_layers());
   const Picture before = solution.picture();
   const float* const values = solution.picture().layers[1].color.node_value.data();
   move_two(context, solution, 2);
@@ -98,7 +96,7 @@ TEST(Rough, pictures_solve_the_layers_that_changed) {
 
 TEST(Rough, pictures_of_what_is_shown_already_stay) {
   Context context;
-  Solution solution = solved(context, circles());
+  Solution solution = solved(context, circles_in_layers());
   const auto solves_nothing = [&] {
     solution.take_delta();
     DiffuseStats stats;
@@ -123,8 +121,8 @@ TEST(Rough, pictures_of_what_is_shown_already_stay) {
 
 TEST(Rough, pictures_have_the_stack_of_the_document) {
   Context context;
-  Solution solution = solved(context, circles());
-  std::vector<StackItem> stack = circles().stack;
+  Solution solution = solved(context, circles_in_layers());
+  std::vector<StackItem> stack = circles_in_layers().stack;
   std::swap(stack[0], stack[4]);
   stack[3] = stroke_at({20, 80});
   ASSERT_TRUE(solution.apply(context, ReplaceStack{stack}).ok());
@@ -142,7 +140,7 @@ TEST(Rough, pictures_have_the_stack_of_the_document) {
 
 TEST(Rough, pictures_may_be_the_first_and_of_other_options) {
   Context context;
-  Solution solution = std::move(*Solution::create(context, circles()));
+  Solution solution = std::move(*Solution::create(context, circles_in_layers()));
   EXPECT_EQ(solution.solve_roughly(context, {.pixels_per_unit = 0}).code, StatusCode::bad_input);
   for (const DiffuseOptions& options :
        {DiffuseOptions{}, DiffuseOptions{.pixels_per_unit = 3},
@@ -151,7 +149,7 @@ TEST(Rough, pictures_may_be_the_first_and_of_other_options) {
     DiffuseStats stats;
     ASSERT_TRUE(solution.solve_roughly(context, options, &stats).ok());
     EXPECT_EQ(stats.curves, 5u);
-    EXPECT_LT(mean_difference(solution.picture(), diffused(circles())), 0.5);
+    EXPECT_LT(mean_difference(solution.picture(), diffused(circles_in_layers())), 0.5);
     ASSERT_TRUE(solution.solve(context, options).ok());
     EXPECT_TRUE(is_exact(solution, options));
   }
@@ -159,7 +157,7 @@ TEST(Rough, pictures_may_be_the_first_and_of_other_options) {
 
 TEST(Rough, pictures_are_what_drags_begin_from) {
   Context context;
-  Solution solution = solved(context, circles());
+  Solution solution = solved(context, circles_in_layers());
   solution.expect_drags();
   move_two(context, solution, 2);
   ASSERT_TRUE(solution.solve_roughly(context, {}).ok());
@@ -228,7 +226,7 @@ TEST(Rough, pictures_of_any_edits_end_in_that_of_diffuse) {
   const DiffuseOptions options{.pixels_per_unit = 0.5, .max_error = 4};
   double sum = 0;
   int pictures = 0;
-  for (std::uint32_t seed = 0; seed < kDocuments; ++seed) {
+  for (std::uint32_t seed = 0; seed < kRoughDocuments; ++seed) {
     Context context;
     Solution solution = solved(context, test::random_document(700 + seed), options);
     if (seed % 2 == 0) solution.expect_drags();
@@ -257,7 +255,7 @@ TEST(Rough, pictures_of_any_edits_end_in_that_of_diffuse) {
 /// A viewer that follows the deltas shows the picture.
 TEST(Rough, pictures_tell_what_is_new) {
   const DiffuseOptions options{.pixels_per_unit = 0.5, .max_error = 8};
-  for (std::uint32_t seed = 0; seed < kDocuments / 3; ++seed) {
+  for (std::uint32_t seed = 0; seed < kRoughDocuments / 3; ++seed) {
     Context context;
     Solution solution = solved(context, test::random_document(800 + seed), options);
     std::mt19937 random(seed);
@@ -281,7 +279,7 @@ TEST(Rough, pictures_have_the_same_bits_for_any_thread_count) {
   const auto with_threads = [](int threads) {
     ThreadPool pool(threads);
     Context context{.executor = &pool};
-    Solution solution = solved(context, circles());
+    Solution solution = solved(context, circles_in_layers());
     move_two(context, solution, 3);
     EXPECT_TRUE(solution.solve_roughly(context, {}).ok());
     return solution.picture();
@@ -291,7 +289,7 @@ TEST(Rough, pictures_have_the_same_bits_for_any_thread_count) {
 
 TEST(Rough, pictures_that_are_cancelled_leave_the_last_one) {
   Context context;
-  Solution solution = solved(context, circles());
+  Solution solution = solved(context, circles_in_layers());
   const Picture before = solution.picture();
   move_two(context, solution, 2);
   int cancelled = 0;
@@ -317,7 +315,7 @@ TEST(Rough, pictures_without_memory_leave_the_last_one) {
   for (std::size_t room = 0; made == 0 || room < 60'000; room += 1 + room / 4) {
     SCOPED_TRACE(room);
     Context context;
-    Solution solution = solved(context, circles());
+    Solution solution = solved(context, circles_in_layers());
     move_two(context, solution, 2);
     const Picture before = solution.picture();
     {

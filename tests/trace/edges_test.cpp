@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "support/poll_recorder.hpp"
-#include "support/sanitizers.hpp"
 #include "trace/chains.hpp"
 #include "trace/planes_of.hpp"
+#include "trace/tracing.hpp"
 
 namespace sfumato::tracing {
 namespace {
@@ -162,12 +162,6 @@ TEST(LinkChains, lets_an_end_meet_the_line_ahead) {
   EXPECT_GE(stem.point.size(), 35u);
 }
 
-#if SFUMATO_HAS_SANITIZER || !defined(NDEBUG)
-constexpr double kSlowdown = 20;  // sanitizers, and builds that are not optimised
-#else
-constexpr double kSlowdown = 1;
-#endif
-
 /// Many short lines, whose ends lie near others.
 EdgeMap dashes(int side) {
   EdgeMap edges{side, side, std::vector<EdgePixel>(static_cast<std::size_t>(side * side))};
@@ -230,7 +224,7 @@ TEST(LinkChains, looks_at_the_flag_within_50_ms) {
   TableMemory memory("chains");
   ASSERT_TRUE(link_chains(context, edges, memory).ok());
   recorder.stop();
-  EXPECT_LT(recorder.longest_seconds(), 0.05 * kSlowdown);
+  EXPECT_LT(recorder.longest_seconds(), 0.05 * test::kSlowdown);
 }
 
 TEST(LinkChains, drops_what_is_short) {

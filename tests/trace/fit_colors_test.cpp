@@ -20,7 +20,7 @@ namespace {
 
 constexpr Rgb kGrey{0.5f, 0.5f, 0.5f};
 
-Image look_of(const Document& document, int width = 200) {
+Image drawn_at_width(const Document& document, int width = 200) {
   Context context;
   const Box& box = document.artboard;
   const int height = static_cast<int>(std::lround(width * box.height() / box.width()));
@@ -84,7 +84,8 @@ Rgb rounded(Rgb color) {
 }
 
 double psnr_to(const Document& document, const Image& picture) {
-  return test::psnr_db(test::planes_of(look_of(document, picture.width)), test::planes_of(picture));
+  return test::psnr_db(test::planes_of(drawn_at_width(document, picture.width)),
+                       test::planes_of(picture));
 }
 
 /// A square along the artboard, coloured inside.
@@ -102,7 +103,7 @@ Document disc_in_frame() {
 
 TEST(FitColors, disc_of_one_colour_comes_back_exactly) {
   const Document disc = disc_in_frame();
-  EXPECT_EQ(largest_difference(fitted(scrambled(disc), look_of(disc)), disc), 0);
+  EXPECT_EQ(largest_difference(fitted(scrambled(disc), drawn_at_width(disc)), disc), 0);
 }
 
 TEST(FitColors, gradients_come_back) {
@@ -111,7 +112,8 @@ TEST(FitColors, gradients_come_back) {
   line.left = colored({rgb(0xff2000), rgb(0x20c040), rgb(0x4020ff)});
   line.right = colored({rgb(0x000000), rgb(0xffffff)});
   drawing.layers[0].curves.push_back(line);
-  EXPECT_LE(largest_difference(fitted(scrambled(drawing), look_of(drawing, 300)), drawing), 2);
+  EXPECT_LE(largest_difference(fitted(scrambled(drawing), drawn_at_width(drawing, 300)), drawing),
+            2);
 }
 
 LocalStroke stroke(Vec2 from, Vec2 to, Rgb color, float radius) {
@@ -137,7 +139,8 @@ TEST(FitColors, layers_with_opacity_come_back) {
   add_layer(drawing, clear_disc({60, 45}, {rgb(0x30c080), rgb(0xf0f000)}), 0.8f);
   add_layer(drawing, clear_disc({50, 65}, {rgb(0xc03080)}));
   drawing.stack.push_back(GroupEnd{});
-  EXPECT_LE(largest_difference(fitted(scrambled(drawing), look_of(drawing)), drawing), kOneCode);
+  EXPECT_LE(largest_difference(fitted(scrambled(drawing), drawn_at_width(drawing)), drawing),
+            kOneCode);
 }
 
 TEST(FitColors, instances_share_their_colours) {
@@ -145,14 +148,15 @@ TEST(FitColors, instances_share_their_colours) {
   const std::uint32_t disc = add_layer(drawing, clear_disc({30, 30}, {kGrey, rgb(0xf08020)}), 0.9f);
   add_instance(drawing, disc, {0.5, 0.2, -0.1, 0.6, 50, 40}, 0.5f);
   add_instance(drawing, disc, {-1, 0, 0, 1, 150, 10});
-  EXPECT_LE(largest_difference(fitted(scrambled(drawing), look_of(drawing)), drawing), kOneCode);
+  EXPECT_LE(largest_difference(fitted(scrambled(drawing), drawn_at_width(drawing)), drawing),
+            kOneCode);
 }
 
 TEST(FitColors, what_is_hidden_keeps_its_colours) {
   Document drawing = test::one_layer({frame_curve({rgb(0x123456), rgb(0xfedcba)})});
   add_layer(drawing, {frame_curve({kGrey})});
   const Document before = scrambled(drawing);
-  const Document back = fitted(before, look_of(drawing));
+  const Document back = fitted(before, drawn_at_width(drawing));
   EXPECT_EQ(back.layers[0].curves, before.layers[0].curves);
   EXPECT_EQ(back.layers[1].curves[0].right.color.stops.stops[0].value, rgb(0x808080));
 }
@@ -163,7 +167,7 @@ TEST(FitColors, nothing_changes_but_colours) {
   drawing.stack.push_back(stroke({5, 5}, {5, 95}, kGrey, 4));
   drawing.background = kGrey;
   const Document before = scrambled(drawing);
-  Document back = fitted(before, look_of(drawing));
+  Document back = fitted(before, drawn_at_width(drawing));
   EXPECT_GT(largest_difference(back, before), 10);
   const auto now = stops_of(back);
   const auto then = stops_of(before);
@@ -184,7 +188,8 @@ TEST(FitColors, local_curves_and_image_domain_shaders_are_looked_past) {
   drawing.layers[0].curves.back().left.color = {ShaderKind::image_domain, {}, 0};
   drawing.layers[0].curves.back().right.color = {ShaderKind::image_domain, {}, 0};
   drawing.stack.push_back(stroke({5, 50}, {95, 50}, rgb(0x00ff80), 12));
-  EXPECT_LE(largest_difference(fitted(scrambled(drawing), look_of(drawing)), drawing), kOneCode);
+  EXPECT_LE(largest_difference(fitted(scrambled(drawing), drawn_at_width(drawing)), drawing),
+            kOneCode);
 }
 
 TEST(FitColors, what_lies_below_multiply_and_screen_is_fitted_through_them) {
@@ -197,7 +202,7 @@ TEST(FitColors, what_lies_below_multiply_and_screen_is_fitted_through_them) {
       if (in_group) drawing.stack.push_back(GroupEnd{});
       Document before = scrambled(drawing);
       before.layers[1] = drawing.layers[1];
-      const Document back = fitted(before, look_of(drawing));
+      const Document back = fitted(before, drawn_at_width(drawing));
       EXPECT_LE(largest_difference(back, drawing), kOneCode) << in_group;
       EXPECT_EQ(back.layers[1].curves, before.layers[1].curves);
     }
@@ -209,7 +214,7 @@ TEST(FitColors, layers_of_other_modes_and_pixels_below_them_are_left_as_they_are
   add_layer(drawing, clear_disc({50, 50}, {rgb(0x804020)}), 1, BlendMode::soft_light);
   const Document before = scrambled(drawing);
   TraceStats stats;
-  const Document back = fitted(before, look_of(drawing), {}, &stats);
+  const Document back = fitted(before, drawn_at_width(drawing), {}, &stats);
   EXPECT_EQ(back.layers[1].curves, before.layers[1].curves);
   EXPECT_EQ(back.layers[0].curves[1].right, before.layers[0].curves[1].right);
   EXPECT_EQ(back.layers[0].curves[1].left, drawing.layers[0].curves[1].left);
@@ -222,7 +227,7 @@ TEST(FitColors, other_interpolation_spaces_are_fitted_in_themselves) {
          test::colored(test::circle_curve({50, 50}, 25), rgb(0x2060a0), rgb(0xe0a030))});
     drawing.interpolation = space;
     add_layer(drawing, clear_disc({40, 45}, {rgb(0x30c080)}), 0.6f);
-    const Image picture = look_of(drawing);
+    const Image picture = drawn_at_width(drawing);
     const Document back = fitted(scrambled(drawing), picture);
     EXPECT_LE(largest_difference(back, drawing), 3);
   }
@@ -259,7 +264,7 @@ TEST(FitColors, radii_are_found) {
     return drawing;
   };
   const Document drawing = blurred(6);
-  const Image picture = look_of(drawing);
+  const Image picture = drawn_at_width(drawing);
   const Document back = fitted(scrambled(blurred(4.5f)), picture);
   EXPECT_NEAR(back.layers[0].curves[1].left.blur_radius.stops[0].value, 6, 0.4);
   EXPECT_EQ(back.layers[0].curves[1].right.blur_radius, back.layers[0].curves[1].left.blur_radius);
@@ -280,7 +285,7 @@ TEST(FitColors, chosen_curves_alone_are_fitted) {
     Document before = drawing;
     before.layers[1] = scrambled(drawing).layers[1];
     before.layers[0].curves[0].right.color.stops.stops[0].value = rgb(0x2868a0);
-    const Image picture = look_of(drawing, 100);
+    const Image picture = drawn_at_width(drawing, 100);
     const Document back = fitted(before, picture, {.only = {{1, 0}}});
     EXPECT_EQ(back.layers[0].curves, before.layers[0].curves);
     Document of_chosen = back;
@@ -301,7 +306,7 @@ TEST(FitColors, radii_are_found_without_colours) {
         test::colored(test::circle_curve({12, 12}, 8), rgb(0x2060a0), rgb(0x40c040)), other));
     return drawing;
   };
-  const Image picture = look_of(blurred(7, 4));
+  const Image picture = drawn_at_width(blurred(7, 4));
   const Document before = blurred(1, 1);
   const auto radius_of = [](const Document& drawing, std::size_t curve) {
     return drawing.layers[0].curves[curve].left.blur_radius.stops[0].value;
@@ -317,7 +322,7 @@ TEST(FitColors, radii_are_found_without_colours) {
 
 TEST(FitColors, stats_say_how_it_was_and_is) {
   const Document disc = disc_in_frame();
-  const Image picture = look_of(disc);
+  const Image picture = drawn_at_width(disc);
   const Document before = scrambled(disc);
   TraceStats stats;
   const Document back = fitted(before, picture, {}, &stats);
@@ -333,7 +338,7 @@ TEST(FitColors, stats_say_how_it_was_and_is) {
 
 TEST(FitColors, refuses_what_it_cannot_fit) {
   Context context;
-  const Image picture = look_of(disc_in_frame(), 50);
+  const Image picture = drawn_at_width(disc_in_frame(), 50);
   const auto code_of = [&](const Document& drawing, const Image& image, const ColorFit& options) {
     return fit_colors(context, drawing, image, options).status().code;
   };
@@ -363,7 +368,7 @@ TEST(FitColors, has_the_same_bytes_for_any_number_of_threads) {
   Document drawing = disc_in_frame();
   drawing.layers[0].curves[1] = test::blurred(drawing.layers[0].curves[1], 5);
   add_layer(drawing, clear_disc({40, 45}, {rgb(0xe0a030), kGrey}, 0.6f), 0.5f);
-  const Image picture = look_of(drawing);
+  const Image picture = drawn_at_width(drawing);
   drawing.layers[0].curves[1] = test::blurred(drawing.layers[0].curves[1], 4);
   const Document before = scrambled(drawing);
   const Document expected = fitted(before, picture);
@@ -380,7 +385,7 @@ TEST(FitColors, has_the_same_bytes_for_any_number_of_threads) {
 
 TEST(FitColors, can_be_cancelled_at_any_poll) {
   const Document before = scrambled(disc_in_frame());
-  const Image picture = look_of(disc_in_frame(), 40);
+  const Image picture = drawn_at_width(disc_in_frame(), 40);
   int cancelled = 0;
   for (std::uint64_t poll = 1; poll < 4'000'000; poll = 1 + poll * 3 / 2) {
     Context context;
@@ -397,7 +402,7 @@ TEST(FitColors, can_be_cancelled_at_any_poll) {
 
 TEST(FitColors, beyond_a_budget_is_a_limit_error) {
   const Document before = scrambled(disc_in_frame());
-  const Image picture = look_of(disc_in_frame(), 100);
+  const Image picture = drawn_at_width(disc_in_frame(), 100);
   int failures = 0;
   for (std::size_t room = 1 << 12; room <= std::size_t{1} << 28; room *= 2) {
     Context poor;
@@ -445,7 +450,7 @@ TEST_P(FitColorsOf, example_looks_as_it_did) {
   const test::FolderFiles files(folder);
   const Result<ReadDocument> read = read_document(context, *bytes, GetParam().name, &files);
   ASSERT_TRUE(read.ok()) << to_string(read.status());
-  const Image picture = look_of(read->document, 240);
+  const Image picture = drawn_at_width(read->document, 240);
   const Document before = scrambled_but_for_modes(read->document);
   TraceStats stats;
   const Result<Document> back = fit_colors(context, before, picture, {}, &stats);

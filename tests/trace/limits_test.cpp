@@ -12,7 +12,6 @@
 #include "support/cancel_at.hpp"
 #include "support/flat_art.hpp"
 #include "support/poll_recorder.hpp"
-#include "support/sanitizers.hpp"
 #include "support/synthetic_photo.hpp"
 #include "trace/candidates.hpp"
 #include "trace/planes_of.hpp"
@@ -68,12 +67,6 @@ TEST(TraceLimits, each_poll_can_cancel) {
   }
 }
 
-#if SFUMATO_HAS_SANITIZER || !defined(NDEBUG)
-constexpr double kSlowdown = 20;  // sanitizers, and builds that are not optimised
-#else
-constexpr double kSlowdown = 1;
-#endif
-
 TEST(TraceLimits, it_looks_at_the_flag_within_50_ms) {
   const Image photo = test::synthetic_photo(640);
   Context context;
@@ -82,7 +75,7 @@ TEST(TraceLimits, it_looks_at_the_flag_within_50_ms) {
   recorder.start();
   ASSERT_TRUE(trace(context, photo, {.points = 500}).ok());
   recorder.stop();
-  EXPECT_LT(recorder.longest_seconds(), 0.05 * kSlowdown);
+  EXPECT_LT(recorder.longest_seconds(), 0.05 * test::kSlowdown);
 }
 
 /// A gray picture of value(x, y).

@@ -88,7 +88,7 @@ Document circle_at(Vec2 center, Rgb inside = test::kWhite) {
   return test::one_layer({test::colored(test::circle_curve(center, 30), test::kBlack, inside)});
 }
 
-test::Planes look_of(const Document& document) {
+test::Planes planes_of_drawing(const Document& document) {
   Context context;
   const Result<Image> image = test::draw(context, document, 200, 200, PixelFormat::rgb8);
   EXPECT_TRUE(image.ok()) << to_string(image.status());
@@ -97,7 +97,7 @@ test::Planes look_of(const Document& document) {
 
 TEST(FoundCurves, finds_a_drawing_in_itself) {
   const Document circle = circle_at({50, 50});
-  const test::FoundCurves found = test::find_curves(circle, circle, look_of(circle));
+  const test::FoundCurves found = test::find_curves(circle, circle, planes_of_drawing(circle));
   EXPECT_NEAR(found.true_length_px, 2 * std::numbers::pi * 60, 0.5);
   EXPECT_EQ(found.visible_share, 1);
   EXPECT_EQ(found.found_share, 1);
@@ -108,11 +108,13 @@ TEST(FoundCurves, finds_a_drawing_in_itself) {
 TEST(FoundCurves, measures_how_far_a_trace_is_off) {
   const Document circle = circle_at({50, 50});
   // Half a unit is a pixel, across the circle's direction 2/π of it on the mean.
-  const test::FoundCurves near = test::find_curves(circle, circle_at({50.5, 50}), look_of(circle));
+  const test::FoundCurves near =
+      test::find_curves(circle, circle_at({50.5, 50}), planes_of_drawing(circle));
   EXPECT_EQ(near.found_share, 1);
   EXPECT_NEAR(near.mean_distance_px, 2 / std::numbers::pi, 0.05);
   // Six pixels: near where |cos| is below a third.
-  const test::FoundCurves far = test::find_curves(circle, circle_at({53, 50}), look_of(circle));
+  const test::FoundCurves far =
+      test::find_curves(circle, circle_at({53, 50}), planes_of_drawing(circle));
   const double share = 2 / std::numbers::pi * std::asin(1.0 / 3);
   EXPECT_NEAR(far.found_share, share, 0.03);
   EXPECT_NEAR(far.true_share, share, 0.03);
@@ -123,14 +125,15 @@ TEST(FoundCurves, counts_what_can_be_seen) {
   const Curve hidden = test::circle_curve({85, 50}, 10);
   document.layers[0].curves.push_back(test::colored(hidden, test::kBlack, test::kBlack));
   const test::FoundCurves found =
-      test::find_curves(document, circle_at({35, 50}), look_of(document));
+      test::find_curves(document, circle_at({35, 50}), planes_of_drawing(document));
   EXPECT_NEAR(found.visible_share, 0.75, 0.01);
   EXPECT_EQ(found.found_share, 1);
 }
 
 TEST(FoundCurves, finds_nothing_in_nothing) {
   const Document circle = circle_at({50, 50});
-  const test::FoundCurves found = test::find_curves(circle, test::one_layer({}), look_of(circle));
+  const test::FoundCurves found =
+      test::find_curves(circle, test::one_layer({}), planes_of_drawing(circle));
   EXPECT_EQ(found.found_share, 0);
   EXPECT_EQ(found.true_share, 0);
 }
