@@ -18,11 +18,9 @@
 namespace sfumato::outputs {
 namespace {
 
-constexpr Box kBox{{0, 0}, {64, 64}};
-
 /// A grid whose middle is another region: one closed curve.
 test::RegionMesh island() {
-  return test::jittered_grid(kBox, 8, 4, [](int column, int row) {
+  return test::jittered_grid(test::kSquareBox, 8, 4, [](int column, int row) {
     return column >= 2 && column < 6 && row >= 2 && row < 6 ? 1 : 0;
   });
 }
@@ -126,7 +124,7 @@ TEST(CurveBands, beyond_the_end_of_an_opaque_mesh_lies_an_opacity_of_0) {
   int outside = 0;
   for (std::size_t v = 0; v < mask->under.vertex_position.size(); ++v) {
     EXPECT_EQ(mask->under.vertex_value[v], 0);
-    outside += kBox.contains(mask->under.vertex_position[v]) ? 0 : 1;
+    outside += test::kSquareBox.contains(mask->under.vertex_position[v]) ? 0 : 1;
   }
   // Strips along all edges, which share their corners on straight lines.
   EXPECT_GE(outside, static_cast<int>(edges.side.size()));
@@ -135,7 +133,7 @@ TEST(CurveBands, beyond_the_end_of_an_opaque_mesh_lies_an_opacity_of_0) {
 /// The mean difference to our raster in viewers that antialias no mesh.
 TEST(CurveBands, a_curve_between_two_colours_is_antialiased) {
   const Picture picture = test::make_picture(
-      test::make_layer(test::cut_box(kBox, {14, 64}, {47, 0}),
+      test::make_layer(test::cut_box(test::kSquareBox, {14, 64}, {47, 0}),
                        [](int region, Vec2) { return region == 0 ? test::kBlack : test::kWhite; }));
   Context context;
   const auto pdf = export_pdf(context, picture, {});

@@ -18,15 +18,13 @@
 namespace sfumato::outputs {
 namespace {
 
-constexpr Box kBox{{0, 0}, {64, 64}};
-
 /// A grid of 64 units' side whose ends lie on curves, but for its left one: that is the frame's.
 PatchLayer open_grid() {
-  PatchLayer layer = test::make_layer(test::jittered_grid(kBox, 8, 4, [](int, int) { return 0; }),
-                                      [](int, Vec2 p) {
-                                        return Rgb{1, 0.5f, static_cast<float>(p.y / 64)};
-                                      });
-  layer.frame = kBox;
+  PatchLayer layer = test::make_layer(
+      test::jittered_grid(test::kSquareBox, 8, 4, [](int, int) { return 0; }), [](int, Vec2 p) {
+        return Rgb{1, 0.5f, static_cast<float>(p.y / 64)};
+      });
+  layer.frame = test::kSquareBox;
   Context context;
   const auto edges = find_curve_edges(context, layer);
   for (std::uint32_t h = 0; h < edges->twin.size(); ++h) {

@@ -10,6 +10,7 @@
 #include <random>
 
 #include "export/facets/facet_patch.hpp"
+#include "export/support.hpp"
 #include "raster/pictures.hpp"
 #include "sfumato/base/native/thread_pool.hpp"
 #include "sfumato/solve/diffuse.hpp"
@@ -20,7 +21,6 @@ namespace sfumato::outputs {
 namespace {
 
 constexpr double kHalfStep = 0.5 / 255;
-constexpr Box kBox{{0, 0}, {64, 64}};
 
 FacetMesh facets(const PatchLayer& layer, double max_error,
                  const FacetSource& source = {FacetSource::Kind::color, 0},
@@ -80,7 +80,7 @@ PatchLayer random_layer(std::uint32_t seed, float center, float spread) {
   const auto draw = [&](float reach) {
     return center + reach * static_cast<float>(random() / 2147483648.0 - 1);
   };
-  const test::RegionMesh mesh = test::jittered_grid(kBox, 4, seed);
+  const test::RegionMesh mesh = test::jittered_grid(test::kSquareBox, 4, seed);
   PatchLayer layer = test::make_layer(mesh, [&](int, Vec2 p) {
     const auto key = std::pair{std::lround(p.x * 1e6), std::lround(p.y * 1e6)};
     const auto [place, is_new] = value_at.try_emplace(key);
@@ -251,7 +251,7 @@ TEST(Facets, neighbours_share_the_points_of_their_edge) {
 
 TEST(Facets, the_sides_of_a_curve_have_the_same_points) {
   // Left of the line steep, right of it flat; no nodes are shared.
-  const test::RegionMesh mesh = test::cut_box(kBox, {20, 64}, {40, 0});
+  const test::RegionMesh mesh = test::cut_box(test::kSquareBox, {20, 64}, {40, 0});
   const PatchLayer layer = test::make_layer(mesh, [](int region, Vec2 p) {
     return region == 0 ? Rgb{static_cast<float>(p.y * p.y / 4096), 0, 0} : Rgb{0, 0, 1};
   });
@@ -271,7 +271,7 @@ TEST(Facets, the_sides_of_a_curve_have_the_same_points) {
 }
 
 TEST(Facets, opacity_and_masks_are_one_channel) {
-  const test::RegionMesh mesh = test::jittered_grid(kBox, 2, 1);
+  const test::RegionMesh mesh = test::jittered_grid(test::kSquareBox, 2, 1);
   PatchLayer layer = test::make_layer(mesh, [](int, Vec2) { return test::kRed; });
   test::set_opacity(
       mesh, [](int, Vec2 p) { return static_cast<float>(p.x / 64); }, &layer);

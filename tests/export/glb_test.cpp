@@ -20,11 +20,10 @@
 namespace sfumato {
 namespace {
 
-const Box kBox{{0, 0}, {100, 60}};
 const Vec2 kHalfBox{0.5, 0.3};
 
-test::Glb exported(const Picture& picture, const GlbOptions& options = {},
-                   ExportNotes* notes = nullptr) {
+test::Glb exported_glb(const Picture& picture, const GlbOptions& options = {},
+                       ExportNotes* notes = nullptr) {
   Context context;
   const auto bytes = export_glb(context, picture, options, notes);
   EXPECT_TRUE(bytes) << to_string(bytes.status());
@@ -33,12 +32,13 @@ test::Glb exported(const Picture& picture, const GlbOptions& options = {},
 }
 
 /// Away from antialiased edges there is nothing but the facets' error and two roundings.
-void expect_shown(const Picture& picture, double mean, int p99, const GlbOptions& options = {}) {
+void expect_scene_shown(const Picture& picture, double mean, int p99,
+                        const GlbOptions& options = {}) {
   const Box& box = picture.viewport;
   const int width = static_cast<int>(box.width()), height = static_cast<int>(box.height());
   const double longer = std::max(box.width(), box.height());
   const Vec2 half{box.width() / longer / 2, box.height() / longer / 2};
-  const Image shown = test::show(exported(picture, options), width, height, half);
+  const Image shown = test::show(exported_glb(picture, options), width, height, half);
   RasterOptions raster;
   raster.width = width;
   raster.height = height;
@@ -52,16 +52,17 @@ void expect_shown(const Picture& picture, double mean, int p99, const GlbOptions
 }
 
 Picture gradient_picture() {
-  return test::make_picture(test::make_layer(test::jittered_grid(kBox, 4, 7), [](int, Vec2 p) {
-    const auto x = static_cast<float>(p.x / 100), y = static_cast<float>(p.y / 60);
-    return Rgb{x, y * y, 0.2f * (1 - x)};
-  }));
+  return test::make_picture(
+      test::make_layer(test::jittered_grid(test::kWideBox, 4, 7), [](int, Vec2 p) {
+        const auto x = static_cast<float>(p.x / 100), y = static_cast<float>(p.y / 60);
+        return Rgb{x, y * y, 0.2f * (1 - x)};
+      }));
 }
 
 TEST(Glb, a_layer_is_one_mesh_that_all_its_nodes_show) {
   Picture picture = gradient_picture();
   picture.stack.push_back(PatchInstance{0, {0.5, 0, 0, 0.5, 10, 10}, 1, BlendMode::normal});
-  const test::Glb glb = exported(picture);
+  const test::Glb glb = exported_glb(picture);
   EXPECT_EQ(glb.json["asset"]["generator"].text(), "Sfumato");
   EXPECT_EQ(glb.json["meshes"].size(), 1u);
   EXPECT_EQ(glb.json["nodes"].size(), 3u);
@@ -73,7 +74,7 @@ TEST(Glb, a_layer_is_one_mesh_that_all_its_nodes_show) {
 }
 
 TEST(Glb, shows_colours_where_they_are) {
-  expect_shown(gradient_picture(), 0.5, 2);
+  expect_scene_shown(gradient_picture(), 0.5, 2);
 }
 
 TEST(Glb, turned_mirrored_and_sheared_layers_stand_in_their_places) {
@@ -87,9 +88,9 @@ TEST(Glb, turned_mirrored_and_sheared_layers_stand_in_their_places) {
   for (const Affine& place : places)
     picture.stack.push_back(PatchInstance{0, place, 1, BlendMode::normal});
   // Centres on an edge may go either way.
-  expect_shown(picture, 1, 2);
+  expect_scene_shown(picture, 1, 2);
   // No node's matrix shears.
-  const test::Glb glb = exported(picture);
+  const test::Glb glb = exported_glb(picture);
   for (std::size_t i = 0; i < glb.json["nodes"].size(); ++i) {
     const test::Json& m = glb.json["nodes"][i]["matrix"];
     const double across = m[0].number() * m[4].number() + m[1].number() * m[5].number();
@@ -98,11 +99,11 @@ TEST(Glb, turned_mirrored_and_sheared_layers_stand_in_their_places) {
 }
 
 TEST(Glb, opacity_of_layers_instances_and_groups_blends) {
-  Picture picture = test::make_picture(test::flat_layer(kBox, {0.8f, 0.4f, 0.2f}, 0.5f));
+  Picture picture = test::make_picture(test::flat_layer(test::kWideBox, {0.8f, 0.4f, 0.2f}, 0.5f));
   picture.background = test::kBlue;
   picture.stack = {GroupBegin{0.5f, BlendMode::normal}, PatchInstance{0, {}, 0.75f}, GroupEnd{},
                    PatchInstance{0, {0.5, 0, 0, 0.5, 0, 0}}};
-  expect_shown(picture, 0.6, 1);
+  expect_scene_shown(picture, 0.6, 1);
 }
 
 TEST(Glb, textures_are_those_of_the_raster) {
@@ -111,7 +112,7 @@ TEST(Glb, textures_are_those_of_the_raster) {
   const auto document = test::example("textures.svg");
   ASSERT_TRUE(document);
   Picture picture = test::solved(*document);
-  const Image shown = test::show(exported(picture, options), 800, 500, {0.5, 0.3125});
+  const Image shown = test::show(exported_glb(picture, options), 800, 500, {0.5, 0.3125});
   const auto found = test::difference(shown, test::reference(picture, 800, 500));
   EXPECT_LE(found.mean, 0.01);
   EXPECT_EQ(found.p99, 0);
@@ -128,46 +129,46 @@ TEST(Glb, shows_the_apple_as_we_do) {
   }
   GlbOptions options;
   options.dpi = 96;
-  expect_shown(picture, 0.2, 2, options);
+  expect_scene_shown(picture, 0.2, 2, options);
 }
 
 TEST(Glb, shows_the_lady_bug_as_we_do) {
   const auto document = test::shared_scene("lady_bug.xml");
   if (!document) GTEST_SKIP() << "no public scene lady_bug.xml";
-  expect_shown(test::solved(*document), 0.15, 1);
+  expect_scene_shown(test::solved(*document), 0.15, 1);
 }
 
 TEST(Glb, tells_what_gltf_cannot_hold) {
   Picture picture = gradient_picture();
   ExportNotes notes;
-  exported(picture, {}, &notes);
+  exported_glb(picture, {}, &notes);
   EXPECT_TRUE(notes.lost.empty());
   EXPECT_GT(notes.triangle_count, 31u);
   picture.stack = {GroupBegin{0.5f, BlendMode::normal},
                    PatchInstance{0, {}, 1, BlendMode::multiply}, GroupEnd{}};
-  exported(picture, {}, &notes);
+  exported_glb(picture, {}, &notes);
   EXPECT_EQ(notes.lost.size(), 2u);
 }
 
 TEST(Glb, nothing_at_all_is_a_file_too) {
   Picture picture;
-  picture.artboard = picture.viewport = kBox;
-  const test::Glb glb = exported(picture);
+  picture.artboard = picture.viewport = test::kWideBox;
+  const test::Glb glb = exported_glb(picture);
   EXPECT_EQ(glb.json["nodes"].size(), 1u);
   EXPECT_TRUE(glb.binary.empty());
   EXPECT_FALSE(glb.json["meshes"].is_there());
   picture.background = test::kGreen;
-  const Image shown = test::show(exported(picture), 10, 6, kHalfBox);
+  const Image shown = test::show(exported_glb(picture), 10, 6, kHalfBox);
   EXPECT_EQ(shown.bytes[0], 0);
   EXPECT_EQ(shown.bytes[1], 255);
 }
 
 TEST(Glb, values_that_are_no_numbers_are_not_written) {
-  Picture picture = test::make_picture(test::flat_layer(kBox, {0.2f, 0.4f, 0.6f}, 0.5f));
+  Picture picture = test::make_picture(test::flat_layer(test::kWideBox, {0.2f, 0.4f, 0.6f}, 0.5f));
   picture.layers[0].color.node_value[4] = std::numeric_limits<float>::quiet_NaN();
   picture.layers[0].color.node_value[7] = std::numeric_limits<float>::infinity();
   picture.layers[0].opacity.node_value[2] = -std::numeric_limits<float>::infinity();
-  const test::Glb glb = exported(picture);
+  const test::Glb glb = exported_glb(picture);
   const test::Json& view = glb.json["bufferViews"][1];
   for (std::size_t i = 0; i < view["byteLength"].index(); i += 4) {
     float position;
@@ -249,7 +250,7 @@ TEST(LightFacets, keep_their_error_in_code_values) {
     return Rgb{static_cast<float>(x * x), static_cast<float>(0.5 + 0.3 * std::sin(4 * x + 5 * y)),
                static_cast<float>(0.2 * y)};
   };
-  const test::RegionMesh mesh = test::jittered_grid(kBox, 4, 11);
+  const test::RegionMesh mesh = test::jittered_grid(test::kWideBox, 4, 11);
   PatchLayer layer = test::make_layer(mesh, field);
   PatchField& color = layer.color;
   std::vector<float> values;

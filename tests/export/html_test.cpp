@@ -13,6 +13,7 @@
 #include "codecs/base64.hpp"
 #include "display/embedded.hpp"
 #include "export/html/html_text.hpp"
+#include "export/support.hpp"
 
 namespace sfumato {
 namespace {
@@ -33,7 +34,7 @@ Picture triangle_picture() {
   return picture;
 }
 
-std::string text_of(const Picture& picture, const HtmlOptions& options = {}) {
+std::string html_of(const Picture& picture, const HtmlOptions& options = {}) {
   Context context;
   const auto html = export_html(context, picture, options);
   EXPECT_TRUE(html) << html.status().message;
@@ -41,23 +42,16 @@ std::string text_of(const Picture& picture, const HtmlOptions& options = {}) {
   return html ? std::string(html->begin(), html->end()) : std::string();
 }
 
-std::size_t count(const std::string& text, const std::string& part) {
-  std::size_t found = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
-    ++found;
-  return found;
-}
-
 TEST(Html, holds_all_that_it_needs) {
-  const std::string html = text_of(triangle_picture());
+  const std::string html = html_of(triangle_picture());
   EXPECT_TRUE(html.starts_with("<!DOCTYPE html>"));
   EXPECT_TRUE(html.ends_with("</html>\n"));
   EXPECT_EQ(html.find("http"), html.find("http-equiv"));
-  EXPECT_EQ(count(html, " src="), 0u);  // of an element, not of a script
+  EXPECT_EQ(test::count(html, " src="), 0u);  // of an element, not of a script
   for (const char* mark :
        {"{{title", "{{style", "{{fallback", "{{shaders", "{{payload", "{{script"})
-    EXPECT_EQ(count(html, mark), 0u) << mark;
-  EXPECT_EQ(count(html, "<script"), count(html, "</script>"));
+    EXPECT_EQ(test::count(html, mark), 0u) << mark;
+  EXPECT_EQ(test::count(html, "<script"), test::count(html, "</script>"));
   EXPECT_NE(html.find("default-src 'none'"), std::string::npos);
 }
 
@@ -79,7 +73,7 @@ std::string unpacked_shaders(const std::string& html) {
 }
 
 TEST(Html, every_script_and_shader_is_compiled_in) {
-  const std::string html = text_of(triangle_picture());
+  const std::string html = html_of(triangle_picture());
   const std::string shaders = unpacked_shaders(html);
   for (const char* name : {"patch.vert", "paint.glsl", "present.frag", "point_walk.glsl"}) {
     const std::string_view shader = display::embedded_file(std::string("shaders/") + name);
@@ -93,10 +87,10 @@ TEST(Html, every_script_and_shader_is_compiled_in) {
 }
 
 TEST(Html, a_title_cannot_leave_its_place) {
-  const std::string plain = text_of(triangle_picture());
+  const std::string plain = html_of(triangle_picture());
   const std::string html =
-      text_of(triangle_picture(), {.title = "\"><script>a()</script>&\n{{payload}}"});
-  EXPECT_EQ(count(html, "<script"), count(plain, "<script"));
+      html_of(triangle_picture(), {.title = "\"><script>a()</script>&\n{{payload}}"});
+  EXPECT_EQ(test::count(html, "<script"), test::count(plain, "<script"));
   EXPECT_NE(html.find("<title>&quot;&gt;&lt;script&gt;a()&lt;/script&gt;&amp; {{payload}}</title>"),
             std::string::npos);
 }
@@ -105,7 +99,7 @@ TEST(Html, a_fallback_picture_is_shown_until_the_first_frame) {
   HtmlOptions options;
   options.fallback = {'a', 'b', 'c'};
   options.fallback_type = "image/jpeg";
-  const std::string html = text_of(triangle_picture(), options);
+  const std::string html = html_of(triangle_picture(), options);
   EXPECT_NE(html.find("src=\"data:image/jpeg;base64,YWJj\""), std::string::npos);
   options.fallback_type = "image/jpeg\" onload=\"a()";
   Context context;
@@ -123,7 +117,7 @@ TEST(Html, counts_its_triangles) {
 TEST(Html, an_empty_picture_makes_a_page) {
   Picture picture;
   picture.artboard = picture.viewport = {{0, 0}, {10, 10}};
-  EXPECT_FALSE(text_of(picture).empty());
+  EXPECT_FALSE(html_of(picture).empty());
 }
 
 TEST(Sfv, is_what_the_page_holds_of_the_picture) {
@@ -135,7 +129,7 @@ TEST(Sfv, is_what_the_page_holds_of_the_picture) {
     ASSERT_TRUE(file) << file.status().message;
     EXPECT_EQ(notes.triangle_count, 1u);
     EXPECT_EQ(context.budget.used(), 0u);
-    const std::string html = text_of(picture, {.background = background});
+    const std::string html = html_of(picture, {.background = background});
     EXPECT_NE(html.find("id=\"payload\">" + codecs::encode_base64(*file) + "</script>"),
               std::string::npos);
   }
@@ -152,7 +146,7 @@ TEST(Sfv, refuses_what_the_page_refuses) {
 }
 
 TEST(Html, the_same_picture_gives_the_same_bytes) {
-  EXPECT_EQ(text_of(triangle_picture()), text_of(triangle_picture()));
+  EXPECT_EQ(html_of(triangle_picture()), html_of(triangle_picture()));
 }
 
 TEST(Html, refuses_what_does_not_fit_together) {
@@ -175,9 +169,9 @@ TEST(Html, values_that_are_no_numbers_are_not_written) {
   Picture zero = triangle_picture(), odd = zero;
   zero.layers[0].color.node_value[4] = 0;
   odd.layers[0].color.node_value[4] = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_EQ(text_of(odd), text_of(zero));
+  EXPECT_EQ(html_of(odd), html_of(zero));
   odd.layers[0].color.node_value[4] = std::numeric_limits<float>::infinity();
-  EXPECT_FALSE(text_of(odd).empty());
+  EXPECT_FALSE(html_of(odd).empty());
 }
 
 /// All on one vertex, one node and one edge: what finds neighbours must not become slow.
@@ -201,7 +195,7 @@ TEST(Html, refuses_five_million_triangles_and_says_what_helps) {
 }
 
 TEST(Html, triangles_that_all_lie_on_each_other_are_taken) {
-  EXPECT_FALSE(text_of(many_triangles(100'000)).empty());
+  EXPECT_FALSE(html_of(many_triangles(100'000)).empty());
 }
 
 TEST(Html, charges_its_memory) {

@@ -14,10 +14,9 @@ namespace sfumato {
 namespace {
 
 using test::Bytes;
+using test::text_of;
 
-constexpr Box kBox{{0, 0}, {80, 60}};
-
-Bytes exported(const Picture& picture, const PdfOptions& options = {}) {
+Bytes exported_pdf(const Picture& picture, const PdfOptions& options = {}) {
   Context context;
   Result<Bytes> bytes = export_pdf(context, picture, options);
   EXPECT_TRUE(bytes.ok()) << to_string(bytes.status());
@@ -25,41 +24,37 @@ Bytes exported(const Picture& picture, const PdfOptions& options = {}) {
   return bytes ? std::move(*bytes) : Bytes{};
 }
 
-std::string text_of(const Bytes& bytes) {
-  return {bytes.begin(), bytes.end()};
-}
-
 /// A layer of one colour, drawn as its instance says.
 Picture flat_picture(const PatchInstance& instance = {}) {
-  Picture picture = test::make_picture(test::flat_layer(kBox, {0.2f, 0.4f, 0.8f}));
+  Picture picture = test::make_picture(test::flat_layer(test::kPageBox, {0.2f, 0.4f, 0.8f}));
   picture.stack = {instance};
   return picture;
 }
 
 TEST(Pdf, a_unit_is_three_quarters_of_a_point) {
-  EXPECT_NE(text_of(exported(flat_picture())).find("/MediaBox [0 0 60 45]"), std::string::npos);
+  EXPECT_NE(text_of(exported_pdf(flat_picture())).find("/MediaBox [0 0 60 45]"), std::string::npos);
 }
 
 TEST(Pdf, the_page_can_have_a_width) {
   PdfOptions options;
   options.page_width_pt = 200;
-  EXPECT_NE(text_of(exported(flat_picture(), options)).find("/MediaBox [0 0 200 150]"),
+  EXPECT_NE(text_of(exported_pdf(flat_picture(), options)).find("/MediaBox [0 0 200 150]"),
             std::string::npos);
 }
 
 TEST(Pdf, pages_beyond_200_inches_have_a_larger_unit) {
   PdfOptions options;
   options.page_width_pt = 28800;
-  const std::string text = text_of(exported(flat_picture(), options));
+  const std::string text = text_of(exported_pdf(flat_picture(), options));
   EXPECT_NE(text.find("/MediaBox [0 0 14400 10800]"), std::string::npos);
   EXPECT_NE(text.find("/UserUnit 2 "), std::string::npos);
 }
 
 TEST(Pdf, vertices_that_no_triangle_has_do_not_widen_a_layer) {
   Picture picture = flat_picture();
-  const Bytes before = exported(picture);
+  const Bytes before = exported_pdf(picture);
   picture.layers[0].vertex_position.push_back({1e6, -1e6});
-  EXPECT_EQ(exported(picture), before);
+  EXPECT_EQ(exported_pdf(picture), before);
 }
 
 TEST(Pdf, layers_are_pixels_where_that_is_asked_for) {
@@ -91,16 +86,16 @@ TEST(Pdf, layers_that_programs_would_take_minutes_for_are_pixels_and_it_is_told)
 
 TEST(Pdf, a_layer_painted_often_is_stored_once) {
   Picture picture = flat_picture();
-  const std::size_t once = exported(picture).size();
+  const std::size_t once = exported_pdf(picture).size();
   for (int i = 1; i < 50; ++i)
     picture.stack.push_back(PatchInstance{0, {0.1, 0, 0, 0.1, 1.5 * i, 2}, 1, BlendMode::normal});
-  EXPECT_LT(exported(picture).size(), once + 2000);
+  EXPECT_LT(exported_pdf(picture).size(), once + 2000);
 }
 
 TEST(Pdf, the_title_may_be_in_any_script) {
   PdfOptions options;
   options.title = "Näve (\xF0\x9F\x90\x9E)";
-  EXPECT_NE(text_of(exported(flat_picture(), options))
+  EXPECT_NE(text_of(exported_pdf(flat_picture(), options))
                 .find("/Title <FEFF004E00E400760065002000"
                       "28D83DDC1E0029>"),
             std::string::npos);
@@ -113,7 +108,7 @@ TEST(Pdf, the_same_picture_gives_the_same_bytes) {
   const Picture picture = flat_picture({0, {}, 0.5f, BlendMode::multiply});
   const Result<Bytes> threaded = export_pdf(context, picture, {});
   ASSERT_TRUE(threaded.ok());
-  EXPECT_EQ(*threaded, exported(picture));
+  EXPECT_EQ(*threaded, exported_pdf(picture));
 }
 
 TEST(Pdf, what_cannot_be_drawn_is_an_error) {
@@ -129,11 +124,11 @@ TEST(Pdf, what_cannot_be_drawn_is_an_error) {
 
 TEST(Pdf, a_picture_of_nothing_is_an_empty_page) {
   Picture picture;
-  picture.artboard = picture.viewport = kBox;
-  EXPECT_LT(exported(picture).size(), 1000u);
+  picture.artboard = picture.viewport = test::kPageBox;
+  EXPECT_LT(exported_pdf(picture).size(), 1000u);
   picture.layers.emplace_back();
   picture.stack.push_back(PatchInstance{});
-  EXPECT_LT(exported(picture).size(), 1000u);
+  EXPECT_LT(exported_pdf(picture).size(), 1000u);
 }
 
 TEST(Pdf, memory_and_cancellation_end_the_work) {

@@ -1,5 +1,5 @@
-// Pictures as PDF in the programs that show PDF, held against our own raster. Limits are a little
-// above what was measured. Ghostscript antialiases where it is asked to only.
+// Pictures as PDF in the programs that show PDF, held against our own raster. ViewerLimits are a
+// little above what was measured. Ghostscript antialiases where it is asked to only.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ const Viewer kGhostscript{"gs",
                           "gs -q -dSAFER -dBATCH -dNOPAUSE -sDEVICE=png16m -dGraphicsAlphaBits=4 "
                           "-r96 -o OUT IN"};
 
-Bytes exported(const Picture& picture) {
+Bytes pdf_of(const Picture& picture) {
   Context context;
   Result<Bytes> bytes = export_pdf(context, picture, {});
   EXPECT_TRUE(bytes.ok()) << to_string(bytes.status());
@@ -36,14 +36,14 @@ Bytes exported(const Picture& picture) {
 
 /// Largest mean and 99th percentile of the differences, code values, and share of the channels that
 /// differ by more than 64: an aliased edge has many.
-struct Limits {
+struct ViewerLimits {
   double mean;
   int p99;
   double far_percent = 100;
 };
 
 void expect_shown(const Picture& picture, const Bytes& pdf, const Viewer& viewer,
-                  const Limits& limits) {
+                  const ViewerLimits& limits) {
   if (!test::has_program(viewer.program)) {
     std::printf("no %s here: skipped\n", viewer.program.c_str());
     return;
@@ -66,9 +66,9 @@ void expect_valid(const Bytes& pdf) {
 }
 
 /// One document in all programs; limits in the order Splash, cairo, MuPDF, Ghostscript.
-void expect_shown_everywhere(const Document& document, const Limits (&limits)[4]) {
+void expect_shown_everywhere(const Document& document, const ViewerLimits (&limits)[4]) {
   const Picture picture = test::solved(document);
-  const Bytes pdf = exported(picture);
+  const Bytes pdf = pdf_of(picture);
   std::printf("%zu bytes\n", pdf.size());
   expect_valid(pdf);
   const Viewer* viewers[] = {&kSplash, &kCairo, &kMuPdf, &kGhostscript};
@@ -129,7 +129,7 @@ TEST(PdfInViewers, the_fish_is_open_in_splash_within_20_seconds) {
   const auto document = test::example("fish.svg");
   if (!document) return;
   // Processor time: other programs' work does not count.
-  EXPECT_TRUE(test::shown_by(exported(test::solved(*document)), "in.pdf",
+  EXPECT_TRUE(test::shown_by(pdf_of(test::solved(*document)), "in.pdf",
                              "prlimit --cpu=20 " + kSplash.command));
 }
 
@@ -146,7 +146,7 @@ TEST(PdfInViewers, opacity_by_a_paint_leaves_no_dark_pixels_where_it_ends) {
       </svg>)svg",
                              "a.svg");
   ASSERT_TRUE(read) << to_string(read.status());
-  const auto shown = test::shown_by(exported(test::solved(read->document)), "in.pdf",
+  const auto shown = test::shown_by(pdf_of(test::solved(read->document)), "in.pdf",
                                     "mutool draw -q -r 192 -o OUT IN");
   ASSERT_TRUE(shown);
   // The circle's darkest is where the gradient has 105 of its 200 units.
@@ -157,7 +157,7 @@ TEST(PdfInViewers, everything_that_documents_can_hold_is_valid) {
   if (!test::has_program("qpdf")) GTEST_SKIP() << "no qpdf here";
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     SCOPED_TRACE(seed);
-    expect_valid(exported(test::solved(test::random_document(seed))));
+    expect_valid(pdf_of(test::solved(test::random_document(seed))));
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -23,11 +24,20 @@ Picture solved(const Document& document);
 /// Where the picture of one triangle lies.
 inline constexpr Box kTriangleBox{{0, 0}, {64, 64}};
 
+/// Where larger pictures lie.
+inline constexpr Box kSquareBox{{0, 0}, {64, 64}}, kPageBox{{0, 0}, {80, 60}},
+    kWideBox{{0, 0}, {100, 60}};
+
 /// A colour that is linear in the place: red x / 64, green 1/2, blue y / 64.
 Rgb sloped(int region, Vec2 p);
 
 /// A picture of one triangle, sloped.
 Picture picture_of_one_triangle();
+
+std::string text_of(const Bytes& bytes);
+
+/// How often `part` occurs.
+std::size_t count(const std::string& text, const std::string& part);
 
 /// Whether a program is on the PATH. A test then says GTEST_SKIP() << "no pdftoppm here".
 bool has_program(const std::string& name);

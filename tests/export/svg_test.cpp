@@ -20,10 +20,8 @@
 namespace sfumato {
 namespace {
 
-const Box kBox{{0, 0}, {100, 60}};
-
-std::string text_of(const Picture& picture, const SvgOptions& options = {},
-                    ExportNotes* notes = nullptr) {
+std::string svg_of(const Picture& picture, const SvgOptions& options = {},
+                   ExportNotes* notes = nullptr) {
   Context context;
   const auto svg = export_svg(context, picture, options, notes);
   EXPECT_TRUE(svg) << to_string(svg.status());
@@ -35,13 +33,6 @@ SvgOptions vector_options() {
   SvgOptions options;
   options.mode = SvgMode::vector;
   return options;
-}
-
-std::size_t count(const std::string& text, const std::string& part) {
-  std::size_t found = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
-    ++found;
-  return found;
 }
 
 LocalStroke stroke() {
@@ -77,10 +68,10 @@ void expect_shown(const std::string& command, const std::string& example, const 
 }
 
 TEST(SvgImage, is_the_raster_in_user_units) {
-  Picture picture = test::make_picture(test::flat_layer(kBox, {0.2f, 0.4f, 0.6f}));
+  Picture picture = test::make_picture(test::flat_layer(test::kWideBox, {0.2f, 0.4f, 0.6f}));
   SvgOptions options;
   options.dpi = 192;
-  const std::string text = text_of(picture, options);
+  const std::string text = svg_of(picture, options);
   EXPECT_NE(text.find("width=\"100\" height=\"60\" viewBox=\"0 0 100 60\""), std::string::npos);
   const std::string mark = "xlink:href=\"data:image/png;base64,";
   const std::size_t begin = text.find(mark) + mark.size();
@@ -99,48 +90,48 @@ TEST(SvgImage, is_the_raster_in_user_units) {
 }
 
 TEST(SvgImage, has_no_alpha_on_a_background) {
-  Picture picture = test::make_picture(test::flat_layer(kBox, {0.2f, 0.4f, 0.6f}, 0.5f));
-  const std::size_t with_alpha = text_of(picture).size();
+  Picture picture = test::make_picture(test::flat_layer(test::kWideBox, {0.2f, 0.4f, 0.6f}, 0.5f));
+  const std::size_t with_alpha = svg_of(picture).size();
   SvgOptions options;
   options.background = Rgb{1, 1, 1};
-  EXPECT_NE(text_of(picture, options), text_of(picture));
+  EXPECT_NE(svg_of(picture, options), svg_of(picture));
   picture.background = Rgb{1, 1, 1};
-  EXPECT_EQ(text_of(picture), text_of(picture, options));
-  EXPECT_LE(text_of(picture).size(), with_alpha);
+  EXPECT_EQ(svg_of(picture), svg_of(picture, options));
+  EXPECT_LE(svg_of(picture).size(), with_alpha);
 }
 
 TEST(SvgVector, a_flat_layer_has_no_gradients) {
-  const Picture picture = test::make_picture(test::flat_layer(kBox, {0.2f, 0.4f, 0.6f}));
+  const Picture picture = test::make_picture(test::flat_layer(test::kWideBox, {0.2f, 0.4f, 0.6f}));
   ExportNotes notes;
-  const std::string text = text_of(picture, vector_options(), &notes);
+  const std::string text = svg_of(picture, vector_options(), &notes);
   EXPECT_EQ(notes.triangle_count, 8u);
   EXPECT_TRUE(notes.lost.empty());
-  EXPECT_EQ(count(text, "<path"), 3 * 8u);
-  EXPECT_EQ(count(text, "<linearGradient"), 4u);  // those that hold the stops
+  EXPECT_EQ(test::count(text, "<path"), 3 * 8u);
+  EXPECT_EQ(test::count(text, "<linearGradient"), 4u);  // those that hold the stops
 }
 
 TEST(SvgVector, each_channel_has_its_own_mesh) {
-  const Picture picture = test::make_picture(test::flat_layer(kBox, {0.2f, 0.4f, 0.8f}));
-  const std::string text = text_of(picture, vector_options());
-  EXPECT_EQ(count(text, "fill=\"#300\""), 8u);
-  EXPECT_EQ(count(text, "fill=\"#060\""), 8u);
-  EXPECT_EQ(count(text, "fill=\"#00c\""), 8u);
-  EXPECT_EQ(count(text, "<g style=\"mix-blend-mode:screen\">"), 2u);
+  const Picture picture = test::make_picture(test::flat_layer(test::kWideBox, {0.2f, 0.4f, 0.8f}));
+  const std::string text = svg_of(picture, vector_options());
+  EXPECT_EQ(test::count(text, "fill=\"#300\""), 8u);
+  EXPECT_EQ(test::count(text, "fill=\"#060\""), 8u);
+  EXPECT_EQ(test::count(text, "fill=\"#00c\""), 8u);
+  EXPECT_EQ(test::count(text, "<g style=\"mix-blend-mode:screen\">"), 2u);
 }
 
 TEST(SvgVector, a_layer_is_stored_once) {
-  Picture picture = test::make_picture(test::flat_layer(kBox, {0.2f, 0.4f, 0.6f}, 0.5f));
-  const std::size_t one = text_of(picture, vector_options()).size();
+  Picture picture = test::make_picture(test::flat_layer(test::kWideBox, {0.2f, 0.4f, 0.6f}, 0.5f));
+  const std::size_t one = svg_of(picture, vector_options()).size();
   for (int i = 0; i < 9; ++i) {
     picture.stack.push_back(PatchInstance{0, {0.5, 0, 0, 0.5, 3.0 * i, 5}, 1, BlendMode::normal});
   }
-  const std::string text = text_of(picture, vector_options());
-  EXPECT_EQ(count(text, "<use "), 10u);
+  const std::string text = svg_of(picture, vector_options());
+  EXPECT_EQ(test::count(text, "<use "), 10u);
   EXPECT_LT(text.size(), one + 1000);
 }
 
 TEST(SvgVector, composites_as_the_picture_does) {
-  Picture picture = test::make_picture(test::flat_layer(kBox, {0.2f, 0.4f, 0.6f}));
+  Picture picture = test::make_picture(test::flat_layer(test::kWideBox, {0.2f, 0.4f, 0.6f}));
   picture.stack = {PatchInstance{},
                    GroupBegin{0.5f, BlendMode::multiply},
                    PatchInstance{0, {}, 0.25f, BlendMode::color_dodge},
@@ -148,7 +139,7 @@ TEST(SvgVector, composites_as_the_picture_does) {
                    GroupBegin{},
                    GroupEnd{}};
   picture.background = test::kRed;
-  const std::string text = text_of(picture, vector_options());
+  const std::string text = svg_of(picture, vector_options());
   EXPECT_NE(text.find("<g opacity=\"0.5\" style=\"mix-blend-mode:multiply\">\n"
                       "<use xlink:href=\"#L0\" opacity=\"0.25\" "
                       "style=\"mix-blend-mode:color-dodge\"/>\n</g>\n"
@@ -159,11 +150,11 @@ TEST(SvgVector, composites_as_the_picture_does) {
 }
 
 TEST(SvgVector, strokes_in_a_row_are_one_image) {
-  Picture picture = test::make_picture(test::flat_layer(kBox, {0.2f, 0.4f, 0.6f}));
+  Picture picture = test::make_picture(test::flat_layer(test::kWideBox, {0.2f, 0.4f, 0.6f}));
   picture.stack = {stroke(), stroke(), PatchInstance{}, stroke()};
   ExportNotes notes;
-  const std::string text = text_of(picture, vector_options(), &notes);
-  EXPECT_EQ(count(text, "<image "), 2u);
+  const std::string text = svg_of(picture, vector_options(), &notes);
+  EXPECT_EQ(test::count(text, "<image "), 2u);
   EXPECT_LT(text.find("<image "), text.find("<use "));
   EXPECT_EQ(notes.lost.size(), 1u);
   // Its pixels end where it does.
@@ -172,27 +163,27 @@ TEST(SvgVector, strokes_in_a_row_are_one_image) {
 
 TEST(SvgVector, nothing_at_all_is_a_file_too) {
   Picture picture;
-  picture.artboard = picture.viewport = kBox;
-  const std::string text = text_of(picture, vector_options());
+  picture.artboard = picture.viewport = test::kWideBox;
+  const std::string text = svg_of(picture, vector_options());
   EXPECT_TRUE(text.ends_with("viewBox=\"0 0 100 60\">\n</svg>\n")) << text;
   picture.stack.push_back(PatchInstance{});
   picture.layers.emplace_back();
   picture.layers[0].color.channel_count = 3;
-  EXPECT_EQ(text_of(picture, vector_options()), text);
+  EXPECT_EQ(svg_of(picture, vector_options()), text);
 }
 
 TEST(SvgVector, values_that_are_no_numbers_are_not_written) {
-  Picture picture = test::make_picture(test::flat_layer(kBox, {0.2f, 0.4f, 0.6f}, 0.5f));
+  Picture picture = test::make_picture(test::flat_layer(test::kWideBox, {0.2f, 0.4f, 0.6f}, 0.5f));
   picture.layers[0].color.node_value[4] = std::numeric_limits<float>::quiet_NaN();
   picture.layers[0].color.node_value[7] = std::numeric_limits<float>::infinity();
   picture.layers[0].opacity.node_value[2] = -std::numeric_limits<float>::infinity();
-  const std::string text = text_of(picture, vector_options());
+  const std::string text = svg_of(picture, vector_options());
   EXPECT_EQ(text.find("nan"), std::string::npos);
   EXPECT_EQ(text.find("inf"), std::string::npos);
 }
 
 TEST(SvgVector, too_many_triangles_are_refused_unless_forced) {
-  const test::RegionMesh mesh = test::jittered_grid(kBox, 40, 3);
+  const test::RegionMesh mesh = test::jittered_grid(test::kWideBox, 40, 3);
   Picture picture = test::make_picture(test::make_layer(mesh, [](int, Vec2) {
     return Rgb{0.2f, 0.4f, 0.6f};
   }));
@@ -205,14 +196,14 @@ TEST(SvgVector, too_many_triangles_are_refused_unless_forced) {
   SvgOptions forced = vector_options();
   forced.force = true;
   ExportNotes notes;
-  EXPECT_FALSE(text_of(picture, forced, &notes).empty());
+  EXPECT_FALSE(svg_of(picture, forced, &notes).empty());
   ASSERT_EQ(notes.lost.size(), 1u);
   EXPECT_NE(notes.lost[0].find("slow"), std::string::npos);
 }
 
 TEST(Svg, options_and_pictures_that_mean_nothing_are_errors) {
   Context context;
-  Picture picture = test::make_picture(test::flat_layer(kBox, test::kRed));
+  Picture picture = test::make_picture(test::flat_layer(test::kWideBox, test::kRed));
   SvgOptions options;
   options.dpi = 0;
   EXPECT_EQ(export_svg(context, picture, options).status().code, StatusCode::bad_input);
@@ -230,7 +221,7 @@ TEST(Svg, options_and_pictures_that_mean_nothing_are_errors) {
 }
 
 TEST(Svg, stops_when_it_is_cancelled_or_out_of_memory) {
-  const Picture picture = test::make_picture(test::flat_layer(kBox, test::kRed));
+  const Picture picture = test::make_picture(test::flat_layer(test::kWideBox, test::kRed));
   for (const SvgMode mode : {SvgMode::image, SvgMode::vector}) {
     SvgOptions options;
     options.mode = mode;
@@ -254,7 +245,7 @@ TEST(SvgInPrograms, librsvg_shows_triangles_as_we_do) {
 
 TEST(SvgInPrograms, triangles_of_one_colour_have_no_seams) {
   if (!test::has_program("rsvg-convert")) GTEST_SKIP() << "no rsvg-convert here";
-  const test::RegionMesh mesh = test::jittered_grid(kBox, 12, 5);
+  const test::RegionMesh mesh = test::jittered_grid(test::kWideBox, 12, 5);
   const Picture picture = test::make_picture(test::make_layer(mesh, [](int, Vec2) {
     return Rgb{0.2f, 0.4f, 0.8f};
   }));
@@ -281,7 +272,7 @@ TEST(SvgInPrograms, triangles_of_one_colour_have_no_seams) {
 
 TEST(SvgInPrograms, librsvg_shows_small_instances_and_thumbnails) {
   if (!test::has_program("rsvg-convert")) GTEST_SKIP() << "no rsvg-convert here";
-  const test::RegionMesh mesh = test::jittered_grid(kBox, 4, 3);
+  const test::RegionMesh mesh = test::jittered_grid(test::kWideBox, 4, 3);
   Picture picture = test::make_picture(test::make_layer(mesh, [](int, Vec2 p) {
     return Rgb{static_cast<float>(p.x / 100), 0, 0};
   }));

@@ -13,12 +13,12 @@
 namespace sfumato::outputs {
 namespace {
 
-const Box kBox{{0, 0}, {10, 8}};
+const Box kSmallBox{{0, 0}, {10, 8}};
 constexpr double kReach = 0.8;
 
 /// Patches of a jittered grid as facets of their own, in a random order.
 FacetMesh facets(std::uint32_t seed) {
-  const test::RegionMesh grid = test::jittered_grid(kBox, 6, seed);
+  const test::RegionMesh grid = test::jittered_grid(kSmallBox, 6, seed);
   FacetMesh mesh;
   mesh.channel_count = 1;
   mesh.vertex_position = grid.vertex;
@@ -134,13 +134,13 @@ TEST(Underlap, reaches_beyond_the_mesh_only_where_it_is_asked_to) {
 TEST(Silhouette, goes_around_the_mesh_and_knows_the_frame) {
   FacetMesh mesh = facets(4);
   Context context;
-  const Silhouette whole = std::move(*silhouette(context, mesh, linked(mesh), kBox));
+  const Silhouette whole = std::move(*silhouette(context, mesh, linked(mesh), kSmallBox));
   ASSERT_EQ(whole.loops.size(), 1u);
   EXPECT_TRUE(whole.is_frame);
   EXPECT_EQ(std::abs(winding(whole.loops[0], {5, 4})), 1);
-  EXPECT_FALSE(silhouette(context, mesh, linked(mesh), kBox.grown_by(1))->is_frame);
+  EXPECT_FALSE(silhouette(context, mesh, linked(mesh), kSmallBox.grown_by(1))->is_frame);
   mesh.facet_vertex.erase(mesh.facet_vertex.begin() + 60, mesh.facet_vertex.begin() + 63);
-  const Silhouette broken = std::move(*silhouette(context, mesh, linked(mesh), kBox));
+  const Silhouette broken = std::move(*silhouette(context, mesh, linked(mesh), kSmallBox));
   EXPECT_FALSE(broken.is_frame && broken.loops.size() == 1);
 }
 
@@ -161,7 +161,7 @@ TEST(SmallFacets, are_grown_and_stay_away_from_the_end) {
   EXPECT_TRUE(small_facets(context, mesh, links, 1e-9, 0.1, false, memory)->empty());
   const auto inner = *small_facets(context, mesh, links, 100, 0.1, true, memory);
   for (const SmallFacet& small : inner)
-    for (const Vec2 p : small.grown) EXPECT_TRUE(kBox.contains(p));
+    for (const Vec2 p : small.grown) EXPECT_TRUE(kSmallBox.contains(p));
 }
 
 }  // namespace

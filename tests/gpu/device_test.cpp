@@ -14,10 +14,10 @@
 namespace sfumato::gpu {
 namespace {
 
-const Box kBox{{0, 0}, {16, 16}};
+const Box kSmallBox{{0, 0}, {16, 16}};
 
 Picture red_picture() {
-  return test::make_picture(test::flat_layer(kBox, {1, 0, 0}));
+  return test::make_picture(test::flat_layer(kSmallBox, {1, 0, 0}));
 }
 
 TEST(GpuDevice, has_a_name) {

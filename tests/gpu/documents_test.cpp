@@ -22,8 +22,6 @@
 namespace sfumato::test {
 namespace {
 
-const std::string kFolder = source_path("examples");
-
 void expect_drawn_near(const Document& document, double pixels_per_unit, PixelFormat format) {
   Context context;
   ThreadPool executor;
@@ -42,12 +40,12 @@ void expect_drawn_near(const Document& document, double pixels_per_unit, PixelFo
 TEST(GpuDocuments, every_example_agrees) {
   SFUMATO_NEEDS_GPU();
   int count = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(kFolder)) {
+  for (const auto& entry : std::filesystem::directory_iterator(kExamplesFolder)) {
     const std::string extension = entry.path().extension().string();
     if (extension != ".svg" && extension != ".xml") continue;
     SCOPED_TRACE(entry.path().filename().string());
     Context context;
-    const FolderFiles files(kFolder);
+    const FolderFiles files(kExamplesFolder);
     const auto bytes = file_bytes(entry.path().string());
     ASSERT_TRUE(bytes);
     const Result<ReadDocument> read = read_document(context, *bytes, "example", &files);

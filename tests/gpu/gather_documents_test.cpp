@@ -22,8 +22,6 @@
 namespace sfumato::test {
 namespace {
 
-const std::string kFolder = source_path("examples");
-
 struct Differences {
   double squares = 0;
   double largest = 0;
@@ -108,8 +106,8 @@ TEST(GpuGatherDocuments, some_examples_have_the_pixels_of_the_twin) {
     ThreadPool executor;
     Context context;
     context.executor = &executor;
-    const FolderFiles files(kFolder);
-    const auto bytes = file_bytes(kFolder + "/" + name);
+    const FolderFiles files(kExamplesFolder);
+    const auto bytes = file_bytes(kExamplesFolder + "/" + name);
     ASSERT_TRUE(bytes);
     const Result<ReadDocument> read = read_document(context, *bytes, "example", &files);
     ASSERT_TRUE(read.ok()) << to_string(read.status());

@@ -14,11 +14,12 @@ namespace sfumato::gpu {
 namespace {
 
 constexpr int kWidth = 64, kHeight = 48;
-const Box kBox{{0, 0}, {kWidth, kHeight}};
+const Box kPaintedBox{{0, 0}, {kWidth, kHeight}};
 
 /// A wave under its mirror image, both in code values, and a local curve.
 Picture layered_picture() {
-  const test::RegionMesh mesh = test::jittered_grid(kBox, 5, 3, [](int x, int y) { return x ^ y; });
+  const test::RegionMesh mesh =
+      test::jittered_grid(kPaintedBox, 5, 3, [](int x, int y) { return x ^ y; });
   Picture picture = test::make_picture(test::make_layer(mesh, [](int region, Vec2 p) {
     const auto value = static_cast<float>(0.5 + 0.3 * std::sin(0.1 * p.x - 0.2 * p.y + region));
     return Rgb{value, 1 - value, 0.5f + 0.5f * value};

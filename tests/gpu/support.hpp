@@ -6,10 +6,12 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <string>
 
 #include "gpu/device.hpp"
 #include "raster/support.hpp"
 #include "sfumato/gpu/render.hpp"
+#include "support/places.hpp"
 
 /// Skips a test where there is no context of OpenGL ES 3.
 #define SFUMATO_NEEDS_GPU()                                                        \
@@ -19,6 +21,8 @@
   }
 
 namespace sfumato::test {
+
+inline const std::string kExamplesFolder = source_path("examples");
 
 /// Two images of one picture, code values of 255, colours times alpha.
 struct Nearness {
