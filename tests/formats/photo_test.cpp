@@ -9,6 +9,7 @@
 
 #include "formats/image_files.hpp"
 #include "formats/photo_files.hpp"
+#include "formats/photo_support.hpp"
 #include "sfumato/base/native/thread_pool.hpp"
 #include "sfumato/codecs/jpeg_encode.hpp"
 #include "sfumato/codecs/png.hpp"
@@ -18,15 +19,6 @@ namespace sfumato {
 namespace {
 
 using namespace test;
-
-using Warnings = std::vector<Diagnostic>;
-
-Result<Image> read(const Bytes& file, Warnings* warnings = nullptr) {
-  Context context;
-  Result<Image> image = codecs::read_photo(context, file, "a.file", warnings);
-  EXPECT_EQ(context.budget.used(), 0u);
-  return image;
-}
 
 Image gradient(int width, int height, PixelFormat format) {
   Image image{width, height, format, {}};
@@ -71,7 +63,7 @@ TEST(PhotoOrientation, every_one_stands_upright_in_png_of_either_byte_order) {
       const auto& stored = kStored[static_cast<std::size_t>(orientation - 1)];
       for (const Bytes& file : {digits_png(stored, {exif}), digits_png(stored, {}, {exif})}) {
         Warnings warnings;
-        const Result<Image> image = read(file, &warnings);
+        const Result<Image> image = photo_in(file, &warnings);
         ASSERT_TRUE(image.ok()) << to_string(image.status());
         EXPECT_EQ(digits_of(*image), kStored[0]) << orientation;
         EXPECT_TRUE(warnings.empty());
@@ -95,7 +87,7 @@ TEST(PhotoOrientation, every_one_stands_upright_in_webp) {
     Bytes named{'E', 'x', 'i', 'f', 0, 0};
     named.insert(named.end(), exif.begin(), exif.end());
     for (const Bytes& data : {exif, named}) {
-      const Result<Image> photo = read(webp_with(*webp, {}, data, width, height));
+      const Result<Image> photo = photo_in(webp_with(*webp, {}, data, width, height));
       ASSERT_TRUE(photo.ok()) << to_string(photo.status());
       EXPECT_EQ(digits_of(*photo), kStored[0]) << orientation;
     }
@@ -117,7 +109,7 @@ TEST(PhotoOrientation, every_one_stands_upright_in_jpeg) {
     Context context;
     const auto jpeg = encode_jpeg(context, image, 100);
     ASSERT_TRUE(jpeg.ok());
-    const Result<Image> photo = read(with_exif(*jpeg, exif_of(orientation)));
+    const Result<Image> photo = photo_in(with_exif(*jpeg, exif_of(orientation)));
     ASSERT_TRUE(photo.ok()) << to_string(photo.status());
     ASSERT_EQ(photo->width, 48);
     ASSERT_EQ(photo->height, 32);
@@ -132,7 +124,7 @@ TEST(PhotoOrientation, every_one_stands_upright_in_jpeg) {
 TEST(PhotoOrientation, sixteen_bits_and_alpha_are_turned_with_their_pixels) {
   // Two pixels beside each other, stored below each other.
   const Bytes rows{0, 1, 2, 3, 4, 5, 6, 7, 8, 0, 11, 12, 13, 14, 15, 16, 17, 18};
-  const Result<Image> image = read(png_of(1, 2, 16, 6, rows, {{"eXIf", exif_of(8)}}));
+  const Result<Image> image = photo_in(png_of(1, 2, 16, 6, rows, {{"eXIf", exif_of(8)}}));
   ASSERT_TRUE(image.ok());
   EXPECT_EQ(image->format, PixelFormat::rgba16);
   EXPECT_EQ(image->width, 2);
@@ -157,7 +149,7 @@ TEST(PhotoOrientation, damaged_exif_is_ignored_with_a_warning) {
   const Bytes jpeg = jpeg_file(16, 8, 3, {10, 20, 30, 0});
   for (const Bytes& exif : damaged) {
     Warnings warnings;
-    const Result<Image> image = read(with_exif(jpeg, exif), &warnings);
+    const Result<Image> image = photo_in(with_exif(jpeg, exif), &warnings);
     ASSERT_TRUE(image.ok());
     EXPECT_EQ(image->width, 16);
     ASSERT_EQ(warnings.size(), 1u) << exif.size();
@@ -171,7 +163,7 @@ TEST(PhotoOrientation, exif_that_says_nothing_of_it_is_no_damage) {
   silent[22] = 0x13;
   Warnings warnings;
   const Result<Image> image =
-      read(with_exif(jpeg_file(16, 8, 3, {10, 20, 30, 0}), silent), &warnings);
+      photo_in(with_exif(jpeg_file(16, 8, 3, {10, 20, 30, 0}), silent), &warnings);
   ASSERT_TRUE(image.ok());
   EXPECT_EQ(image->width, 16);
   EXPECT_TRUE(warnings.empty());
@@ -179,7 +171,7 @@ TEST(PhotoOrientation, exif_that_says_nothing_of_it_is_no_damage) {
 
 TEST(Photo, palettes_and_gray_are_colours_and_alpha_stays) {
   const auto expect = [](const Bytes& file, PixelFormat format, const Bytes& bytes) {
-    const Result<Image> image = read(file);
+    const Result<Image> image = photo_in(file);
     ASSERT_TRUE(image.ok()) << to_string(image.status());
     EXPECT_EQ(image->format, format);
     EXPECT_EQ(image->bytes, bytes);
@@ -193,7 +185,7 @@ TEST(Photo, palettes_and_gray_are_colours_and_alpha_stays) {
 }
 
 TEST(Photo, gray_of_16_bits_keeps_them) {
-  const Result<Image> image = read(png_of(1, 1, 16, 4, {0, 0x12, 0x34, 0x56, 0x78}));
+  const Result<Image> image = photo_in(png_of(1, 1, 16, 4, {0, 0x12, 0x34, 0x56, 0x78}));
   ASSERT_TRUE(image.ok());
   EXPECT_EQ(image->format, PixelFormat::rgba16);
   std::vector<std::uint16_t> values(4);
@@ -207,13 +199,13 @@ TEST(Photo, webp_of_either_kind_is_read) {
     const Image image = gradient(40, 30, format);
     const auto lossless = encode_webp(context, image, {.lossless = true});
     ASSERT_TRUE(lossless.ok());
-    const Result<Image> same = read(*lossless);
+    const Result<Image> same = photo_in(*lossless);
     ASSERT_TRUE(same.ok()) << to_string(same.status());
     EXPECT_EQ(same->format, format);
     EXPECT_EQ(same->bytes, image.bytes);
     const auto lossy = encode_webp(context, image, {});
     ASSERT_TRUE(lossy.ok());
-    const Result<Image> near = read(*lossy);
+    const Result<Image> near = photo_in(*lossy);
     ASSERT_TRUE(near.ok()) << to_string(near.status());
     EXPECT_EQ(near->format, format);
     ASSERT_EQ(near->bytes.size(), image.bytes.size());
@@ -249,10 +241,10 @@ std::vector<Bytes> whole_files() {
 
 TEST(Photo, file_cut_short_anywhere_is_bad_input) {
   for (const Bytes& file : whole_files()) {
-    ASSERT_TRUE(read(file).ok()) << to_string(read(file).status());
+    ASSERT_TRUE(photo_in(file).ok()) << to_string(photo_in(file).status());
     for (std::size_t part = 0; part < 20; ++part) {
       const auto end = file.begin() + static_cast<std::ptrdiff_t>(file.size() * part / 20);
-      const Status status = read(Bytes(file.begin(), end)).status();
+      const Status status = photo_in(Bytes(file.begin(), end)).status();
       EXPECT_EQ(status.code, StatusCode::bad_input) << part;
       EXPECT_EQ(status.where.file, "a.file");
       EXPECT_FALSE(status.message.empty());
@@ -268,7 +260,7 @@ TEST(Photo, damage_anywhere_is_an_image_or_an_honest_error) {
       for (int i = 0; i <= turn % 3; ++i) {
         damaged[random() % damaged.size()] = static_cast<std::uint8_t>(random());
       }
-      const Result<Image> image = read(damaged);
+      const Result<Image> image = photo_in(damaged);
       if (image) {
         EXPECT_EQ(image->bytes.size(),
                   image->row_bytes() * static_cast<std::size_t>(image->height));
@@ -283,7 +275,7 @@ TEST(Photo, damage_anywhere_is_an_image_or_an_honest_error) {
 
 TEST(Photo, files_of_other_kinds_are_named) {
   const auto message = [](std::string_view text) {
-    return to_string(read(Bytes(text.begin(), text.end())).status());
+    return to_string(photo_in(Bytes(text.begin(), text.end())).status());
   };
   const std::string expected = "; expected a PNG, a JPEG or a WebP";
   EXPECT_EQ(message(""), "a.file: is an empty file" + expected);
@@ -301,7 +293,7 @@ TEST(Photo, animation_is_refused) {
   Context context;
   const auto webp = encode_webp(context, gradient(8, 8, PixelFormat::rgb8), {.lossless = true});
   ASSERT_TRUE(webp.ok());
-  EXPECT_EQ(to_string(read(webp_with(*webp, {}, {}, 8, 8, 0x02)).status()),
+  EXPECT_EQ(to_string(photo_in(webp_with(*webp, {}, {}, 8, 8, 0x02)).status()),
             "a.file: an animated WebP; expected a still picture");
 }
 
@@ -351,7 +343,7 @@ TEST(Photo, threads_make_the_same_bytes) {
     rows.insert(rows.end(), row, row + image.row_bytes());
   }
   const Bytes png = png_of(700, 300, 16, 2, rows, {{"iCCP", png_profile(display_p3_profile())}});
-  const Result<Image> alone = read(png);
+  const Result<Image> alone = photo_in(png);
   ThreadPool executor(4);
   Context context{.executor = &executor};
   const Result<Image> together = codecs::read_photo(context, png, "a.file");

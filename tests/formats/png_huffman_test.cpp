@@ -13,7 +13,7 @@ namespace {
 using Counts = std::vector<std::uint32_t>;
 using Words = std::vector<codecs::HuffmanWord>;
 
-Words code_of(const Counts& counts, int most_bits = codecs::kMostHuffmanBits) {
+Words huffman_code_of(const Counts& counts, int most_bits = codecs::kMostHuffmanBits) {
   Words words(counts.size());
   codecs::make_huffman_code(counts, most_bits, words);
   return words;
@@ -83,7 +83,7 @@ TEST(PngHuffman, has_the_fewest_bits_and_no_word_begins_another) {
   for (int i = 0; i < 300; ++i) {
     SCOPED_TRACE(i);
     const Counts counts = random_counts(random);
-    const Words words = code_of(counts);
+    const Words words = huffman_code_of(counts);
     expect_complete(counts, words, codecs::kMostHuffmanBits);
     expect_prefix_free(words);
     const std::uint64_t fewest = fewest_bits(counts);
@@ -97,7 +97,7 @@ TEST(PngHuffman, fewest_bits_are_reached_where_no_word_is_shortened) {
   for (int i = 0; i < 300; ++i) {
     Counts counts(2 + random() % 200);
     for (std::uint32_t& count : counts) count = 50 + random() % 100;
-    EXPECT_EQ(bits_of(counts, code_of(counts)), fewest_bits(counts)) << i;
+    EXPECT_EQ(bits_of(counts, huffman_code_of(counts)), fewest_bits(counts)) << i;
   }
 }
 
@@ -105,7 +105,7 @@ TEST(PngHuffman, deepest_tree_is_cut_to_the_longest_word) {
   Counts counts{1, 1};  // Fibonacci's numbers: each joint is the brother of one leaf
   while (counts.size() < 40) counts.push_back(counts.back() + counts[counts.size() - 2]);
   for (const int most_bits : {6, 7, 9, codecs::kMostHuffmanBits}) {
-    const Words words = code_of(counts, most_bits);
+    const Words words = huffman_code_of(counts, most_bits);
     expect_complete(counts, words, most_bits);
     expect_prefix_free(words);
   }
@@ -114,7 +114,7 @@ TEST(PngHuffman, deepest_tree_is_cut_to_the_longest_word) {
 TEST(PngHuffman, rarer_symbols_have_no_shorter_words) {
   std::mt19937 random(3);
   const Counts counts = random_counts(random);
-  const Words words = code_of(counts);
+  const Words words = huffman_code_of(counts);
   for (std::size_t i = 0; i < counts.size(); ++i) {
     for (std::size_t k = 0; k < counts.size(); ++k) {
       if (counts[i] == 0 || counts[i] >= counts[k]) continue;
@@ -124,7 +124,7 @@ TEST(PngHuffman, rarer_symbols_have_no_shorter_words) {
 }
 
 TEST(PngHuffman, two_symbols_have_a_bit_each) {
-  const Words words = code_of({0, 9, 0, 1, 0});
+  const Words words = huffman_code_of({0, 9, 0, 1, 0});
   EXPECT_EQ(words[1].bit_count, 1);
   EXPECT_EQ(words[3].bit_count, 1);
   EXPECT_NE(words[1].bits, words[3].bits);

@@ -28,8 +28,6 @@ std::string laughs(int levels, const std::string& first) {
   return "<defs>" + groups + "</defs>";
 }
 
-const std::string kStroke = "<path d='M0 0 h9' sf:left='red' sf:radius='2'/>";
-
 TEST(SvgHostile, billion_laughs_are_refused) {
   const std::string layer = "<g sf:diffuse='true'><path d='M0 0 h9'/></g>";
   const Status status = status_of(svg(laughs(9, layer) + "<use href='#g9'/>"));

@@ -33,7 +33,7 @@ std::string radial(const std::string& attributes) {
          "</radialGradient>";
 }
 
-std::vector<double> offsets_of(const std::string& stops) {
+std::vector<double> offsets_of_stops(const std::string& stops) {
   std::vector<double> offsets;
   for (const auto& stop : gradient_of(linear("", stops)).stops) offsets.push_back(stop.offset);
   return offsets;
@@ -104,8 +104,8 @@ TEST(SvgGradient, spread_methods) {
 }
 
 TEST(SvgGradient, offsets_are_clamped_and_never_fall) {
-  EXPECT_EQ(offsets_of("<stop offset='-1'/><stop offset='50%'/><stop offset='.3'/>"
-                       "<stop offset='7'/>"),
+  EXPECT_EQ(offsets_of_stops("<stop offset='-1'/><stop offset='50%'/><stop offset='.3'/>"
+                             "<stop offset='7'/>"),
             (std::vector<double>{0, .5, .5, 1}));
 }
 

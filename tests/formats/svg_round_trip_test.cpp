@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "formats/written.hpp"
 #include "sfumato/formats/svg/svg.hpp"
 #include "sfumato/formats/svg/svg_write.hpp"
 #include "support/drawing.hpp"
@@ -10,6 +11,8 @@
 
 namespace sfumato {
 namespace {
+
+using test::written;
 
 /// Well mixed numbers, the same in every run.
 class Mixer {
@@ -197,13 +200,6 @@ Document drawing(std::uint64_t seed) {
     if (in_group) document.stack.push_back(GroupEnd{});
   }
   return document;
-}
-
-std::string written(const Document& document) {
-  Context context;
-  const Result<std::string> text = write_svg(context, document);
-  EXPECT_TRUE(text.ok()) << to_string(text.status());
-  return text ? *text : std::string();
 }
 
 Document read_back(const std::string& text) {

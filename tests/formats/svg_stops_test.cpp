@@ -11,7 +11,7 @@ ColorStops left_of(const std::string& list) {
   return curve_of("<path d='M0 0 H1 H2 H3 H4' sf:left='" + list + "'/>").left.color.stops;
 }
 
-std::vector<double> offsets_of(const std::string& list) {
+std::vector<double> offsets_of_list(const std::string& list) {
   std::vector<double> offsets;
   for (const auto& stop : left_of(list).stops) offsets.push_back(stop.offset);
   return offsets;
@@ -26,10 +26,10 @@ TEST(SvgStops, one_colour_is_constant) {
 }
 
 TEST(SvgStops, missing_offsets_are_spread_evenly) {
-  EXPECT_EQ(offsets_of("red, lime"), (Offsets{0, 1}));
-  EXPECT_EQ(offsets_of("red, lime, blue"), (Offsets{0, .5, 1}));
-  EXPECT_EQ(offsets_of("red, lime, blue 80%, white"), (Offsets{0, .4, .8, 1}));
-  EXPECT_EQ(offsets_of("red 20%, lime, blue, white 50%"), (Offsets{.2, .2 + .3 / 3, .4, .5}));
+  EXPECT_EQ(offsets_of_list("red, lime"), (Offsets{0, 1}));
+  EXPECT_EQ(offsets_of_list("red, lime, blue"), (Offsets{0, .5, 1}));
+  EXPECT_EQ(offsets_of_list("red, lime, blue 80%, white"), (Offsets{0, .4, .8, 1}));
+  EXPECT_EQ(offsets_of_list("red 20%, lime, blue, white 50%"), (Offsets{.2, .2 + .3 / 3, .4, .5}));
 }
 
 TEST(SvgStops, percentages_count_arc_length_and_segments_the_parameter) {
@@ -40,16 +40,16 @@ TEST(SvgStops, percentages_count_arc_length_and_segments_the_parameter) {
 }
 
 TEST(SvgStops, in_a_list_with_segments_percentages_count_segments_too) {
-  EXPECT_EQ(offsets_of("red, lime 50%, blue @3, white"), (Offsets{0, 2, 3, 4}));
+  EXPECT_EQ(offsets_of_list("red, lime 50%, blue @3, white"), (Offsets{0, 2, 3, 4}));
 }
 
 TEST(SvgStops, same_offset_twice_is_a_step) {
-  EXPECT_EQ(offsets_of("red 50%, lime 50%"), (Offsets{.5, .5}));
+  EXPECT_EQ(offsets_of_list("red 50%, lime 50%"), (Offsets{.5, .5}));
 }
 
 TEST(SvgStops, stops_that_go_back_are_moved_to_the_largest_so_far) {
-  EXPECT_EQ(offsets_of("red 60%, lime 20%, blue 10%, white 70%"), (Offsets{.6, .6, .6, .7}));
-  EXPECT_EQ(offsets_of("red @3, lime, blue @1"), (Offsets{3, 3, 3}));
+  EXPECT_EQ(offsets_of_list("red 60%, lime 20%, blue 10%, white 70%"), (Offsets{.6, .6, .6, .7}));
+  EXPECT_EQ(offsets_of_list("red @3, lime, blue @1"), (Offsets{3, 3, 3}));
 }
 
 TEST(SvgStops, colours_with_commas_and_blanks_are_one_value) {
@@ -66,7 +66,7 @@ TEST(SvgStops, lists_apply_to_each_subpath) {
 }
 
 TEST(SvgStops, stop_beyond_the_last_segment_is_moved_there_with_a_warning) {
-  EXPECT_EQ(offsets_of("red @1, lime @7"), (Offsets{1, 4}));
+  EXPECT_EQ(offsets_of_list("red @1, lime @7"), (Offsets{1, 4}));
   EXPECT_EQ(warnings_of(svg_layer("<path d='M0 0 h1' sf:left='red @7'/>"))[0],
             "a.svg:3:1: a stop of <path> lies beyond the last segment; it is moved to the end");
 }

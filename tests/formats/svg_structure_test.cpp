@@ -8,8 +8,6 @@ namespace {
 
 const std::string kCurve = "<path d='M0 0 h9' sf:left='red'/>";
 const std::string kLayer = "<g sf:diffuse='true'>" + kCurve + "</g>";
-const std::string kStroke = "<path d='M0 0 h9' sf:left='red' sf:radius='2'/>";
-
 Document document_of(const std::string& content, const std::string& attributes = "") {
   return read(svg(content, attributes)).document;
 }

@@ -24,6 +24,9 @@ inline std::string svg_layer(const std::string& content) {
   return svg("<g sf:diffuse='true'>\n" + content + "\n</g>");
 }
 
+/// A local curve.
+inline const std::string kStroke = "<path d='M0 0 h9' sf:left='red' sf:radius='2'/>";
+
 /// Files in memory.
 class MemoryLoader final : public ResourceLoader {
  public:

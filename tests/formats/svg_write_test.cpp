@@ -6,6 +6,7 @@
 
 #include "codecs/data_uri_write.hpp"
 #include "formats/svg/svg_write_ids.hpp"
+#include "formats/written.hpp"
 #include "sfumato/base/limits.hpp"
 #include "support/drawing.hpp"
 
@@ -16,19 +17,13 @@ using test::colored;
 using test::kBlue;
 using test::kRed;
 using test::one_layer;
+using test::written;
 
-constexpr const char* kHead =
+constexpr const char* kWrittenHead =
     "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:sf=\"urn:sfumato:1\" "
     "viewBox=\"0 0 100 100\"\n"
     "     sf:version=\"1\">\n"
     "  <style>*{stroke-linejoin:round}</style>\n";
-
-std::string written(const Document& document) {
-  Context context;
-  const Result<std::string> text = write_svg(context, document);
-  EXPECT_TRUE(text.ok()) << text.status().message;
-  return text ? *text : std::string();
-}
 
 /// How often `part` occurs.
 std::size_t count(const std::string& text, const std::string& part) {
@@ -63,7 +58,7 @@ Texture one_texel() {
 
 TEST(SvgWrite, writes_a_layer_in_its_place) {
   const std::string expected =
-      std::string(kHead) +
+      std::string(kWrittenHead) +
       "  <g id=\"layer\" class=\"layer\" sf:diffuse=\"true\" fill=\"none\" stroke-width=\"0.2\">\n"
       "    <path class=\"curve\" d=\"M1 2 C3 4 5 6 7.5 8\" sf:left=\"#ff0000 @0\" "
       "sf:right=\"#0000ff @0\"\n"

@@ -10,16 +10,13 @@
 namespace sfumato::gather::test {
 namespace {
 
-constexpr Rgb kWhite{1, 1, 1};
-constexpr Rgb kBlack{0, 0, 0};
-
-std::vector<Line> blended_lines(std::uint32_t seed) {
+std::vector<Line> widely_blended_lines(std::uint32_t seed) {
   return with_blends(random_lines(seed, 80, 0.1, 0.1), seed, 40, 5);
 }
 
 TEST(Blends, the_packets_agree_with_the_reference) {
   for (std::uint32_t seed = 200; seed < 204; ++seed) {
-    const Drawing drawing = draw(blended_lines(seed));
+    const Drawing drawing = draw(widely_blended_lines(seed));
     const std::vector<Vec2> points = random_points(drawing, seed, 400, 0.5);
     Context context;
     const Difference d =
@@ -44,7 +41,7 @@ std::vector<float> many_rays(const Drawing& drawing, const std::vector<Vec2>& po
 }
 
 TEST(Blends, rays_with_the_same_beta_approach_the_exact_gather) {
-  const Drawing drawing = draw(blended_lines(210));
+  const Drawing drawing = draw(widely_blended_lines(210));
   const std::vector<Vec2> points = random_points(drawing, 210, 48, 2);
   Context context;
   const Gathered exact = gather_at(context, drawing, points);
@@ -107,7 +104,7 @@ TEST(Blends, a_radius_that_varies_gives_what_65536_rays_give) {
 }
 
 TEST(Blends, every_width_and_thread_count_gives_the_same_bits) {
-  const Drawing drawing = draw(blended_lines(211));
+  const Drawing drawing = draw(widely_blended_lines(211));
   const std::vector<Vec2> points = random_points(drawing, 211, 3000, 0.1);
   Context plain;
   plain.simd = SimdLevel::sse2;

@@ -20,7 +20,7 @@ namespace {
 using sfumato::test::CancelAt;
 
 constexpr std::uint32_t kSeeds = SFUMATO_HAS_SANITIZER ? 3 : 20;
-constexpr int kPoints = 600;
+constexpr int kExtendedPoints = 600;
 
 /// Windows too narrow to count are left out of a gather: which ones depends on the mesh.
 constexpr float kMost = 1.0f / 255;
@@ -106,8 +106,8 @@ std::vector<float> gathered(Context& context, const Gatherer& gatherer,
   return value;
 }
 
-float difference(const std::vector<float>& a, const std::vector<float>& b, std::size_t point,
-                 std::size_t count) {
+float difference_at(const std::vector<float>& a, const std::vector<float>& b, std::size_t point,
+                    std::size_t count) {
   const std::size_t channels = a.size() / count;
   float largest = 0;
   for (std::size_t c = channels * point; c < channels * (point + 1); ++c)
@@ -120,7 +120,7 @@ void expect_as_built_anew(const Drawing& drawing, std::uint32_t seed, Ends ends)
   const Inserted inserted(context, drawing, ends);
   const Result<Gatherer> extended = inserted.extended(context), anew = inserted.built_anew();
   ASSERT_TRUE(extended.ok() && anew.ok());
-  const std::vector<Vec2> points = random_points(drawing, seed, kPoints, 0.5);
+  const std::vector<Vec2> points = random_points(drawing, seed, kExtendedPoints, 0.5);
   const std::vector<float> value = gathered(context, *extended, points);
   const std::vector<float> expected = gathered(context, *anew, points);
   const std::vector<float> earlier = gathered(context, *inserted.before, points);
@@ -140,8 +140,8 @@ void expect_as_built_anew(const Drawing& drawing, std::uint32_t seed, Ends ends)
   ASSERT_TRUE(anew->find_changes(context, *inserted.before, points, marked_anew).ok());
   int changed = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    ASSERT_LE(difference(value, expected, i, points.size()), kMost) << i;
-    const bool differs = difference(expected, earlier, i, points.size()) > kMost;
+    ASSERT_LE(difference_at(value, expected, i, points.size()), kMost) << i;
+    const bool differs = difference_at(expected, earlier, i, points.size()) > kMost;
     changed += differs;
     ASSERT_TRUE(!differs || marked[i]) << i;
   }
@@ -179,7 +179,7 @@ TEST(ExtendedScene, from_tables_that_were_used_has_the_bits_of_one_from_a_copy) 
       Result<Gatherer> again = inserted.extended_from(base, &*used);
       const Result<Gatherer> copied = inserted.extended_from(base, nullptr);
       ASSERT_TRUE(again.ok() && copied.ok());
-      const std::vector<Vec2> points = random_points(drawing, seed, kPoints, 0.5);
+      const std::vector<Vec2> points = random_points(drawing, seed, kExtendedPoints, 0.5);
       ASSERT_EQ(gathered(context, *again, points), gathered(context, *copied, points)) << place;
       *used = std::move(*again);
     }
@@ -233,7 +233,7 @@ struct Reduced {
 int expect_reduced(const Drawing& drawing, std::uint32_t line, std::uint32_t seed, Ends ends) {
   Context context;
   Reduced scene(context, drawing, line, ends);
-  const std::vector<Vec2> points = random_points(drawing, seed, kPoints, 0.5);
+  const std::vector<Vec2> points = random_points(drawing, seed, kExtendedPoints, 0.5);
   const std::vector<float> value = gathered(context, *scene.reduced, points);
   const std::vector<float> expected = gathered(context, *scene.anew, points);
   const std::vector<float> earlier = gathered(context, *scene.whole, points);
@@ -245,8 +245,8 @@ int expect_reduced(const Drawing& drawing, std::uint32_t line, std::uint32_t see
                                  .ok());
   int changed = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    EXPECT_LE(difference(value, expected, i, points.size()), kMost) << i;
-    if (difference(expected, earlier, i, points.size()) <= kMost) continue;
+    EXPECT_LE(difference_at(value, expected, i, points.size()), kMost) << i;
+    if (difference_at(expected, earlier, i, points.size()) <= kMost) continue;
     ++changed;
     EXPECT_NE(std::ranges::find(listed, i), listed.end()) << i;
   }
@@ -272,7 +272,7 @@ TEST(ReducedScene, knows_where_points_lie_as_one_that_searches_does) {
   Context context;
   const Drawing drawing = crossed(3, 0, 1);
   const Reduced scene(context, drawing, 40, Ends::soft);
-  const std::vector<Vec2> points = random_points(drawing, 3, kPoints, 0.5);
+  const std::vector<Vec2> points = random_points(drawing, 3, kExtendedPoints, 0.5);
   std::vector<float> value(points.size() * 3);
   std::vector<std::uint32_t> place(points.size(), kUnknownPlace);
   ASSERT_TRUE(scene.whole->gather(context, points, {}, value, {}, false, place).ok());

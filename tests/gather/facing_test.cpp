@@ -41,7 +41,7 @@ struct Diamond {
   Facing facing(std::uint32_t half_edge) const { return facing_side(mesh, attributes, half_edge); }
 };
 
-constexpr Rgb kRed{1, 0, 0}, kGreen{0, 1, 0}, kBlue{0, 0, 1}, kWhite{1, 1, 1};
+constexpr Rgb kRed{1, 0, 0}, kGreen{0, 1, 0}, kBlue{0, 0, 1};
 
 curves::SegmentSide color(Rgb from, Rgb to) {
   return {ShaderKind::curve_domain, 0, {from, to}};

@@ -15,7 +15,7 @@
 namespace sfumato::gather::test {
 namespace {
 
-constexpr int kPoints = 300;
+constexpr int kFarPoints = 300;
 
 /// Charged to the context, which has to outlive it.
 Scene scene_of(Context& context, const Drawing& drawing, const GatherUse& use = {}) {
@@ -49,7 +49,7 @@ Drawing specks_with_rooms(double size, ShaderKind inside) {
 }
 
 void expect_near_reference(const Drawing& drawing, double rms, double largest,
-                           int count = kPoints) {
+                           int count = kFarPoints) {
   const std::vector<Vec2> points = random_points(drawing, 5, count, 0.5);
   Context context;
   const Difference d =
@@ -70,7 +70,7 @@ TEST(FarField, does_not_change_a_layer_of_one_colour) {
   std::vector<Line> lines = specks(3, 2000);
   for (Line& line : lines) line = plain_line(line.points, {0.75f, 0.5f, 0.25f});
   const Drawing drawing = draw(lines);
-  const std::vector<Vec2> points = random_points(drawing, 3, kPoints, 0.5);
+  const std::vector<Vec2> points = random_points(drawing, 3, kFarPoints, 0.5);
   ASSERT_TRUE(has_far_field(drawing));
   Context context;
   const std::vector<float> value = gather_at(context, drawing, points).value;
@@ -125,7 +125,7 @@ TEST(FarField, has_four_channels_as_it_has_three_and_one) {
       side.value.end.channel[3] = side.value.end.channel[1];
     }
   }
-  const std::vector<Vec2> points = random_points(drawing, 8, kPoints, 0.5);
+  const std::vector<Vec2> points = random_points(drawing, 8, kFarPoints, 0.5);
   Context context;
   const std::vector<float> colors = gather_at(context, drawing, points).value;
   drawing.attributes.base_channels = 1;

@@ -17,9 +17,6 @@
 namespace sfumato::gather::test {
 namespace {
 
-constexpr Rgb kWhite{1, 1, 1};
-constexpr Rgb kBlack{0, 0, 0};
-
 Line two_sided(std::vector<Vec2> points) {
   Line line = plain_line(std::move(points), kWhite);
   line.right.assign(line.points.size(), kBlack);
@@ -79,7 +76,7 @@ std::vector<Vec2> points_round_ends(const Drawing& drawing) {
   return points;
 }
 
-std::vector<Line> blended_lines(std::uint32_t seed) {
+std::vector<Line> narrowly_blended_lines(std::uint32_t seed) {
   return with_blends(random_lines(seed, 80, 0.1, 0.1), seed, 20, 4);
 }
 
@@ -213,7 +210,8 @@ TEST(FreeEnds, beside_a_bent_curve_no_colour_steps_across_the_line_of_its_end) {
 TEST(FreeEnds, the_packets_agree_with_the_reference_also_blurred_weighted_and_with_shaders) {
   for (std::uint32_t seed = 50; seed < 53; ++seed) {
     for (bool blends : {false, true}) {
-      const Drawing drawing = draw(blends ? blended_lines(seed) : random_lines(seed, 80, 0.1, 0.1));
+      const Drawing drawing =
+          draw(blends ? narrowly_blended_lines(seed) : random_lines(seed, 80, 0.1, 0.1));
       const std::vector<Vec2> points = points_round_ends(drawing);
       EXPECT_GT(points.size(), 300u);
       Context context;
@@ -226,7 +224,7 @@ TEST(FreeEnds, the_packets_agree_with_the_reference_also_blurred_weighted_and_wi
 }
 
 TEST(FreeEnds, rays_get_the_same_term) {
-  const Drawing drawing = draw(blended_lines(61));
+  const Drawing drawing = draw(narrowly_blended_lines(61));
   const std::vector<Vec2> points = points_round_ends(drawing);
   Context context;
   const Gathered exact = soft_at(context, drawing, points);
@@ -237,7 +235,7 @@ TEST(FreeEnds, rays_get_the_same_term) {
 
 /// One point lies on an end, where there is no term.
 TEST(FreeEnds, packets_and_points_get_the_same_term) {
-  const Drawing drawing = draw(blended_lines(64));
+  const Drawing drawing = draw(narrowly_blended_lines(64));
   Context context;
   const Result<FreeEnds> ends = FreeEnds::create(context, drawing.mesh, drawing.attributes, {}, 1);
   ASSERT_TRUE(ends.ok());
@@ -271,7 +269,7 @@ TEST(FreeEnds, packets_and_points_get_the_same_term) {
 }
 
 TEST(FreeEnds, every_width_and_thread_count_gives_the_same_bits) {
-  const Drawing drawing = draw(blended_lines(62));
+  const Drawing drawing = draw(narrowly_blended_lines(62));
   const std::vector<Vec2> points = points_round_ends(drawing);
   Context plain;
   plain.simd = SimdLevel::sse2;
@@ -289,7 +287,7 @@ TEST(FreeEnds, every_width_and_thread_count_gives_the_same_bits) {
 }
 
 TEST(FreeEnds, a_value_does_not_depend_on_the_points_beside_it) {
-  const Drawing drawing = draw(blended_lines(63));
+  const Drawing drawing = draw(narrowly_blended_lines(63));
   const std::vector<Vec2> points = points_round_ends(drawing);
   Context context;
   const std::vector<float> together = soft_at(context, drawing, points).value;

@@ -143,7 +143,7 @@ std::vector<double> reference_of(const Mapped& m, Vec2 p, std::span<const FreeEn
 }
 
 /// The largest difference of a channel at any of the points.
-double difference(const Mapped& m, const Rows& rows, std::span<const Vec2> points) {
+double difference_of_rows(const Mapped& m, const Rows& rows, std::span<const Vec2> points) {
   const std::vector<FreeEnd> ends = ends_of(m);
   double largest = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -191,7 +191,7 @@ struct RowDifference {
   double largest = 0;
   double mean = 0;
 };
-RowDifference difference(const Mapped& m, const Rows& rows, const Rows& expected) {
+RowDifference difference_of_rows(const Mapped& m, const Rows& rows, const Rows& expected) {
   EXPECT_EQ(rows.source, expected.source);
   RowDifference result;
   const std::size_t points = expected.begin.size() - 1;
@@ -208,7 +208,7 @@ RowDifference difference(const Mapped& m, const Rows& rows, const Rows& expected
 /// Single precision: what weighs most are curves nearer than a hundredth of a unit.
 void expect_about_the_same(const Mapped& m, std::span<const Vec2> points, const Rows& expected) {
   Context context;
-  const RowDifference d = difference(m, rows_of(context, m, points), expected);
+  const RowDifference d = difference_of_rows(m, rows_of(context, m, points), expected);
   EXPECT_LE(d.largest, 5e-5);
   EXPECT_LE(d.mean, 2e-6);
 }
@@ -226,7 +226,7 @@ TEST(Rows, times_colours_are_the_gather) {
     const std::vector<Vec2> points = points_of(drawing, seed);
     Context context;
     const Rows expected = reference_rows_of(context, m, points);
-    EXPECT_LE(difference(m, expected, points), 1e-6);
+    EXPECT_LE(difference_of_rows(m, expected, points), 1e-6);
     expect_about_the_same(m, points, expected);
   }
 }
@@ -239,7 +239,7 @@ TEST(Rows, take_blur_of_any_radius_and_shaders_as_the_gather_does) {
     const std::vector<Vec2> points = points_of(drawing, seed);
     Context context;
     const Rows expected = reference_rows_of(context, m, points);
-    EXPECT_LE(difference(m, expected, points), 1e-6);
+    EXPECT_LE(difference_of_rows(m, expected, points), 1e-6);
     expect_about_the_same(m, points, expected);
   }
 }
@@ -273,7 +273,7 @@ TEST(Rows, of_the_examples_times_their_stops_are_the_gather) {
     const std::vector<Vec2> points = grid_of(m, 20);
     Context context;
     const Rows expected = reference_rows_of(context, m, points);
-    EXPECT_LE(difference(m, expected, points), 1e-6) << name;
+    EXPECT_LE(difference_of_rows(m, expected, points), 1e-6) << name;
     expect_about_the_same(m, points, expected);
   }
 }
@@ -302,7 +302,7 @@ TEST(Rows, without_what_is_negligible_are_shorter_and_differ_little) {
   const Rows all = rows_of(context, m, points);
   const Rows some = rows_of(context, m, points, {.negligible = 1e-3f});
   EXPECT_LT(some.term.size(), 0.9 * static_cast<double>(all.term.size()));
-  EXPECT_LE(difference(m, some, points), 0.02);
+  EXPECT_LE(difference_of_rows(m, some, points), 0.02);
 }
 
 Curve line_of_stops(double y, std::vector<Stop<Rgb>> stops) {
@@ -386,7 +386,7 @@ TEST(Rows, of_curves_that_cross_and_lie_on_each_other_are_the_gather) {
   const std::vector<Vec2> points = random_points(drawing, 30, 500, 1e-3);
   Context context;
   const Rows expected = reference_rows_of(context, m, points);
-  EXPECT_LE(difference(m, expected, points), 1e-6);
+  EXPECT_LE(difference_of_rows(m, expected, points), 1e-6);
   expect_about_the_same(m, points, expected);
 }
 

@@ -24,6 +24,9 @@ struct Line {
   curves::SegmentValues<float> blur_radius{};  ///< of every segment, both sides
 };
 
+inline constexpr Rgb kWhite{1, 1, 1};
+inline constexpr Rgb kBlack{0, 0, 0};
+
 /// A line of one colour on both sides.
 Line plain_line(std::vector<Vec2> points, Rgb color);
 
