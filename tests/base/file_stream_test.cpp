@@ -4,15 +4,14 @@
 
 #include <string_view>
 
+#include "base/bytes_of.hpp"
 #include "sfumato/base/native/file.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace sfumato {
 namespace {
 
-std::span<const std::uint8_t> bytes_of(std::string_view text) {
-  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
-}
+using test::bytes_of;
 
 class FileStreams : public testing::Test {
  protected:

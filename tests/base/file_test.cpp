@@ -13,6 +13,7 @@
 #include <thread>
 #include <vector>
 
+#include "base/bytes_of.hpp"
 #include "base/native/atomic_file.hpp"
 #include "base/stopwatch.hpp"
 #include "sfumato/base/context.hpp"
@@ -21,9 +22,7 @@
 namespace sfumato {
 namespace {
 
-std::span<const std::uint8_t> bytes_of(std::string_view text) {
-  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
-}
+using test::bytes_of;
 
 std::string content_of(const std::string& path) {
   const Result<std::string> content = read_file(path, 1 << 28);

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "curves/bezier.hpp"
+#include "curves/distance.hpp"
 
 namespace sfumato::curves {
 namespace {
@@ -26,13 +27,6 @@ std::vector<Vec2> fitted(std::span<const Vec2> points, const FitOptions& options
   return control_points;
 }
 
-double distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
-  const Vec2 along = b - a;
-  const double square = dot(along, along);
-  const double t = square > 0 ? std::clamp(dot(p - a, along) / square, 0.0, 1.0) : 0.0;
-  return length(p - (a + t * along));
-}
-
 /// From a point to the curve, by its flattened pieces.
 double distance_to(const std::vector<Vec2>& control_points, Vec2 p) {
   double least = std::numeric_limits<double>::infinity();
@@ -40,7 +34,7 @@ double distance_to(const std::vector<Vec2>& control_points, Vec2 p) {
     const Cubic cubic = piece(control_points, i);
     for (int k = 0; k < kParts; ++k) {
       const Vec2 a = point_at(cubic, double(k) / kParts), b = point_at(cubic, (k + 1.0) / kParts);
-      least = std::min(least, distance_to_segment(p, a, b));
+      least = std::min(least, test::distance_to_segment(p, a, b));
     }
   }
   return least;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "curves/bezier.hpp"
+#include "curves/distance.hpp"
 #include "support/drawing.hpp"
 #include "support/scenes.hpp"
 
@@ -25,11 +26,6 @@ FlatCurves flattened(std::vector<Curve> curves, FlattenOptions options = {}) {
   Result<FlatCurves> flat = flatten(context, curves, options);
   EXPECT_TRUE(flat.ok());
   return *flat;
-}
-
-double distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
-  const double t = std::clamp(dot(p - a, b - a) / length_squared(b - a), 0.0, 1.0);
-  return length(p - lerp(a, b, t));
 }
 
 TEST(Flatten, a_straight_line_of_constant_speed_is_one_segment) {
@@ -56,7 +52,7 @@ TEST(Flatten, every_point_of_the_curve_is_within_the_tolerance) {
       for (int i = 0; i <= 10; ++i) {
         const double t = flat.parameter[v] + (flat.parameter[v + 1] - flat.parameter[v]) * i / 10;
         const Vec2 p = point_at(piece(curve.control_points, 0), t);
-        EXPECT_LE(distance_to_segment(p, flat.vertex[v], flat.vertex[v + 1]), tolerance);
+        EXPECT_LE(test::distance_to_segment(p, flat.vertex[v], flat.vertex[v + 1]), tolerance);
       }
     }
   }
@@ -124,7 +120,7 @@ std::vector<Vec2> vertices_of(const FlatCurves& flat, std::uint32_t curve) {
 double distance_to_polyline(Vec2 p, const std::vector<Vec2>& polyline) {
   double least = 1e300;
   for (std::size_t i = 0; i + 1 < polyline.size(); ++i) {
-    least = std::min(least, distance_to_segment(p, polyline[i], polyline[i + 1]));
+    least = std::min(least, test::distance_to_segment(p, polyline[i], polyline[i + 1]));
   }
   return least;
 }
@@ -289,7 +285,7 @@ TEST(Flatten, far_outside_the_focus_chords_stray_by_a_share_of_their_distance) {
     for (std::uint32_t v = 0; v + 1 < flat.vertex.size(); ++v) {
       const double middle = 0.5 * (flat.parameter[v] + flat.parameter[v + 1]);
       const Vec2 p = point_at(piece(far.control_points, 0), std::min(middle, 1.0));
-      EXPECT_LE(distance_to_segment(p, flat.vertex[v], flat.vertex[v + 1]),
+      EXPECT_LE(test::distance_to_segment(p, flat.vertex[v], flat.vertex[v + 1]),
                 std::max(tolerance, length(p) / 16384));
     }
   }

@@ -19,7 +19,7 @@ using test::kRed;
 using test::same_document;
 using test::straight_curve;
 
-Document some_document() {
+Document two_layers() {
   Document document = test::one_layer({colored(straight_curve({10, 10}, {90, 80}), kRed, kBlue),
                                        colored(circle_curve({50, 50}, 20), kBlue, kRed)});
   document.layers.push_back({"other", {colored(circle_curve({20, 20}, 5), kRed, kBlue)}});
@@ -27,19 +27,19 @@ Document some_document() {
   return document;
 }
 
-Curve some_curve() {
+Curve inserted_curve() {
   return colored(straight_curve({0, 50}, {100, 50}), kBlue, kRed);
 }
 
 Change one_of(int kind) {
-  Document document = some_document();
+  Document document = two_layers();
   switch (kind) {
     case 0:
-      return ReplaceCurve{0, 1, some_curve()};
+      return ReplaceCurve{0, 1, inserted_curve()};
     case 1:
-      return InsertCurve{0, 1, some_curve()};
+      return InsertCurve{0, 1, inserted_curve()};
     case 2:
-      return InsertCurve{1, 1, some_curve()};
+      return InsertCurve{1, 1, inserted_curve()};
     case 3:
       return RemoveCurve{0, 0};
     case 4:
@@ -64,58 +64,58 @@ Change take(Result<Change> change) {
 TEST(Change, is_taken_back_by_what_it_returns_and_made_again_by_what_that_returns) {
   for (int kind = 0; kind < kKinds; ++kind) {
     SCOPED_TRACE(kind);
-    Document document = some_document();
+    Document document = two_layers();
     const Change inverse = take(apply_change({}, document, one_of(kind)));
     const Document changed = document;
-    EXPECT_FALSE(same_document(changed, some_document()));
+    EXPECT_FALSE(same_document(changed, two_layers()));
     const Change again = take(apply_change({}, document, inverse));
-    EXPECT_TRUE(same_document(document, some_document()));
+    EXPECT_TRUE(same_document(document, two_layers()));
     take(apply_change({}, document, again));
     EXPECT_TRUE(same_document(document, changed));
   }
 }
 
 TEST(Change, does_what_it_says) {
-  Document document = some_document();
+  Document document = two_layers();
   const std::vector<Curve> before = document.layers[0].curves;
-  take(apply_change({}, document, InsertCurve{0, 1, some_curve()}));
-  EXPECT_EQ(document.layers[0].curves, (std::vector{before[0], some_curve(), before[1]}));
+  take(apply_change({}, document, InsertCurve{0, 1, inserted_curve()}));
+  EXPECT_EQ(document.layers[0].curves, (std::vector{before[0], inserted_curve(), before[1]}));
   take(apply_change({}, document, InsertCurve{0, 3, before[0]}));
   EXPECT_EQ(document.layers[0].curves,
-            (std::vector{before[0], some_curve(), before[1], before[0]}));
+            (std::vector{before[0], inserted_curve(), before[1], before[0]}));
   take(apply_change({}, document, RemoveCurve{0, 0}));
-  EXPECT_EQ(document.layers[0].curves, (std::vector{some_curve(), before[1], before[0]}));
+  EXPECT_EQ(document.layers[0].curves, (std::vector{inserted_curve(), before[1], before[0]}));
   take(apply_change({}, document, ReplaceCurve{0, 2, before[1]}));
-  EXPECT_EQ(document.layers[0].curves, (std::vector{some_curve(), before[1], before[1]}));
+  EXPECT_EQ(document.layers[0].curves, (std::vector{inserted_curve(), before[1], before[1]}));
 }
 
 void expect_refused(const Context& context, const Change& change, StatusCode code) {
-  Document document = some_document();
+  Document document = two_layers();
   const auto result = apply_change(context, document, change);
   EXPECT_EQ(result.status().code, code) << to_string(result.status());
-  EXPECT_TRUE(same_document(document, some_document()));
+  EXPECT_TRUE(same_document(document, two_layers()));
 }
 
 TEST(Change, of_what_is_not_there_is_refused_and_changes_nothing) {
   constexpr std::uint32_t kHuge = std::numeric_limits<std::uint32_t>::max();
   for (const std::uint32_t layer : {2u, kHuge}) {
-    expect_refused({}, ReplaceCurve{layer, 0, some_curve()}, StatusCode::bad_input);
-    expect_refused({}, InsertCurve{layer, 0, some_curve()}, StatusCode::bad_input);
+    expect_refused({}, ReplaceCurve{layer, 0, inserted_curve()}, StatusCode::bad_input);
+    expect_refused({}, InsertCurve{layer, 0, inserted_curve()}, StatusCode::bad_input);
     expect_refused({}, RemoveCurve{layer, 0}, StatusCode::bad_input);
   }
-  expect_refused({}, ReplaceCurve{0, 2, some_curve()}, StatusCode::bad_input);
+  expect_refused({}, ReplaceCurve{0, 2, inserted_curve()}, StatusCode::bad_input);
   expect_refused({}, RemoveCurve{0, 2}, StatusCode::bad_input);
   expect_refused({}, RemoveCurve{0, kHuge}, StatusCode::bad_input);
-  expect_refused({}, InsertCurve{0, 3, some_curve()}, StatusCode::bad_input);
-  expect_refused({}, InsertCurve{0, kHuge, some_curve()}, StatusCode::bad_input);
+  expect_refused({}, InsertCurve{0, 3, inserted_curve()}, StatusCode::bad_input);
+  expect_refused({}, InsertCurve{0, kHuge, inserted_curve()}, StatusCode::bad_input);
 }
 
 TEST(Change, that_would_make_the_document_invalid_is_refused_and_changes_nothing) {
-  Curve short_one = some_curve();
+  Curve short_one = inserted_curve();
   short_one.control_points.pop_back();
-  Curve far = some_curve();
+  Curve far = inserted_curve();
   far.control_points[2].x = std::numeric_limits<double>::quiet_NaN();
-  Curve shaderless = some_curve();
+  Curve shaderless = inserted_curve();
   shaderless.left.color = {ShaderKind::image_domain, {}, 0};
   for (const Curve& curve : {short_one, far, shaderless}) {
     expect_refused({}, ReplaceCurve{0, 0, curve}, StatusCode::bad_input);
@@ -129,14 +129,14 @@ TEST(Change, that_would_make_the_document_invalid_is_refused_and_changes_nothing
 TEST(Change, beyond_a_limit_is_refused_and_changes_nothing) {
   Context context;
   context.limits.curves = 3;
-  expect_refused(context, InsertCurve{0, 0, some_curve()}, StatusCode::limit);
-  Document document = some_document();
-  take(apply_change(context, document, ReplaceCurve{0, 0, some_curve()}));
+  expect_refused(context, InsertCurve{0, 0, inserted_curve()}, StatusCode::limit);
+  Document document = two_layers();
+  take(apply_change(context, document, ReplaceCurve{0, 0, inserted_curve()}));
 }
 
 /// A layer of curves that use two of three shaders.
 Document shaded_document() {
-  Document document = some_document();
+  Document document = two_layers();
   GradientFill gradient;
   gradient.stops.push_back({0, kRed, 1});
   for (int i = 0; i < 3; ++i) document.shaders.push_back({"paint", gradient});
@@ -147,7 +147,7 @@ Document shaded_document() {
 
 /// Curves that are valid, or not, or more than some limit allows.
 std::vector<Curve> curves_to_judge() {
-  std::vector<Curve> curves(9, some_curve());
+  std::vector<Curve> curves(9, inserted_curve());
   curves[1] = circle_curve({30, 30}, 10);
   curves[2].left.color.stops.stops = {{0, kRed}, {0.4, kBlue}, {1, kRed}};
   curves[3].left.color.stops.stops = {{0.5, kRed}, {0.4, kBlue}};
@@ -208,9 +208,9 @@ TEST(Change, that_is_cancelled_changes_nothing) {
 
 TEST(Change, knows_the_memory_of_what_it_brings) {
   EXPECT_EQ(bytes_of(Change(RemoveCurve{0, 0})), 0u);
-  const std::size_t points = some_curve().control_points.size() * sizeof(Vec2);
-  EXPECT_GE(bytes_of(Change(ReplaceCurve{0, 0, some_curve()})), points);
-  EXPECT_GE(bytes_of(Change(InsertCurve{0, 0, some_curve()})), points);
+  const std::size_t points = inserted_curve().control_points.size() * sizeof(Vec2);
+  EXPECT_GE(bytes_of(Change(ReplaceCurve{0, 0, inserted_curve()})), points);
+  EXPECT_GE(bytes_of(Change(InsertCurve{0, 0, inserted_curve()})), points);
   EXPECT_GE(bytes_of(one_of(6)), 2 * points);
 }
 

@@ -19,7 +19,7 @@ namespace {
 
 using svg_import::Contours;
 
-constexpr double kTolerance = 100.0 / 16384;
+constexpr double kStrokeTolerance = 100.0 / 16384;
 
 /// A subpath of loops that end in cusps.
 Contours curls(int count) {
@@ -33,7 +33,7 @@ TEST(StrokeOutline, charges_its_points_for_as_long_as_they_live) {
   {
     TableMemory memory("a test");
     const auto outline =
-        svg_import::stroke_outline(context, curls(1000), {.width = 2}, kTolerance, &memory);
+        svg_import::stroke_outline(context, curls(1000), {.width = 2}, kStrokeTolerance, &memory);
     ASSERT_TRUE(outline);
     std::size_t points = 0;
     for (const auto& contour : *outline) points += contour.size();
@@ -46,7 +46,7 @@ TEST(StrokeOutline, ends_at_the_memory_limit) {
   for (const std::vector<double>& dashes : {std::vector<double>{}, {1, 1}}) {
     Context context{.budget = Budget(1'000'000)};
     const svg::StrokeStyle style{.width = 2, .dashes = dashes};
-    const auto outline = svg_import::stroke_outline(context, curls(1000), style, kTolerance);
+    const auto outline = svg_import::stroke_outline(context, curls(1000), style, kStrokeTolerance);
     ASSERT_FALSE(outline);
     EXPECT_EQ(outline.status().code, StatusCode::limit);
   }
@@ -58,7 +58,7 @@ TEST(StrokeOutline, of_one_long_subpath_looks_at_the_flag) {
     test::PollRecorder polls;
     context.poll_watch = &polls;
     const svg::StrokeStyle style{.width = 2, .dashes = dashes};
-    ASSERT_TRUE(svg_import::stroke_outline(context, curls(1000), style, kTolerance));
+    ASSERT_TRUE(svg_import::stroke_outline(context, curls(1000), style, kStrokeTolerance));
     EXPECT_GE(polls.polls(), 1000u);
   }
 }
@@ -76,7 +76,7 @@ std::vector<svg_import::Chord> chords_of(const Contours& contours) {
   std::vector<svg_import::Chord> chords;
   for (const auto& contour : contours) {
     EXPECT_EQ(contour.front(), contour.back());
-    const std::vector<Vec2> polygon = test::flattened(contour, kTolerance / 8);
+    const std::vector<Vec2> polygon = test::flattened(contour, kStrokeTolerance / 8);
     for (std::size_t i = 1; i < polygon.size(); ++i) {
       chords.push_back({polygon[i - 1], polygon[i]});
     }
@@ -117,7 +117,7 @@ std::vector<Vec2> random_cubic(std::mt19937& random) {
 /// found nearly within the tolerance.
 bool is_inside(const std::vector<svg_import::Chord>& chords, Vec2 p, Vec2 across) {
   return std::ranges::any_of(std::array{0, -1, 1}, [&](int step) {
-    return svg_import::winding_number(chords, p + 2 * step * kTolerance * across) != 0;
+    return svg_import::winding_number(chords, p + 2 * step * kStrokeTolerance * across) != 0;
   });
 }
 
@@ -125,10 +125,10 @@ bool is_inside(const std::vector<svg_import::Chord>& chords, Vec2 p, Vec2 across
 void expect_what_normals_sweep(const std::vector<Vec2>& path, const svg::StrokeStyle& style,
                                const std::string& name) {
   Context context;
-  const auto outline = svg_import::stroke_outline(context, {path}, style, kTolerance);
+  const auto outline = svg_import::stroke_outline(context, {path}, style, kStrokeTolerance);
   ASSERT_TRUE(outline) << name;
   const std::vector<svg_import::Chord> chords = chords_of(*outline);
-  const double clearly = style.width / 2 - 4 * kTolerance;
+  const double clearly = style.width / 2 - 4 * kStrokeTolerance;
   const curves::Cubic cubic = curves::piece(path, 0);
   for (int i = 1; i < 100; ++i) {
     const double t = i / 100.0 + 1e-4;
@@ -138,7 +138,7 @@ void expect_what_normals_sweep(const std::vector<Vec2>& path, const svg::StrokeS
       ASSERT_TRUE(is_inside(chords, p, along)) << name << " at " << t << ", " << away;
     }
   }
-  const std::vector<Vec2> axis = test::flattened(path, kTolerance / 4);
+  const std::vector<Vec2> axis = test::flattened(path, kStrokeTolerance / 4);
   Box box;
   for (const Vec2 p : path) box.extend(p);
   box = box.grown_by(style.width);
@@ -148,7 +148,7 @@ void expect_what_normals_sweep(const std::vector<Vec2>& path, const svg::StrokeS
     const double away = distance(axis, p);
     const bool is_round =
         style.cap == svg::StrokeCap::round && style.join == svg::StrokeJoin::round;
-    if (away > style.width / 2 + 4 * kTolerance) {
+    if (away > style.width / 2 + 4 * kStrokeTolerance) {
       ASSERT_EQ(svg_import::winding_number(chords, p), 0)
           << name << " far at " << p.x << ' ' << p.y;
     } else if (is_round && away < clearly) {

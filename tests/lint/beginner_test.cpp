@@ -14,14 +14,13 @@ using test::hints_of;
 using test::kBlack;
 using test::kBlue;
 using test::kGreen;
+using test::kMiddle;
 using test::kRed;
 using test::kWhite;
 using test::of_kind;
 using test::one_color;
 using test::one_layer;
 using test::straight_curve;
-
-constexpr Vec2 kMiddle{50, 50};
 
 SideShader<Rgb> stops(std::vector<Stop<Rgb>> list) {
   return {ShaderKind::curve_domain, {StopSpace::parameter, std::move(list)}, 0};

@@ -10,6 +10,9 @@
 
 namespace sfumato::test {
 
+/// Of the artboard of one_layer().
+inline constexpr Vec2 kMiddle{50, 50};
+
 inline std::vector<Hint> hints_of(const Document& document) {
   Context context;
   Result<std::vector<Hint>> hints = lint(context, document);

@@ -15,14 +15,13 @@ using test::colored;
 using test::count;
 using test::hints_of;
 using test::kBlue;
+using test::kMiddle;
 using test::kRed;
 using test::of_kind;
 using test::one_color;
 using test::one_layer;
 using test::one_opacity;
 using test::straight_curve;
-
-constexpr Vec2 kMiddle{50, 50};
 
 /// All hints that are no notes, for messages.
 std::string listed(const Document& document) {

@@ -22,13 +22,7 @@ namespace {
 
 using sfumato::test::CancelAt;
 
-constexpr int kSeeds = SFUMATO_HAS_SANITIZER ? 1 : 5;
-
-MeshOptions fuzz_options() {
-  MeshOptions options;
-  options.frame = {{0, 0}, {kFuzzSide, kFuzzSide}};
-  return options;
-}
+constexpr int kEditSeeds = SFUMATO_HAS_SANITIZER ? 1 : 5;
 
 double weld_of(const MeshOptions& options) {
   return options.unit_size * options.weld_px;
@@ -114,7 +108,7 @@ void edit_once(std::mt19937& random, Edited& edited, Mesher& mesher, bool refine
 /// Scenes of the kind, each built and handed to `body` with a source of random numbers.
 template <class Body>
 void for_each_scene(FuzzKind kind, Body body) {
-  for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
+  for (std::uint64_t seed = 0; seed < kEditSeeds; ++seed) {
     SCOPED_TRACE(seed);
     Context context;
     std::mt19937 random(static_cast<std::uint32_t>(seed));

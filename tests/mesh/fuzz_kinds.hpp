@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "curves/flatten.hpp"
+#include "mesh/mesher.hpp"
 
 namespace sfumato::mesh::test {
 
@@ -21,5 +22,11 @@ inline constexpr int kFuzzKindCount = 7;
 curves::FlatCurves fuzz_scene(FuzzKind kind, std::uint64_t seed);
 
 inline constexpr double kFuzzSide = 1024;
+
+inline MeshOptions fuzz_options() {
+  MeshOptions options;
+  options.frame = {{0, 0}, {kFuzzSide, kFuzzSide}};
+  return options;
+}
 
 }  // namespace sfumato::mesh::test

@@ -16,13 +16,7 @@
 namespace sfumato::mesh::test {
 namespace {
 
-constexpr int kSeeds = SFUMATO_HAS_SANITIZER ? 8 : 40;
-
-MeshOptions fuzz_options() {
-  MeshOptions options;
-  options.frame = {{0, 0}, {kFuzzSide, kFuzzSide}};
-  return options;
-}
+constexpr int kFuzzSeeds = SFUMATO_HAS_SANITIZER ? 8 : 40;
 
 class MesherFuzz : public testing::TestWithParam<int> {
  protected:
@@ -30,7 +24,7 @@ class MesherFuzz : public testing::TestWithParam<int> {
 };
 
 TEST_P(MesherFuzz, every_step_leaves_a_valid_mesh) {
-  for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
+  for (std::uint64_t seed = 0; seed < kFuzzSeeds; ++seed) {
     SCOPED_TRACE(seed);
     Context context;
     Result<Mesher> mesher = Mesher::build(context, fuzz_scene(kind(), seed), fuzz_options());
@@ -75,7 +69,7 @@ std::vector<ConstraintPlace> places_of(const TriangleMesh& mesh, auto is_wanted)
 }
 
 TEST_P(MesherFuzz, a_thinned_mesh_is_valid_and_keeps_what_it_should) {
-  for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
+  for (std::uint64_t seed = 0; seed < kFuzzSeeds; ++seed) {
     SCOPED_TRACE(seed);
     Context context;
     Result<Mesher> mesher = Mesher::build(context, fuzz_scene(kind(), seed), fuzz_options());
@@ -98,7 +92,7 @@ TEST_P(MesherFuzz, a_thinned_mesh_is_valid_and_keeps_what_it_should) {
 TEST_P(MesherFuzz, constraints_stay_near_their_segments_and_cover_them) {
   const MeshOptions options = fuzz_options();
   const double weld = options.weld_px * options.unit_size;
-  for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
+  for (std::uint64_t seed = 0; seed < kFuzzSeeds; ++seed) {
     SCOPED_TRACE(seed);
     Context context;
     const curves::FlatCurves flat = fuzz_scene(kind(), seed);

@@ -18,12 +18,6 @@ namespace {
 using sfumato::test::CancelAt;
 using sfumato::test::difference_of;
 
-MeshOptions fuzz_options() {
-  MeshOptions options;
-  options.frame = {{0, 0}, {kFuzzSide, kFuzzSide}};
-  return options;
-}
-
 Mesher refined(Context& context, const curves::FlatCurves& flat, const MeshOptions& options) {
   Result<Mesher> mesher = Mesher::build(context, flat, options);
   EXPECT_TRUE(mesher.ok()) << mesher.status().message;
