@@ -303,7 +303,7 @@ int run(const std::string& folder, int runs) {
 }  // namespace sfumato
 
 int main(int argc, char** argv) {
-  std::string folder = test::shared_path("scenes");
+  std::string folder = sfumato::test::shared_path("scenes");
   int runs = 11;
   for (int i = 1; i < argc; ++i) {
     if (std::string(argv[i]) == "--runs" && i + 1 < argc) {
