@@ -5,7 +5,6 @@
 
 #include <chrono>
 #include <filesystem>
-#include <fstream>
 #include <thread>
 
 #include "cli/run_command.hpp"
@@ -241,18 +240,6 @@ TEST(Limits, time_is_limited_for_each_drawing) {
   EXPECT_TRUE(contains(result.err, "2 of 2 drawings failed")) << result.err;
 }
 
-/// Whether the process catches this signal itself, as Linux tells.
-bool catches(pid_t id, int signal_number) {
-  std::ifstream status("/proc/" + std::to_string(id) + "/status");
-  std::string word;
-  while (status >> word) {
-    if (word != "SigCgt:") continue;
-    status >> word;
-    return (std::stoull(word, nullptr, 16) >> (signal_number - 1)) & 1;
-  }
-  return false;
-}
-
 TEST(Interrupt, ends_the_work_with_130_and_leaves_nothing) {
   if (!std::filesystem::exists("/proc/self/status")) GTEST_SKIP() << "this system has no /proc";
   const TemporaryFolder folder;
@@ -261,9 +248,7 @@ TEST(Interrupt, ends_the_work_with_130_and_leaves_nothing) {
     RunningCommand command({sfumato_program(), "render", input, "-o", folder.path("out.png"),
                             "--method", "rays", "--rays", "4096", "--tolerance", "0.01"},
                            "");
-    while (!catches(command.id(), signal_number) && kill(command.id(), 0) == 0) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
+    command.wait_until_it_catches(signal_number);
     kill(command.id(), signal_number);
     const CommandResult result = command.wait();
     EXPECT_EQ(result.exit_code, exit_code);
@@ -288,9 +273,7 @@ TEST_P(Waiting, ends_with_the_first_signal_and_with_the_time_limit) {
   arguments.insert(arguments.begin(), sfumato_program());
   for (const auto& [signal_number, exit_code] : {std::pair(SIGINT, 130), std::pair(SIGTERM, 143)}) {
     RunningCommand command(arguments, "");
-    while (!catches(command.id(), signal_number) && kill(command.id(), 0) == 0) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
+    command.wait_until_it_catches(signal_number);
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
     kill(command.id(), signal_number);
     const CommandResult result = command.wait();

@@ -246,7 +246,7 @@ TEST_F(Edit, the_browser_gets_an_address_that_leads_there_once) {
   const std::string path = folder_.path("bin") + ':' + std::getenv("PATH");
   const std::string script = "PATH='" + path + "' exec \"$0\" edit \"$1\"";
   const ServedCommand served({"/bin/sh", "-c", script, program_, drawing_});
-  for (int i = 0; i < 600 && !std::filesystem::exists(opener + ".said"); ++i) {
+  for (int i = 0; i < 5000 && !std::filesystem::exists(opener + ".said"); ++i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
   }
   std::string said = read_whole(opener + ".said");

@@ -1,6 +1,7 @@
 #include "cli/run_command.hpp"
 
 #include <fcntl.h>
+#include <signal.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -22,6 +23,18 @@ void open_as(int descriptor, const std::string& path, int flags) {
 
 double seconds(const timeval& time) {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
+/// Whether the process catches this signal itself, as Linux tells.
+bool catches(pid_t id, int signal_number) {
+  std::ifstream status("/proc/" + std::to_string(id) + "/status");
+  std::string word;
+  while (status >> word) {
+    if (word != "SigCgt:") continue;
+    status >> word;
+    return (std::stoull(word, nullptr, 16) >> (signal_number - 1)) & 1;
+  }
+  return false;
 }
 
 }  // namespace
@@ -73,6 +86,10 @@ CommandResult RunningCommand::wait() {
   return {exit_code, read_whole(streams_.path("out")), read_whole(streams_.path("err")),
           seconds(used.ru_utime) + seconds(used.ru_stime),
           static_cast<std::size_t>(used.ru_maxrss) * 1024};
+}
+
+void RunningCommand::wait_until_it_catches(int signal_number) const {
+  while (!catches(id_, signal_number) && kill(id_, 0) == 0) usleep(1000);
 }
 
 CommandResult run_command(std::vector<std::string> arguments, const std::string& input) {

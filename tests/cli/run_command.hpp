@@ -43,6 +43,8 @@ class RunningCommand {
 
   pid_t id() const { return id_; }
   CommandResult wait();
+  /// Waits until the program has its own handler of this signal: it is started then. Needs /proc.
+  void wait_until_it_catches(int signal_number) const;
 
  private:
   TemporaryFolder streams_;

@@ -12,7 +12,8 @@
 namespace sfumato::test {
 namespace {
 
-constexpr int kMostSeconds = 60;  ///< that anything may take on a busy machine
+/// Only a test that fails waits so long: a busy machine needs less.
+constexpr int kMostSeconds = 500;
 
 /// As much as the other side takes: it may have heard enough.
 void send_all(int fd, const std::string& bytes) {

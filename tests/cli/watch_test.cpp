@@ -92,8 +92,9 @@ TEST(Watch, keeps_the_last_good_picture_and_shows_what_is_wrong) {
   watch.wait_for("\"picture\":1");
   const std::string before = watch.picture();
   write(file, drawing_in("nonsense"));
-  const std::string state = watch.wait_for("\"failed\":true");
-  EXPECT_NE(state.find("nonsense"), std::string::npos) << state;
+  // A slow machine may show the file between its emptying and its writing.
+  const std::string state = watch.wait_for("nonsense");
+  EXPECT_NE(state.find("\"failed\":true"), std::string::npos) << state;
   EXPECT_EQ(watch.picture(), before);
   std::filesystem::remove(file);
   write(file, drawing_in("blue"));
