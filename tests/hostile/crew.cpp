@@ -9,7 +9,7 @@
 #include <cstring>
 #include <exception>
 #include <new>
-#include <stdexcept>
+#include <optional>
 
 #include "hostile/pace.hpp"
 #include "hostile/verdict.hpp"
@@ -46,29 +46,52 @@ void note(Result& result, const std::string& complaint) {
 /// How often a case may run that takes too long: what else the machine does only lengthens a run.
 constexpr int kMostRuns = 3;
 
-/// False where the case took too long, and nothing else is wrong.
-bool run_once(const Case& attack, const std::string& binary, double slowness, Result& result) {
+/// One run of a case.
+struct Run {
+  std::vector<std::string> before, after;  ///< names in its folder
+  Ended ended;
+};
+
+/// Empty where the case's files cannot be made.
+std::optional<Run> run_once(const Case& attack, const std::string& binary) {
   const Sandbox sandbox;
-  if (!sandbox.prepare(attack)) {
-    note(result, "its files cannot be made");
-    return true;
-  }
-  const std::vector<std::string> before = sandbox.names();
-  const Ended ended = sandbox.run(binary, attack.arguments, attack.input);
-  result.exit_code = ended.exit_code;
-  result.cpu_seconds = ended.cpu_seconds;
-  result.peak_bytes = ended.peak_bytes;
-  const std::string found = complaint(attack, ended, before, sandbox.names(), slowness);
-  note(result, found);
-  return ended.cpu_seconds <= slowness * kMostSeconds ||
-         found != complaint_of_cost(ended, slowness);
+  if (!sandbox.prepare(attack)) return std::nullopt;
+  Run run;
+  run.before = sandbox.names();
+  run.ended = sandbox.run(binary, attack.arguments, attack.input);
+  run.after = sandbox.names();
+  return run;
 }
 
-/// The machine is measured only where a case took too long for a quiet one.
-void run_one(const Case& attack, const std::string& binary, Result& result) {
-  if (run_once(attack, binary, 1, result)) return;
-  for (int i = 1; i < kMostRuns; ++i) {
-    if (run_once(attack, binary, slowness(), result)) return;
+/// Notes what is wrong with a run. False where it took too long, and nothing else is wrong.
+bool judge(const Case& attack, const Run& run, double granted_seconds, Result& result) {
+  result.exit_code = run.ended.exit_code;
+  result.cpu_seconds = run.ended.cpu_seconds;
+  result.peak_bytes = run.ended.peak_bytes;
+  const std::string found = complaint(attack, run.ended, run.before, run.after, granted_seconds);
+  note(result, found);
+  return run.ended.cpu_seconds <= granted_seconds ||
+         found != complaint_of_cost(run.ended, granted_seconds);
+}
+
+void run_one(const Case& attack, const std::string& binary, Pace& pace, Result& result) {
+  for (int i = 0; i < kMostRuns; ++i) {
+    const std::optional<Run> run = run_once(attack, binary);
+    if (!run) return note(result, "its files cannot be made");
+    if (judge(attack, *run, pace.granted_seconds(run->ended.cpu_seconds), result)) return;
+  }
+}
+
+/// Runs jobs from the next one on, until there are none.
+void work(const std::vector<Job>& jobs, const std::string& binary, std::atomic<std::size_t>& next,
+          const Shared<Result>& results) {
+  Pace pace(binary);
+  for (std::size_t k = next++; k < jobs.size(); k = next++) {
+    try {
+      run_one(*jobs[k].attack, binary, pace, results[k]);
+    } catch (const std::exception& error) {
+      note(results[k], error.what());
+    }
   }
 }
 
@@ -83,13 +106,7 @@ std::vector<Result> run_all(const std::vector<Job>& jobs, const std::string& bin
   for (int i = 0; i < worker_count; ++i) {
     const pid_t id = fork();
     if (id == 0) {
-      for (std::size_t k = next[0]++; k < jobs.size(); k = next[0]++) {
-        try {
-          run_one(*jobs[k].attack, binary, results[k]);
-        } catch (const std::exception& error) {
-          note(results[k], error.what());
-        }
-      }
+      work(jobs, binary, next[0], results);
       _exit(0);
     }
     workers.push_back(id);

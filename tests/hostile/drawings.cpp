@@ -45,14 +45,18 @@ std::string parallel_lines(std::size_t count, double height, const std::string& 
   return layer(lines);
 }
 
-std::string dust(std::size_t count, const std::string& attributes) {
+std::string dust_curves(std::size_t count, const std::string& attributes) {
   std::string curves;
   for (std::size_t i = 0; i < count; ++i) {
     const double along = static_cast<double>(i);
     curves += "<path " + attributes + " d='M" + decimal(std::fmod(along * 61.8033989, 99)) + " " +
               decimal(std::fmod(along * 75.4877666, 49)) + "l.03 .02'/>";
   }
-  return layer(curves);
+  return curves;
+}
+
+std::string dust(std::size_t count, const std::string& attributes) {
+  return layer(dust_curves(count, attributes));
 }
 
 }  // namespace sfumato::hostile

@@ -21,7 +21,10 @@ std::string concentric_circles(std::size_t count, const std::string& attributes)
 /// Horizontal lines, evenly spaced over so many units of height; `attributes` of each.
 std::string parallel_lines(std::size_t count, double height, const std::string& attributes);
 
-/// So many short curves, spread evenly.
+/// So many short curves, spread evenly; without a layer around them.
+std::string dust_curves(std::size_t count, const std::string& attributes);
+
+/// A layer of them.
 std::string dust(std::size_t count, const std::string& attributes = "sf:left='red'");
 
 }  // namespace sfumato::hostile

@@ -1,49 +1,50 @@
 #include "hostile/pace.hpp"
 
-#include <sys/mman.h>
-
 #include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <new>
+#include <cmath>
+#include <stdexcept>
 
-#include "support/poll_recorder.hpp"
+#include "hostile/documents.hpp"
+#include "hostile/drawings.hpp"
 
 namespace sfumato::hostile {
 namespace {
 
-/// Of work() on the machine of kMostSeconds, quiet.
-constexpr double kReferenceSeconds = 0.115;
-constexpr double kMostSlowness = 3;
+/// Seconds that are little on any machine.
+constexpr double kLittleSeconds = 0.25;
 
-constexpr std::size_t kTouchedBytes = std::size_t{32} << 20;
-constexpr std::size_t kPageBytes = 4096;
-constexpr int kSteps = 30'000'000;
+constexpr std::size_t kElements = 20'000;
+constexpr std::size_t kCurves = 40;
 
-/// Steps of a generator, each of which needs the one before it.
-std::uint64_t count_steps() {
-  std::uint64_t state = 1;
-  for (int i = 0; i < kSteps; ++i) state = state * 6364136223846793005u + 1442695040888963407u;
-  return state;
-}
-
-void touch_memory() {
-  void* memory =
-      mmap(nullptr, kTouchedBytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-  if (memory == MAP_FAILED) throw std::bad_alloc();
-  auto* bytes = static_cast<volatile unsigned char*>(memory);
-  for (std::size_t i = 0; i < kTouchedBytes; i += kPageBytes) bytes[i] = 1;
-  munmap(memory, kTouchedBytes);
+/// Elements with ids, classes and transforms to be read; curves in sight of each other to be
+/// meshed and gathered.
+std::string reference_drawing() {
+  const std::string elements =
+      numbered("<g id='a", kElements, "' class='b' transform='scale(1)'/>");
+  return svg("<style>.a{stroke:red}.b{fill:blue}</style>" + elements + "<g sf:diffuse='true'>" +
+             dust_curves(kCurves, "sf:left='red' sf:right='blue'") + "</g>");
 }
 
 }  // namespace
 
-double slowness() {
-  const double begin = test::thread_seconds();
-  const volatile std::uint64_t kept = count_steps();
-  static_cast<void>(kept);
-  touch_memory();
-  return std::clamp((test::thread_seconds() - begin) / kReferenceSeconds, 1.0, kMostSlowness);
+Pace::Pace(const std::string& binary) : binary_(binary) {
+  Case reference;
+  reference.with("in.svg", reference_drawing);
+  if (!sandbox_.prepare(reference)) throw std::runtime_error("the reference cannot be made");
+}
+
+double Pace::run() const {
+  const Ended ended = sandbox_.run(binary_, Case().arguments, {});
+  if (ended.exit_code != kDone) throw std::runtime_error("the reference fails: " + ended.err);
+  return ended.cpu_seconds;
+}
+
+double Pace::granted_seconds(double taken) {
+  if (taken <= kLittleSeconds) return kLittleSeconds;
+  if (std::isfinite(least_) && taken <= kMostReferences * least_) return kMostReferences * least_;
+  const double now = run();
+  least_ = std::min(least_, now);
+  return kMostReferences * now;
 }
 
 }  // namespace sfumato::hostile

@@ -61,10 +61,10 @@ std::string complaint_of_files(const Case& of, const std::vector<std::string>& b
 
 }  // namespace
 
-std::string complaint_of_cost(const Ended& ended, double slowness) {
-  if (ended.cpu_seconds > slowness * kMostSeconds) {
+std::string complaint_of_cost(const Ended& ended, double granted_seconds) {
+  if (ended.cpu_seconds > granted_seconds) {
     return "took " + std::to_string(ended.cpu_seconds) + " s of processor time, where " +
-           std::to_string(slowness * kMostSeconds) + " s are granted";
+           std::to_string(granted_seconds) + " s are granted";
   }
   if (ended.peak_bytes > kMostBytes) {
     return "took " + std::to_string(ended.peak_bytes >> 20) + " MiB of memory";
@@ -73,7 +73,7 @@ std::string complaint_of_cost(const Ended& ended, double slowness) {
 }
 
 std::string complaint(const Case& of, const Ended& ended, const std::vector<std::string>& before,
-                      const std::vector<std::string>& after, double slowness) {
+                      const std::vector<std::string>& after, double granted_seconds) {
   if (std::string found = complaint_of_sanitizers(ended); !found.empty()) return found;
   if (ended.signal != 0) {
     return "ended by signal " + std::to_string(ended.signal) + " after " +
@@ -85,7 +85,7 @@ std::string complaint(const Case& of, const Ended& ended, const std::vector<std:
   }
   if (std::string found = complaint_of_messages(of, ended); !found.empty()) return found;
   if (std::string found = complaint_of_files(of, before, after); !found.empty()) return found;
-  return complaint_of_cost(ended, slowness);
+  return complaint_of_cost(ended, granted_seconds);
 }
 
 }  // namespace sfumato::hostile

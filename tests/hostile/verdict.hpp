@@ -9,22 +9,18 @@
 
 namespace sfumato::hostile {
 
-/// What every case has to stay below, whatever it is about: processor time of all threads together
-/// (that of one thread is the wall clock's, without what waits for others) and resident memory.
-/// Sanitizers take two to four times as long, and AddressSanitizer an eighth of the memory more and
-/// what surrounds each block.
-constexpr double kMostSeconds = SFUMATO_HAS_SANITIZER ? 8 : 2;
+/// Resident memory that every case has to stay below, whatever it is about; pace.hpp has the time.
+/// AddressSanitizer takes an eighth more and what surrounds each block.
 constexpr std::size_t kMostBytes = std::size_t{SFUMATO_HAS_SANITIZER ? 320 : 256} << 20;
 
 /// What is wrong with how a case ended, in one line; "" where nothing is.
 ///
-/// before, after   names in its folder, sorted
-/// slowness        of the machine as the case ran: 1, or more and the case may take more time
-/// (pace.hpp)
+/// before, after     names in its folder, sorted
+/// granted_seconds   of processor time (pace.hpp)
 std::string complaint(const Case& of, const Ended& ended, const std::vector<std::string>& before,
-                      const std::vector<std::string>& after, double slowness);
+                      const std::vector<std::string>& after, double granted_seconds);
 
 /// Of that what is about time and memory.
-std::string complaint_of_cost(const Ended& ended, double slowness);
+std::string complaint_of_cost(const Ended& ended, double granted_seconds);
 
 }  // namespace sfumato::hostile
