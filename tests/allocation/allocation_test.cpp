@@ -35,6 +35,7 @@
 #include "sfumato/trace/trace.hpp"
 #include "support/same_document.hpp"
 #include "support/sanitizers.hpp"
+#include "support/soak.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace sfumato::test {
@@ -160,7 +161,7 @@ TEST_P(Allocation, film) {
   expect_every_refusal_is_survived(
       "film", [&](Context& context) { return no_throw([&] { return make(context); }); },
       [](const Solution& film) { return std::to_string(film.picture().layers.size()); },
-      {.every = SFUMATO_HAS_SANITIZER ? 41 : 7});
+      {.every = random_case_count<std::size_t>(SFUMATO_HAS_SANITIZER ? 41 : 29, 7)});
 }
 
 /// Solved, changed, and solved again.
@@ -323,9 +324,9 @@ void check_output(const Export& export_as, std::size_t every = 1) {
 
 TEST(AllocationOfOutput, html) {
   const HtmlOptions options{.title = "a", .fallback = {1, 2, 3}, .fallback_type = "image/jpeg"};
-  check_output([&](Context& context, const Picture& picture) {
-    return export_html(context, picture, options);
-  });
+  check_output([&](Context& context,
+                   const Picture& picture) { return export_html(context, picture, options); },
+               random_case_count<std::size_t>(7, 1));
 }
 
 TEST(AllocationOfOutput, pdf) {

@@ -12,11 +12,13 @@
 #include "mesh/mesh_facts.hpp"
 #include "mesh/mesher.hpp"
 #include "support/sanitizers.hpp"
+#include "support/soak.hpp"
 
 namespace sfumato::mesh::test {
 namespace {
 
-constexpr int kFuzzSeeds = SFUMATO_HAS_SANITIZER ? 8 : 40;
+const auto kFuzzSeeds =
+    sfumato::test::random_case_count<std::uint64_t>(SFUMATO_HAS_SANITIZER ? 8 : 16, 40);
 
 class MesherFuzz : public testing::TestWithParam<int> {
  protected:

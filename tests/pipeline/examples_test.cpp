@@ -25,6 +25,7 @@
 #include "support/planes.hpp"
 #include "support/sanitizers.hpp"
 #include "support/scenes.hpp"
+#include "support/soak.hpp"
 
 namespace sfumato {
 namespace {
@@ -139,7 +140,7 @@ TEST_P(Example, reads_without_warnings_and_renders) {
   EXPECT_GT(color_count(image), 1000u);
 }
 
-/// Of these bands across a drawing every fourth row of pixels is in one.
+/// Bands across a drawing. In them is every eighth row of pixels, in `make soak` every fourth.
 constexpr int kBands = 5;
 
 /// A band at the drawing's own size, pixel by pixel.
@@ -147,8 +148,9 @@ Image drawn_exactly(const Document& document, int band, std::optional<double> to
   ThreadPool executor(2);
   Context context{.executor = &executor};
   const Box& whole = document.artboard;
-  const double height = std::round(whole.height() / (4 * kBands));
-  const double top = whole.min.y + std::floor((band + 0.375) * whole.height() / kBands);
+  const double share = test::is_soak() ? 1.0 / 4 : 1.0 / 8;
+  const double height = std::round(share * whole.height() / kBands);
+  const double top = whole.min.y + std::floor((band + 0.5 - share / 2) * whole.height() / kBands);
   RasterOptions raster;
   raster.viewport = Box{{whole.min.x, top}, {whole.max.x, top + height}};
   raster.width = static_cast<int>(std::lround(whole.width()));

@@ -16,14 +16,15 @@
 #include "sfumato/solve/diffuse.hpp"
 #include "support/random_document.hpp"
 #include "support/sanitizers.hpp"
+#include "support/soak.hpp"
 
 // Documents of everything that the format knows, from the document to pixels and to SVG and back.
 namespace sfumato::test {
 namespace {
 
-constexpr std::uint64_t kSeeds = SFUMATO_HAS_SANITIZER ? 6 : 60;
+const auto kSeeds = random_case_count<std::uint64_t>(SFUMATO_HAS_SANITIZER ? 6 : 24, 60);
 /// For what solves a document several times.
-constexpr std::uint64_t kFewSeeds = SFUMATO_HAS_SANITIZER ? 4 : 20;
+const auto kFewSeeds = random_case_count<std::uint64_t>(SFUMATO_HAS_SANITIZER ? 4 : 8, 20);
 
 RasterOptions one_pixel_a_unit(const Document& document, PixelFormat format) {
   RasterOptions options;

@@ -17,12 +17,11 @@
 #include "support/random_document.hpp"
 #include "support/sanitizers.hpp"
 #include "support/scenes.hpp"
+#include "support/soak.hpp"
 
 // Windows of an image have the bytes that stand there when it is painted as a whole.
 namespace sfumato::test {
 namespace {
-
-constexpr std::uint64_t kWindowSeeds = SFUMATO_HAS_SANITIZER ? 12 : 300;
 
 /// As tiles are cut; of no tile's sides; of few tiles, for which triangles are found another way.
 constexpr Cut kCuts[] = {{256, 256}, {173, 119, -40, -31}, {600, 90, 0, -17}};
@@ -97,6 +96,12 @@ INSTANTIATE_TEST_SUITE_P(Examples, WindowsOf, testing::ValuesIn(example_files())
                            return file.param.substr(0, file.param.find('.'));
                          });
 
+/// 24 seeds in a row have each option, on and off, several times, and each format at each
+/// instruction set.
+std::uint64_t last_seed() {
+  return random_case_count<std::uint64_t>(SFUMATO_HAS_SANITIZER ? 12 : 24, 300);
+}
+
 /// Everything that pixels depend on, as a seed decides.
 RasterOptions random_options(const Document& document, std::uint64_t seed) {
   RasterOptions options = whole_image(document, 260 + static_cast<int>(seed * 37 % 140));
@@ -115,7 +120,7 @@ RasterOptions random_options(const Document& document, std::uint64_t seed) {
 
 TEST(RandomWindows, have_the_bytes_of_the_whole_image) {
   ThreadPool three_threads(3);
-  for (std::uint64_t seed = 1; seed <= kWindowSeeds; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(); ++seed) {
     const std::string where = "seed " + std::to_string(seed);
     const Document document = random_document(seed);
     const RasterOptions options = random_options(document, seed);

@@ -16,12 +16,14 @@
 #include "support/random_document.hpp"
 #include "support/same_picture.hpp"
 #include "support/sanitizers.hpp"
+#include "support/soak.hpp"
 
 /// A curve that moves while all others stay.
 namespace sfumato::solve {
 namespace {
 
-constexpr std::uint64_t kLayerDragDocuments = SFUMATO_HAS_SANITIZER ? 4 : 40;
+const auto kLayerDragDocuments =
+    test::random_case_count<std::uint64_t>(SFUMATO_HAS_SANITIZER ? 4 : 14, 40);
 
 /// A frame may be this much wrong. Windows too narrow to count are left out of a gather: which ones
 /// depends on the mesh around a point.

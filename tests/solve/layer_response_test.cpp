@@ -15,12 +15,14 @@
 #include "support/drawing.hpp"
 #include "support/random_document.hpp"
 #include "support/sanitizers.hpp"
+#include "support/soak.hpp"
 
 /// How the nodes of a layer answer to the value of a stop.
 namespace sfumato::solve {
 namespace {
 
-constexpr std::uint64_t kResponseDocuments = SFUMATO_HAS_SANITIZER ? 6 : 60;
+const auto kResponseDocuments =
+    test::random_case_count<std::uint64_t>(SFUMATO_HAS_SANITIZER ? 6 : 24, 60);
 
 /// What is foretold may miss by this much.
 constexpr float kMostResponseMiss = 0.01f / 255;

@@ -20,6 +20,7 @@
 #include "support/same_document.hpp"
 #include "support/same_picture.hpp"
 #include "support/sanitizers.hpp"
+#include "support/soak.hpp"
 
 /// Documents that are solved roughly while several curves move.
 namespace sfumato {
@@ -36,7 +37,8 @@ using test::kRed;
 using test::mean_difference;
 using test::solved;
 
-constexpr std::uint32_t kRoughDocuments = SFUMATO_HAS_SANITIZER ? 3 : 20;
+const auto kRoughDocuments =
+    test::random_case_count<std::uint32_t>(SFUMATO_HAS_SANITIZER ? 3 : 10, 20);
 
 LocalStroke stroke_at(Vec2 center) {
   const Curve circle = circle_at(center);

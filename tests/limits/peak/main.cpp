@@ -22,12 +22,12 @@ using test::TemporaryFolder;
 constexpr double kMebibyte = 1 << 20;
 /// What a process may take beyond its budget: heaps that are torn, stacks, small things.
 constexpr double kLargestRatio = 1.25;
-constexpr int kStepsBetween = 3;
 
 struct Options {
   std::string binary = test::sfumato_program();
   std::vector<std::string> words;  ///< only cases whose name has one of them
   std::vector<int> budgets_mib{64, 128, 256, 512, 1024};
+  int steps_between = 3;  ///< between the last budget that is refused and the first that is enough
   bool quick = false;
 };
 
@@ -94,7 +94,7 @@ bool Measurement::run_all() {
       continue;
     }
     int enough = budget_mib;
-    for (int step = 0; step < kStepsBetween && enough - refused > 4; ++step) {
+    for (int step = 0; step < options_.steps_between && enough - refused > 4; ++step) {
       const int between = (refused + enough) / 2;
       (is_enough(between) ? enough : refused) = between;
     }
@@ -130,6 +130,7 @@ Options parsed(int count, char** words) {
     if (word == "--quick") {
       options.quick = true;
       options.budgets_mib = {24, 64, 128};
+      options.steps_between = 2;
     } else if (word == "--budgets" && has_value) {
       options.budgets_mib = numbers(words[++i]);
     } else if (word == "--binary" && has_value) {

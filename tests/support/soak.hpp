@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <cstdlib>
+#include <initializer_list>
+#include <numeric>
+#include <string_view>
+#include <vector>
+
+/// How many random cases a test tries. ctest runs few: enough to find again what was found before.
+/// `make soak` sets SFUMATO_SOAK=1 and runs all.
+namespace sfumato::test {
+
+inline bool is_soak() {
+  const char* const asked = std::getenv("SFUMATO_SOAK");
+  return asked && std::string_view(asked) == "1";
+}
+
+/// Returns `full` in `make soak`, else `quick`. Use it where any few cases are as good as others.
+template <class Count>
+Count random_case_count(Count quick, Count full) {
+  return is_soak() ? full : quick;
+}
+
+/// Returns the seeds from `first` to `last` in `make soak`, else the chosen ones. Use it where it
+/// is known which seeds find faults.
+inline std::vector<std::uint64_t> random_seeds(std::uint64_t first, std::uint64_t last,
+                                               std::initializer_list<std::uint64_t> chosen) {
+  if (!is_soak()) return chosen;
+  std::vector<std::uint64_t> seeds(last - first + 1);
+  std::iota(seeds.begin(), seeds.end(), first);
+  return seeds;
+}
+
+}  // namespace sfumato::test
