@@ -65,7 +65,7 @@ Said run_in(const TemporaryFolder& folder, const Bytes& file, const std::string&
       .write(reinterpret_cast<const char*>(file.data()), static_cast<std::streamsize>(file.size()));
   command = with_paths(command, folder.file(name), folder.file("out.png"));
   const std::string log = folder.file("log.txt");
-  const int status = std::system(("timeout 120 " + command + " >" + log + " 2>&1").c_str());
+  const int status = std::system(("timeout 500 " + command + " >" + log + " 2>&1").c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, file_bytes(log).value_or("")};
 }
 
