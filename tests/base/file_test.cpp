@@ -369,16 +369,16 @@ class Fifo : public File {
 /// A busy machine lengthens a wait, but hardly each of five.
 TEST_F(Fifo, without_a_writer_is_waited_for_until_the_deadline) {
   constexpr double kSeconds = 0.1;
-  constexpr double kMostSeconds = 20 * kSeconds;
-  double waited = kMostSeconds;
-  for (int i = 0; i < 5 && waited >= kMostSeconds; ++i) {
+  constexpr double kMostWait = 20 * kSeconds;
+  double waited = kMostWait;
+  for (int i = 0; i < 5 && waited >= kMostWait; ++i) {
     const Stopwatch watch;
     const Context context{.deadline = Deadline::in(kSeconds)};
     EXPECT_EQ(read_file(path_, 100, &context).status().code, StatusCode::limit);
     waited = watch.seconds();
     EXPECT_GE(waited, kSeconds);
   }
-  EXPECT_LT(waited, kMostSeconds);
+  EXPECT_LT(waited, kMostWait);
 }
 
 TEST_F(Fifo, without_a_reader_is_waited_for_until_the_deadline) {

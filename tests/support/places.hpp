@@ -3,8 +3,8 @@
 #include <string>
 #include <string_view>
 
-/// Absolute paths that the build knows. One object has them, so that all others are the same in every
-/// checkout and a compile cache can share them.
+/// Absolute paths that the build knows. One object has them, so that all others are the same in
+/// every checkout and a compile cache can share them.
 namespace sfumato::test {
 
 /// A path of the checkout: source_path("examples/fish.svg").
