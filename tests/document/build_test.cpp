@@ -27,7 +27,7 @@ TEST(Build, a_polyline_is_straight_and_runs_evenly) {
 }
 
 TEST(Build, colours_stand_at_equal_distances) {
-  const Side side = colored({rgb(0), rgb(0xff0000), rgb(0xffffff)}, 2.5f);
+  const Side side = sfumato::colored({rgb(0), rgb(0xff0000), rgb(0xffffff)}, 2.5f);
   EXPECT_EQ(side.color.kind, ShaderKind::curve_domain);
   EXPECT_EQ(side.color.stops.space, StopSpace::arc_length);
   ASSERT_EQ(side.color.stops.stops.size(), 3u);
@@ -38,9 +38,9 @@ TEST(Build, colours_stand_at_equal_distances) {
 }
 
 TEST(Build, one_colour_is_the_same_everywhere_and_none_is_open) {
-  EXPECT_EQ(colored({rgb(0x123456)}).color.stops.stops.size(), 1u);
-  EXPECT_TRUE(colored({rgb(0x123456)}).blur_radius.empty());
-  EXPECT_EQ(colored({}), Side{});
+  EXPECT_EQ(sfumato::colored({rgb(0x123456)}).color.stops.stops.size(), 1u);
+  EXPECT_TRUE(sfumato::colored({rgb(0x123456)}).blur_radius.empty());
+  EXPECT_EQ(sfumato::colored({}), Side{});
 }
 
 TEST(Build, layers_are_stacked_in_the_order_of_the_calls) {
@@ -72,7 +72,7 @@ TEST(Build, what_is_no_curve_is_refused_by_validate) {
   EXPECT_EQ(status_with(bezier({{0, 0}, {1, 1}, {2, 2}})).code, StatusCode::bad_input);
   for (const float radius : {-1.0f, std::nanf("")}) {
     Curve blurred = polyline({{0, 0}, {1, 1}});
-    blurred.left = colored({rgb(0xff)}, radius);
+    blurred.left = sfumato::colored({rgb(0xff)}, radius);
     EXPECT_EQ(status_with(blurred).code, StatusCode::bad_input) << radius;
   }
 }

@@ -14,7 +14,7 @@ namespace sfumato::outputs {
 namespace {
 
 const Box kSmallBox{{0, 0}, {10, 8}};
-constexpr double kReach = 0.8;
+constexpr double kUnderlapReach = 0.8;
 
 /// Patches of a jittered grid as facets of their own, in a random order.
 FacetMesh facets(std::uint32_t seed) {
@@ -39,7 +39,7 @@ FacetLinks linked(const FacetMesh& mesh) {
 
 FacetOutlines outlined(const FacetMesh& mesh, double outside) {
   static Context context;  // outlives what is charged to it
-  return std::move(*underlapped(context, mesh, linked(mesh), {kReach, outside}));
+  return std::move(*underlapped(context, mesh, linked(mesh), {kUnderlapReach, outside}));
 }
 
 /// How often a closed line goes around a point.
@@ -73,7 +73,7 @@ std::optional<std::uint32_t> uppermost(const FacetOutlines& outlines, std::uint3
 TEST(Underlap, what_shows_is_the_facets) {
   for (std::uint32_t seed = 1; seed <= 5; ++seed) {
     const FacetMesh mesh = facets(seed);
-    const FacetOutlines outlines = outlined(mesh, kReach);
+    const FacetOutlines outlines = outlined(mesh, kUnderlapReach);
     std::mt19937 random(seed);
     for (int i = 0; i < 2000; ++i) {
       const Vec2 p{10 * (random() / 4294967296.0), 8 * (random() / 4294967296.0)};
@@ -123,7 +123,7 @@ TEST(Underlap, the_first_facet_at_a_corner_lies_below_all_others_there) {
 
 TEST(Underlap, reaches_beyond_the_mesh_only_where_it_is_asked_to) {
   const FacetMesh mesh = facets(3);
-  const FacetOutlines inside = outlined(mesh, 0), beyond = outlined(mesh, kReach);
+  const FacetOutlines inside = outlined(mesh, 0), beyond = outlined(mesh, kUnderlapReach);
   for (const Vec2 p :
        {Vec2{5, -0.3}, Vec2{-0.3, 4}, Vec2{10.3, 4}, Vec2{5, 8.3}, Vec2{-0.2, -0.2}}) {
     EXPECT_FALSE(uppermost(inside, facet_count(mesh), p)) << p.x << ", " << p.y;

@@ -30,11 +30,11 @@ Bytes saved(cmsHPROFILE profile) {
 
 /// With sRGB's curve and white.
 Bytes rgb_profile(const cmsCIExyYTRIPLE& primaries) {
-  constexpr std::array<double, 5> kCurve{2.4, 1 / 1.055, 0.055 / 1.055, 1 / 12.92, 0.04045};
-  cmsToneCurve* const curve = cmsBuildParametricToneCurve(nullptr, 4, kCurve.data());
+  constexpr std::array<double, 5> kSrgbCurve{2.4, 1 / 1.055, 0.055 / 1.055, 1 / 12.92, 0.04045};
+  cmsToneCurve* const curve = cmsBuildParametricToneCurve(nullptr, 4, kSrgbCurve.data());
   const std::array<cmsToneCurve*, 3> curves{curve, curve, curve};
-  constexpr cmsCIExyY kWhite{0.3127, 0.3290, 1};
-  Bytes bytes = saved(cmsCreateRGBProfile(&kWhite, &primaries, curves.data()));
+  constexpr cmsCIExyY kWhitePoint{0.3127, 0.3290, 1};
+  Bytes bytes = saved(cmsCreateRGBProfile(&kWhitePoint, &primaries, curves.data()));
   cmsFreeToneCurve(curve);
   return bytes;
 }

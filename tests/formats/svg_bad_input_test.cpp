@@ -36,12 +36,12 @@ std::string path(const std::string& data) {
   return svg_layer("<path d='" + data + "'/>");
 }
 
-std::string painted(const std::string& paint) {
+std::string painted_curve(const std::string& paint) {
   return svg_layer("<path d='M0 0 h9' sf:left='url(#p)'/>\n" + paint);
 }
 
 std::string textured(const std::string& href, const std::string& rest = "") {
-  return painted(
+  return painted_curve(
       "<pattern id='p' patternUnits='userSpaceOnUse' width='4' height='2'><image href='" + href +
       "'/>" + rest + "</pattern>");
 }
@@ -228,59 +228,60 @@ const BadInput kReferences[] = {
     {"use_of_itself", svg("<use id='a' href='#a'/>"),
      "2:1: the <use> goes round in a circle: #a → #a"},
     {"use_of_root", svg("<use href='#r'/>", "id='r'"), "2:1: the <use> goes round in a circle: #r"},
-    {"paint_unknown", painted(""), "3:1: <path> refers to #p, but no element has that id"},
-    {"paint_of_path", painted("<path id='p' d='M0 0 h9'/>"),
+    {"paint_unknown", painted_curve(""), "3:1: <path> refers to #p, but no element has that id"},
+    {"paint_of_path", painted_curve("<path id='p' d='M0 0 h9'/>"),
      "3:1: <path> is painted by #p, which is a <path>; expected a linearGradient, a "
      "radialGradient, or a pattern with one <image>"},
     {"paint_of_file", with("sf:left='url(a.svg)'"),
      "3:1: sf:left of <path> is \"url(a.svg)\"; expected url(#id)"},
-    {"paint_cycle", painted("<linearGradient id='p' href='#q'/><linearGradient id='q' href='#p'/>"),
+    {"paint_cycle",
+     painted_curve("<linearGradient id='p' href='#q'/><linearGradient id='q' href='#p'/>"),
      "4:1: the hrefs of paints go round in a circle: #p → #q → #p"},
-    {"no_stops", painted("<linearGradient id='p' gradientUnits='userSpaceOnUse'/>"),
+    {"no_stops", painted_curve("<linearGradient id='p' gradientUnits='userSpaceOnUse'/>"),
      "4:1: the gradient has no stops; expected one at least"},
-    {"flat_box", painted("<linearGradient id='p'><stop/></linearGradient>"),
+    {"flat_box", painted_curve("<linearGradient id='p'><stop/></linearGradient>"),
      "3:1: the bounding box of <path> has no area for <linearGradient> #p of objectBoundingBox "
      "units; expected userSpaceOnUse"},
     {"stop_offset",
-     painted("<linearGradient id='p' gradientUnits='userSpaceOnUse'><stop offset='x'/>"
-             "</linearGradient>"),
+     painted_curve("<linearGradient id='p' gradientUnits='userSpaceOnUse'><stop offset='x'/>"
+                   "</linearGradient>"),
      "4:55: offset of <stop> is \"x\"; expected a number from 0 to 1 or a percentage"},
     {"stop_colour",
-     painted("<linearGradient id='p' gradientUnits='userSpaceOnUse'><stop stop-color='x'/>"
-             "</linearGradient>"),
+     painted_curve("<linearGradient id='p' gradientUnits='userSpaceOnUse'><stop stop-color='x'/>"
+                   "</linearGradient>"),
      "4:55: stop-color of <stop>: \"x\" is no colour; expected a CSS name, #rgb, #rrggbb, rgb(), "
      "hsl() or hwb()"},
     {"spread",
-     painted("<linearGradient id='p' gradientUnits='userSpaceOnUse' "
-             "spreadMethod='x'><stop/></linearGradient>"),
+     painted_curve("<linearGradient id='p' gradientUnits='userSpaceOnUse' "
+                   "spreadMethod='x'><stop/></linearGradient>"),
      "4:1: spreadMethod is \"x\"; expected pad, reflect or repeat"},
-    {"units", painted("<linearGradient id='p' gradientUnits='x'><stop/></linearGradient>"),
+    {"units", painted_curve("<linearGradient id='p' gradientUnits='x'><stop/></linearGradient>"),
      "4:1: gradientUnits is \"x\"; expected userSpaceOnUse or objectBoundingBox"},
     {"singular_gradient",
-     painted("<linearGradient id='p' gradientUnits='userSpaceOnUse' "
-             "gradientTransform='scale(0)'><stop/></linearGradient>"),
+     painted_curve("<linearGradient id='p' gradientUnits='userSpaceOnUse' "
+                   "gradientTransform='scale(0)'><stop/></linearGradient>"),
      "4:1: gradientTransform of <linearGradient> cannot be inverted; expected a map that can"},
-    {"pattern_of_path", painted("<pattern id='p'><path/></pattern>"),
+    {"pattern_of_path", painted_curve("<pattern id='p'><path/></pattern>"),
      "4:1: the pattern holds something else; expected exactly one <image>"},
     {"pattern_of_two", textured("wood.png", "<image/>"),
      "4:1: the pattern holds something else; expected exactly one <image>"},
     {"pattern_without_size",
-     painted("<pattern id='p' patternUnits='userSpaceOnUse'>"
-             "<image href='wood.png'/></pattern>"),
+     painted_curve("<pattern id='p' patternUnits='userSpaceOnUse'>"
+                   "<image href='wood.png'/></pattern>"),
      "4:1: the pattern's tile has no area; expected width and height above 0"},
     {"image_turned",
-     painted("<pattern id='p' patternUnits='userSpaceOnUse' width='4' height='2'>"
-             "<image href='wood.png' transform='rotate(9)'/></pattern>"),
+     painted_curve("<pattern id='p' patternUnits='userSpaceOnUse' width='4' height='2'>"
+                   "<image href='wood.png' transform='rotate(9)'/></pattern>"),
      "4:68: the <image> is turned or mirrored within its tile; expected patternTransform on the "
      "pattern to do that"},
     {"image_of_no_size",
-     painted("<pattern id='p' patternUnits='userSpaceOnUse' width='4' "
-             "height='2'><image href='wood.png' width='1e-7'/></pattern>"),
+     painted_curve("<pattern id='p' patternUnits='userSpaceOnUse' width='4' "
+                   "height='2'><image href='wood.png' width='1e-7'/></pattern>"),
      "4:1: the pattern's tile is too large or too small for its <image>; expected sizes of one "
      "kind"},
     {"image_outside",
-     painted("<pattern id='p' patternUnits='userSpaceOnUse' width='4' height='2'>"
-             "<image href='wood.png' x='-1'/></pattern>"),
+     painted_curve("<pattern id='p' patternUnits='userSpaceOnUse' width='4' height='2'>"
+                   "<image href='wood.png' x='-1'/></pattern>"),
      "4:68: the <image> begins outside of its tile; expected its upper left corner at the tile's"},
     {"file_missing", textured("gone.png"), "4:68: \"gone.png\": there is no such file"},
     {"file_remote", textured("https://example.org/a.png"),
