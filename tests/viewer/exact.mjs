@@ -236,7 +236,12 @@ async function testPage(tap, tools) {
         window.sfumatoViewer.exact = true;
         const gl = document.getElementById("canvas").getContext("webgl2");
         window.lose = gl.getExtension("WEBGL_lose_context");
-        setTimeout(() => window.lose.loseContext(), 300);
+      });
+      // In the midst of it, or at its end where the machine is quick.
+      await page.waitForFunction(() => {
+        const isBegun = /^(gathered [1-9]|exact)/.test(window.sfumatoViewer.exactState);
+        if (isBegun) window.lose.loseContext();
+        return isBegun;
       });
       await page.waitForFunction(() => !document.getElementById("message").hidden);
       await page.evaluate(() => window.lose.restoreContext());

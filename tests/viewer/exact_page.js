@@ -27,8 +27,8 @@ function pixelsOf(gl, exact, size) {
  * Gathers all of it.
  * views: maps from the artboard to pixels, one after another; the last is read.
  * limit: of steps of a walk; isPaced: in shares that are as long as a page's.
- * @returns pixels, gathered of the last view, or a reason; the programs that were made, and how long
- * the longest share took, milliseconds
+ * @returns pixels, gathered of the last view, or a reason; the programs that were made, and the shares:
+ * their pixels, how many were asked for, and milliseconds
  */
 export async function gathered({ size, views, limit, isPaced }) {
   const shaders = await readShaders();
@@ -40,23 +40,23 @@ export async function gathered({ size, views, limit, isPaced }) {
   if (exact.reason) return { reason: exact.reason };
   exact.format = gl.RGBA32F;
   if (limit) exact.stepLimit = limit;
-  let worked = 0,
-    longest = 0;
+  const left = () => [...exact.images.values()].reduce((sum, { work }) => sum + work.left, 0);
+  const shares = [];
+  let worked = 0;
   for (const view of views) {
     exact.begin(size, view, () => [0, 0, ...size]);
-    worked = 0;
-    for (const { work } of exact.images.values()) worked += work.left;
+    worked = left();
     while (!exact.isDone) {
       if (!isPaced) exact.pace.pixels = 1 << 14;
-      const start = performance.now();
+      const [start, before, aimed] = [performance.now(), left(), exact.pace.pixels];
       exact.step();
       while (exact.isBusy) await frame();
-      longest = Math.max(longest, performance.now() - start);
+      shares.push({ pixels: before - left(), aimed, milliseconds: performance.now() - start });
     }
   }
   const error = gl.getError();
   const pixels = pixelsOf(gl, exact, size);
   const images = exact.images.size;
   exact.free();
-  return { pixels, worked, images, error, longest, programs: [...programs.made.keys()] };
+  return { pixels, worked, images, error, shares, programs: [...programs.made.keys()] };
 }

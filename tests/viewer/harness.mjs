@@ -1,68 +1,15 @@
-// What the tests share: TAP, the command, pages in Chromium, comparison of pictures.
+// What the tests share: the command, pages in Chromium, comparison of pictures.
 import { execFileSync } from "node:child_process";
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
+import { PATIENCE, Skip, check } from "../tap.mjs";
+
+export { PATIENCE, Skip, Tap, check, checkEqual, checkNear } from "../tap.mjs";
 
 const root = new URL("../../", import.meta.url);
 
 /** A path of the project, absolute. */
 export const pathOf = (relative) => fileURLToPath(new URL(relative, root));
-
-export class Skip extends Error {}
-
-/** A test that waits for what does not come is a failure, not a run without end. */
-const LONGEST_MS = 600_000;
-
-/** @returns what `body` does, unless it takes too long */
-async function inTime(body) {
-  let timer;
-  const late = new Promise((_, reject) => {
-    timer = setTimeout(() => reject(new Error(`no end after ${LONGEST_MS / 1000} s`)), LONGEST_MS);
-  });
-  try {
-    return await Promise.race([body(), late]);
-  } finally {
-    clearTimeout(timer);
-  }
-}
-
-/** Runs tests one after another and prints TAP. */
-export class Tap {
-  failures = 0;
-
-  test(name, body) {
-    return this.#run(name, () => inTime(body));
-  }
-
-  /** A test of many tests, each of which has its own limit. */
-  whole(name, body) {
-    return this.#run(name, body);
-  }
-
-  async #run(name, body) {
-    const start = Date.now();
-    try {
-      await body();
-      if (Date.now() - start > 1000) console.log(`# ${((Date.now() - start) / 1000).toFixed(1)} s`);
-      console.log(`ok - ${name}`);
-    } catch (error) {
-      if (error instanceof Skip) {
-        console.log(`ok - ${name} # SKIP ${error.message}`);
-        return;
-      }
-      this.failures += 1;
-      console.log(`not ok - ${name}\n# ${String(error?.stack ?? error).replaceAll("\n", "\n# ")}`);
-    }
-  }
-}
-
-export function check(condition, message) {
-  if (!condition) throw new Error(message);
-}
-
-export function checkNear(actual, expected, tolerance, what) {
-  check(Math.abs(actual - expected) <= tolerance, `${what}: ${actual}, expected ${expected}`);
-}
 
 /** The same numbers in every run. */
 export function* randomNumbers(seed) {
@@ -97,19 +44,17 @@ export class Command {
     execFileSync(this.program, words.map(String), { stdio: ["ignore", "ignore", "pipe"] });
   }
 
-  /** Renders a document as the extension says; returns the file's path. */
+  /** Renders a document as the extension says, once; returns the file's path. */
   made(document, extension, ...options) {
-    const path = this.file(`${shortName(document)}${options.join("")}.${extension}`);
-    this.run("render", documentPath(document), "-o", path, "--quiet", ...options);
-    return path;
-  }
-
-  /** The viewer of a document; made once. */
-  html(document, ...options) {
-    const path = this.file(`${document.replace(/\W/g, "_")}${options.join("")}.html`);
+    const path = this.file(`${document.replace(/\W/g, "_")}${options.join("")}.${extension}`);
     if (!existsSync(path))
       this.run("render", documentPath(document), "-o", path, "--quiet", ...options);
     return path;
+  }
+
+  /** The viewer of a document. */
+  html(document, ...options) {
+    return this.made(document, "html", ...options);
   }
 
   /** A page made of a document's by changing its text. */
@@ -143,8 +88,37 @@ export class Command {
 /** Messages that are no fault of the page: reading a screenshot back is slow. */
 const HARMLESS = /GPU stall due to ReadPixels/;
 
+/** What a page complains of while it is listened to. */
+class Complaints {
+  /**
+   * @param {string} address what the page may ask for, beside files
+   * @param {RegExp} harmless what it may say
+   */
+  constructor(page, address, harmless) {
+    this.all = [];
+    const hearRequest = (request) => {
+      const isOwn = /^http:/.test(address) && request.url().startsWith(address);
+      const isNear = isOwn || /^(file|data|blob|about):/.test(request.url());
+      if (!isNear) this.all.push(`asked for ${request.url()}`);
+    };
+    const hearWords = (message) => {
+      const isLoud = ["error", "warning"].includes(message.type());
+      if (isLoud && !harmless.test(message.text())) this.all.push(message.text());
+    };
+    const hearError = (error) => this.all.push(String(error));
+    const heard = { pageerror: hearError, console: hearWords, request: hearRequest };
+    for (const [name, hear] of Object.entries(heard)) page.on(name, hear);
+    this.end = () => {
+      for (const [name, hear] of Object.entries(heard)) page.off(name, hear);
+    };
+  }
+}
+
 /** Pages of one browser; their consoles have to stay silent. */
 export class Pages {
+  /** By what makes them differ: a process of its own is most of what a small test takes. */
+  #kept = new Map();
+
   constructor(browser) {
     this.browser = browser;
   }
@@ -169,43 +143,45 @@ export class Pages {
    * options: size, ratio, touch, before (a script that runs first), harmless (complaints that are
    * expected), and what Playwright has for contexts.
    */
-  async visit(address, options, body) {
-    const {
-      size = [320, 240],
-      ratio = 1,
-      touch = false,
-      before,
-      harmless = HARMLESS,
-      ...rest
-    } = options;
-    const context = await this.browser.newContext({
-      viewport: { width: size[0], height: size[1] },
-      deviceScaleFactor: ratio,
-      hasTouch: touch,
-      ...rest,
-    });
-    const complaints = [];
-    const page = await context.newPage();
-    page.on("pageerror", (error) => complaints.push(String(error)));
-    page.on("console", (message) => {
-      if (["error", "warning"].includes(message.type()) && !harmless.test(message.text())) {
-        complaints.push(message.text());
-      }
-    });
-    page.on("request", (request) => {
-      const isOwn = /^http:/.test(address) && request.url().startsWith(address);
-      if (!isOwn && !/^(file|data|blob):/.test(request.url())) {
-        complaints.push(`asked for ${request.url()}`);
-      }
-    });
+  async visit(address, { size = [320, 240], before, harmless = HARMLESS, ...options }, body) {
+    const page = await this.#pageFor(size, options, before);
+    const complaints = new Complaints(page, address, harmless);
+    let isGood = false;
     try {
-      if (before) await page.addInitScript(before);
       await page.goto(address);
       await body(page);
-      check(complaints.length === 0, `the page complained: ${complaints.join(" | ")}`);
+      check(complaints.all.length === 0, `the page complained: ${complaints.all.join(" | ")}`);
+      isGood = true;
     } finally {
-      await context.close();
+      complaints.end();
+      await this.#leave(page, options, isGood && !before);
     }
+  }
+
+  async #pageFor([width, height], options, before) {
+    const kept = before ? undefined : this.#kept.get(JSON.stringify(options));
+    if (kept) {
+      await kept.setViewportSize({ width, height });
+      return kept;
+    }
+    const { ratio = 1, touch = false, ...rest } = options;
+    const asked = { deviceScaleFactor: ratio, hasTouch: touch, ...rest };
+    const context = await this.browser.newContext({ viewport: { width, height }, ...asked });
+    const page = await context.newPage();
+    page.setDefaultTimeout(PATIENCE);
+    if (before) await page.addInitScript(before);
+    return page;
+  }
+
+  async #leave(page, options, isToBeKept) {
+    const key = JSON.stringify(options);
+    if (isToBeKept) {
+      await page.goto("about:blank");
+      this.#kept.set(key, page);
+      return;
+    }
+    if (this.#kept.get(key) === page) this.#kept.delete(key);
+    await page.context().close();
   }
 }
 

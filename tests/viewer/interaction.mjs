@@ -5,6 +5,8 @@ import { check, checkNear, difference, pictureOf, settled, show, viewOf } from "
 const DOCUMENT = "tests/wasm/controls.svg";
 const SIZE = [320, 240];
 const MIDDLE = [160, 120];
+/** Device pixels to a CSS pixel, where these are not looked at: software draws a quarter of them. */
+const RATIO = 0.5;
 
 /** The artboard point under a point of the window. */
 const pointAt = ({ x, y, zoom }, px, py) => [
@@ -168,7 +170,7 @@ async function testWindow(test, { PNG, command }) {
     await settled(page);
     check(difference(PNG, without, await pictureOf(page)).mean === 0, "the lines are still there");
   });
-  await test("a fitted picture follows the size of the window", {}, async (page) => {
+  await test("a fitted picture follows the size of the window", { ratio: 1 }, async (page) => {
     const before = await viewOf(page);
     await page.setViewportSize({ width: 640, height: 480 });
     await page.waitForFunction(() => document.getElementById("canvas").width === 640);
@@ -210,7 +212,9 @@ async function testWindow(test, { PNG, command }) {
     await settled(page);
     const frames = () => page.evaluate(() => window.sfumatoViewer.frames);
     const before = await frames();
-    await page.waitForTimeout(300);
+    await page.evaluate(async () => {
+      for (let i = 0; i < 20; ++i) await new Promise((resolve) => requestAnimationFrame(resolve));
+    });
     check((await frames()) === before, "frames were drawn");
     await page.keyboard.press("+");
     await settled(page);
@@ -233,7 +237,7 @@ export async function testInteraction(tap, tools) {
   check(readFileSync(html).length > 0, "no page");
   const test = (name, options, body) =>
     tap.test(name, () =>
-      tools.pages.open(html, { size: SIZE, ...options }, async (page) => {
+      tools.pages.open(html, { size: SIZE, ratio: RATIO, ...options }, async (page) => {
         await settled(page);
         await body(page);
       }),

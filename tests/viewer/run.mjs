@@ -5,6 +5,7 @@ import { execFileSync } from "node:child_process";
 import { rmSync } from "node:fs";
 import { chromium } from "playwright-core";
 import { PNG } from "pngjs";
+import { launchWith, MESA, SWIFTSHADER } from "../chromium.mjs";
 import { Command, Pages, Tap, pathOf } from "./harness.mjs";
 import { testExact } from "./exact.mjs";
 import { testExactHard } from "./exact_hard.mjs";
@@ -42,28 +43,13 @@ await testPdf(tap, { command });
 
 /** A browser for `body`, its graphics by the flags. */
 async function withBrowser(flags, body) {
-  const browser = await chromium.launch({
-    executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
-    args: [
-      ...flags,
-      "--no-sandbox",
-      "--disable-quic",
-      "--no-first-run",
-      "--disable-background-networking",
-      "--disable-component-update",
-      "--disable-sync",
-    ],
-  });
+  const browser = await launchWith(chromium, flags);
   try {
     await body({ PNG, command, pages: new Pages(browser) });
   } finally {
     await browser.close();
   }
 }
-
-/** Chromium's own driver in software, and Mesa's, which is several times as fast. */
-const SWIFTSHADER = ["--disable-gpu"];
-const MESA = ["--use-gl=angle", "--use-angle=gl-egl", "--ignore-gpu-blocklist", "--enable-gpu"];
 
 async function hasWebGl(flags) {
   let found = false;

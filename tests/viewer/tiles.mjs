@@ -45,8 +45,9 @@ const show = (page, x, y) =>
       viewer.viewport.zoomTo(item.imageToViewportZoom(1), undefined, true);
       viewer.viewport.panTo(item.imageToViewportCoordinates(centerX, centerY), true);
       viewer.forceRedraw();
-      while (!item.getFullyLoaded()) await new Promise((done) => setTimeout(done, 20));
-      await new Promise((done) => setTimeout(done, 200));
+      const frame = () => new Promise((done) => requestAnimationFrame(done));
+      while (!item.getFullyLoaded() || viewer.world.needsDraw()) await frame();
+      for (let i = 0; i < 3; ++i) await frame();
     },
     [x, y],
   );

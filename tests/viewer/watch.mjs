@@ -1,7 +1,7 @@
 // The page of `sfumato watch`: what it shows while a drawing changes, and how it looks.
 import { spawn } from "node:child_process";
 import { writeFileSync } from "node:fs";
-import { check, checkNear, shortName } from "./harness.mjs";
+import { PATIENCE, check, checkNear, shortName } from "./harness.mjs";
 
 /** A disc of a colour on white. */
 const drawing = (color) =>
@@ -74,7 +74,7 @@ async function seenColor({ PNG }, page) {
 /** Waits until the middle of the picture has a colour: it comes a moment after the words. */
 async function shows(tools, page, color) {
   let seen = [];
-  for (const end = Date.now() + 10_000; Date.now() < end; await page.waitForTimeout(20)) {
+  for (const end = performance.now() + PATIENCE; performance.now() < end; await page.waitForTimeout(20)) {
     seen = await seenColor(tools, page);
     if (String(seen) === String(color)) return;
   }
