@@ -1,4 +1,5 @@
 // Chromium as the tests start it: no network of its own, graphics made in software.
+import { PATIENCE } from "./tap.mjs";
 
 const quiet = [
   "--no-sandbox",
@@ -22,5 +23,5 @@ export const SWIFTSHADER = ["--disable-gpu"];
 /** @param chromium of the folder's own playwright-core */
 export function launchWith(chromium, flags = MESA) {
   const executablePath = process.env.CHROMIUM ?? "/usr/bin/chromium";
-  return chromium.launch({ executablePath, args: [...quiet, ...flags] });
+  return chromium.launch({ executablePath, args: [...quiet, ...flags], timeout: PATIENCE });
 }

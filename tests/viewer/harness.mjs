@@ -91,13 +91,14 @@ const HARMLESS = /GPU stall due to ReadPixels/;
 /** What a page complains of while it is listened to. */
 class Complaints {
   /**
-   * @param {string} address what the page may ask for, beside files
+   * @param {string} address its server is all that the page may ask, beside files
    * @param {RegExp} harmless what it may say
    */
   constructor(page, address, harmless) {
     this.all = [];
+    const { protocol, origin } = new URL(address);
     const hearRequest = (request) => {
-      const isOwn = /^http:/.test(address) && request.url().startsWith(address);
+      const isOwn = protocol === "http:" && request.url().startsWith(origin);
       const isNear = isOwn || /^(file|data|blob|about):/.test(request.url());
       if (!isNear) this.all.push(`asked for ${request.url()}`);
     };

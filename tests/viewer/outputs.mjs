@@ -14,15 +14,12 @@ const SHOWN = [
   { document: FISH, size: [840, 560], mode: "image", mean: 0.15, percentile: 1 },
 ];
 
-async function shownByChromium(browser, path, [width, height]) {
-  const context = await browser.newContext({ viewport: { width, height } });
-  try {
-    const page = await context.newPage();
-    await page.goto(`file://${path}`);
-    return await page.screenshot();
-  } finally {
-    await context.close();
-  }
+async function shownByChromium(pages, path, size) {
+  let shown = null;
+  await pages.visit(`file://${path}`, { size }, async (page) => {
+    shown = await page.screenshot();
+  });
+  return shown;
 }
 
 /** Some platforms have no resvg. */
@@ -61,7 +58,7 @@ export async function testSvg(tap, tools) {
     const name = `SVG (${shown.mode}) of ${shortName(shown.document)}`;
     await tap.test(`Chromium shows the ${name} as the rasterizer does`, async () => {
       const path = tools.command.made(shown.document, "svg", ...options);
-      const image = await shownByChromium(tools.pages.browser, path, shown.size);
+      const image = await shownByChromium(tools.pages, path, shown.size);
       compare(tools, image, shown, "Chromium");
     });
     if (!Resvg) continue;

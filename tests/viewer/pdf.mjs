@@ -132,6 +132,7 @@ export async function testPdfInChromium(tap, { command, pages }) {
     const context = await pages.browser.newContext({ viewport });
     try {
       const page = await context.newPage();
+      page.setDefaultTimeout(PATIENCE);
       // A Chromium without the viewer takes this for a download, which is an error here.
       const address = `file://${pdf}#zoom=100&toolbar=0&navpanes=0`;
       const hasViewer = await page.goto(address).then(() => true, () => false);

@@ -6,6 +6,7 @@
 // that the tab holds, modules and their workers too. Exit 1 if either grows by more than a tenth from a
 // third of the time to the end.
 import { parseArgs } from "node:util";
+import { MESA } from "../../chromium.mjs";
 import { EditorPage, launch, pathOf } from "../e2e/harness.mjs";
 import { manyCurves } from "./scenes.mjs";
 import { tabMegabytes } from "./tab-memory.mjs";
@@ -55,9 +56,9 @@ function growth(samples, name) {
   return mean(values.slice(-3)) / mean(values.slice(third, third + 3));
 }
 
-const browser = await launch();
+const browser = await launch(MESA);
 // Small: drawing is by software here, and not the matter.
-const editor = await EditorPage.open(browser, `file://${pathOf("build/editor.html")}`, { size: [800, 480] });
+const editor = await EditorPage.open(browser, `file://${pathOf("build/editor.html")}`, { size: [800, 480], ratio: 1, isDrawn: true });
 const text = manyCurves(CURVES, ACROSS);
 await editor.load(text);
 const samples = await series(browser, editor);

@@ -9,6 +9,7 @@
 import { loadavg } from "node:os";
 import { basename } from "node:path";
 import { parseArgs } from "node:util";
+import { MESA } from "../../chromium.mjs";
 import { EditorPage, launch, pathOf } from "../e2e/harness.mjs";
 import { manyCurves, sceneFile, svgOf } from "./scenes.mjs";
 import { tabMegabytes } from "./tab-memory.mjs";
@@ -254,7 +255,7 @@ for (const name of positionals.length > 0 ? positionals : [...Object.keys(REQUIR
     console.log(`${name.padEnd(10)}is not there`);
     continue;
   }
-  const browser = await launch();
+  const browser = await launch(MESA);
   missed += print(basename(name).replace(/\.\w+$/, ""), await measure(browser, text));
   await browser.close();
 }

@@ -2,6 +2,7 @@
 import { readFileSync } from "node:fs";
 import { check, checkEqual, EditorPage, packageOf } from "./harness.mjs";
 import { changing, count } from "./draw.mjs";
+import { atOnce, pass } from "./hooks.mjs";
 
 const axe = readFileSync(packageOf.resolve("axe-core/axe.min.js"), "utf8");
 
@@ -233,7 +234,7 @@ async function testTouch({ browser, address }) {
   const at = (x, y) => editor.at(x, y);
   await page.locator(".canvas-stage").focus();
   await page.keyboard.press("k");
-  // A pen draws with its pressure, and the palm beside it draws nothing.
+  // A pen draws with its pressure, and the palm that comes soon after it draws nothing.
   const way = line(await at(60, 420), await at(180, 440));
   const pressed = await changing(editor, "the pen", async () => {
     await mouse("mousePressed", way[0], { force: 0.2 });
@@ -242,13 +243,15 @@ async function testTouch({ browser, address }) {
   });
   check(/sf:radius="[^"]*,/.test(pressed.replace(/id="brush".*/, "")), `pressure is not the radius: ${pressed}`);
   const curves = count(pressed, /<path /g);
-  await mouse("mouseMoved", way[0], { buttons: 0, button: "none" });
-  await touch("touchStart", await at(300, 200));
-  for (const place of line(await at(300, 200), await at(380, 220))) await touch("touchMove", place);
-  await touch("touchEnd");
+  await atOnce(page, async () => {
+    await mouse("mouseMoved", way[0], { buttons: 0, button: "none" });
+    await touch("touchStart", await at(300, 200));
+    for (const place of line(await at(300, 200), await at(380, 220))) await touch("touchMove", place);
+    await touch("touchEnd");
+  });
   checkEqual(count(await editor.text, /<path /g), curves, "curves after the palm");
   // One finger draws when the pen has been away; a second one makes it a pinch, and nothing is drawn.
-  await page.evaluate(() => new Promise((done) => setTimeout(done, 600)));
+  await pass(page, 600);
   const width = async () => (await at(1, 0))[0] - (await at(0, 0))[0];
   const before = { width: await width(), text: await editor.text };
   const [a, b] = [await at(250, 240), await at(350, 240)];

@@ -50,7 +50,11 @@ export class Artist {
     await this.type(dialog.getByLabel("Height", { exact: true }), height);
     await this.type(dialog.getByLabel("Background, hex"), background);
     await dialog.getByRole("button", { name: "Make it" }).click();
-    // Room around the artboard, for curves that run beyond it.
+    await this.makeRoom();
+  }
+
+  /** Room around the artboard, for curves that run beyond it. */
+  async makeRoom() {
     await this.editor.key("-");
     await this.editor.settled();
   }
@@ -124,9 +128,8 @@ export class Artist {
         ...{ type, x, y, force, pointerType: "pen", button: force > 0 ? "left" : "none" },
         ...{ buttons: force > 0 ? 1 : 0, clickCount: 1 },
       });
-    const places = [];
     const way = isStraight ? straight(points) : dense(points);
-    for (const [x, y, force] of way) places.push([...(await editor.at(x, y)), force]);
+    const places = (await editor.all(way)).map((place, k) => [...place, way[k][2]]);
     const before = await editor.text;
     // A pen is seen before it touches.
     await send("mouseMoved", [places[0][0], places[0][1], 0]);

@@ -1,11 +1,11 @@
 // From the empty page to a drawing with everything in it, back by undo, forth by redo, saved and opened.
 import { readFile } from "node:fs/promises";
-import { check, checkEqual, EditorPage } from "./harness.mjs";
+import { check, checkEqual, EditorPage, newContext } from "./harness.mjs";
 import { largestDifference } from "./pixels.mjs";
 
 /** The editor where files go by downloads and inputs: no test can answer the system's dialogs. */
 export async function openWithoutPickers(browser, address, options = {}) {
-  const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, ...options });
+  const context = await newContext(browser, options);
   await context.addInitScript(() => {
     delete window.showSaveFilePicker;
     delete window.showOpenFilePicker;
@@ -169,7 +169,8 @@ async function every(editor, key, name) {
 }
 
 async function testAll({ browser, address }) {
-  const editor = await openWithoutPickers(browser, address);
+  // As large as people see it.
+  const editor = await openWithoutPickers(browser, address, { ratio: 1, isDrawn: true });
   const { page } = editor;
   await startBlank(editor);
   const start = await editor.text;

@@ -23,7 +23,7 @@ const drawing = (paint = "#124") => `<svg xmlns="http://www.w3.org/2000/svg" xml
 
 /** Few pixels: software takes a second for some thousands. */
 const RATIO = 0.25;
-const opened = { size: [900, 640], deviceScaleFactor: RATIO };
+const opened = { size: [900, 640], ratio: RATIO, isDrawn: true };
 
 const state = (editor) => editor.page.evaluate(() => window.sfumatoEditor.exactPixels);
 

@@ -4,7 +4,8 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 import { downloaded, giveDisk, Disk } from "./disk.mjs";
-import { check, checkEqual, EditorPage, packageOf, pathOf } from "./harness.mjs";
+import { check, checkEqual, EditorPage, newContext, packageOf, pathOf, PATIENCE, until } from "./harness.mjs";
+import { workersRest } from "./hooks.mjs";
 import { example, small } from "./texts.mjs";
 import { closeDialog, said, shows, textAfter } from "./words.mjs";
 
@@ -92,7 +93,8 @@ async function testHtml(editor, browser) {
   const { name, bytes } = await exported(editor, "HTML");
   checkEqual(name, "small.html", "the page's name");
   const folder = mkdtempSync(join(tmpdir(), "sfumato-html-"));
-  const page = await browser.newPage({ viewport: { width: 600, height: 600 } });
+  const page = await browser.newPage({ viewport: { width: 320, height: 320 } });
+  page.setDefaultTimeout(PATIENCE);
   try {
     const errors = [];
     page.on("pageerror", (error) => errors.push(String(error)));
@@ -100,8 +102,7 @@ async function testHtml(editor, browser) {
     await page.goto(pathToFileURL(join(folder, name)).href);
     await page.waitForFunction(() => document.querySelector("canvas")?.width > 300);
     const colors = async () => new Set(decode(await page.screenshot()).data).size;
-    for (let i = 0; i < 100 && (await colors()) < 64; ++i);
-    check((await colors()) >= 64, "the exported page shows no picture");
+    await until("the exported page shows a picture", async () => (await colors()) >= 64);
     await page.evaluate(() => void (window.sfumatoViewer.exact = true));
     await page.waitForFunction(() => /^exact/.test(window.sfumatoViewer.exactState));
     checkEqual([errors, await page.title()], [[], "small"], "the exported page");
@@ -113,7 +114,7 @@ async function testHtml(editor, browser) {
 
 /** What fails, or is left, is told or silent, and leaves no empty file behind. */
 async function testFailure(browser, address) {
-  const context = await browser.newContext({ viewport: { width: 1000, height: 700 } });
+  const context = await newContext(browser, { size: [1000, 700] });
   await giveDisk(context);
   const editor = await EditorPage.within(context, address);
   const { page } = editor;
@@ -132,8 +133,8 @@ async function testFailure(browser, address) {
   await go();
   const again = page.getByRole("button", { name: "Export PNG" });
   await again.waitFor();
-  // The picture that was being drawn when the browser's dialog was left is done by then.
-  await page.waitForTimeout(1500);
+  // The picture that was being drawn when the browser's dialog was left is done then.
+  await workersRest(page);
   check((await again.isVisible()) && (await again.isEnabled()), "the work that was left goes on");
   checkEqual(await page.locator("dialog [role=alert]").count(), 0, "complaints after the browser's dialog was left");
   await closeDialog(page);
@@ -146,7 +147,7 @@ async function testFailure(browser, address) {
 }
 
 async function testClipboard(browser, address) {
-  const context = await browser.newContext({ viewport: { width: 1000, height: 700 }, permissions: ["clipboard-read", "clipboard-write"] });
+  const context = await newContext(browser, { size: [1000, 700], permissions: ["clipboard-read", "clipboard-write"] });
   const from = await EditorPage.within(context, address);
   await from.load(small);
   await from.key("Control+a", "Control+c");
@@ -173,7 +174,7 @@ async function testClipboard(browser, address) {
 }
 
 export async function testExporting(tap, { browser, address, folder }) {
-  const context = await browser.newContext({ viewport: { width: 1000, height: 700 } });
+  const context = await newContext(browser, { size: [1000, 700] });
   await context.addInitScript(() => delete window.showOpenFilePicker);
   const editor = await EditorPage.within(context, address);
   const engine = await contextOf(folder);

@@ -4,7 +4,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { gzipSync } from "node:zlib";
 import { drop, dropPaths, giveDisk, Disk } from "./disk.mjs";
-import { check, checkEqual, EditorPage, pathOf } from "./harness.mjs";
+import { check, checkEqual, EditorPage, newContext, pathOf } from "./harness.mjs";
 import { example, small, utf16 } from "./texts.mjs";
 import { closeDialog, said, shows } from "./words.mjs";
 
@@ -151,7 +151,7 @@ async function testRace(editor) {
 }
 
 export async function testFiles(tap, { browser, address }) {
-  const context = await browser.newContext({ viewport: { width: 1440, height: 900 } });
+  const context = await newContext(browser);
   await giveDisk(context);
   const editor = await EditorPage.within(context, address);
   await tap.test("files: SVG, svgz, UTF-16 and Orzan's XML are dropped anywhere", () => testKinds(editor));

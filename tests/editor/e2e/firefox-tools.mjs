@@ -6,6 +6,7 @@ import { gzipSync } from "node:zlib";
 import { drop as dropFiles } from "./disk.mjs";
 import { FirefoxPage } from "./gecko.mjs";
 import { check, checkEqual, pathOf, serve, Skip } from "./harness.mjs";
+import { atOnce } from "./hooks.mjs";
 import { largestDifference } from "./pixels.mjs";
 import { endEdit, startEdit } from "./served.mjs";
 import { example, small } from "./texts.mjs";
@@ -81,16 +82,22 @@ export async function testTouch(editor) {
 /** A pen draws with its pressure, and the palm beside it draws nothing. */
 export async function testPen(editor) {
   await fresh(editor, "k");
+  const touch = async () => {
+    const palm = await editor.page.touchscreen.touchStart(...(await editor.at(300, 200)));
+    for (const to of [[320, 210], [380, 220]]) await palm.move(...(await editor.at(...to)));
+    await palm.end();
+  };
   const places = [];
   for (let k = 0; k <= 8; k += 1) places.push([...(await editor.at(150 + 25 * k, 400 + 4 * k)), 0.2 + 0.09 * k]);
-  const drawn = await editor.changing("a pen", () => editor.pen(places));
+  const [drawn, after] = await atOnce(editor.page, async () => {
+    const text = await editor.changing("a pen", () => editor.pen(places));
+    await touch();
+    return [text, await editor.text];
+  });
   checkEqual(drawn.match(/<path /g).length, 3, "curves after a pen");
   const radii = /sf:radius="([^"]*)"/.exec(drawn)?.[1].match(/[\d.]+(?!\d*%)(?=[ ,]|$)/g)?.map(Number) ?? [];
   check(radii.length > 1 && radii.at(-1) > 2 * radii[0], `pressure is not the radius: ${drawn}`);
-  const palm = await editor.page.touchscreen.touchStart(...(await editor.at(300, 200)));
-  for (const to of [[320, 210], [380, 220]]) await palm.move(...(await editor.at(...to)));
-  await palm.end();
-  checkEqual(await editor.text, drawn, "the text after a palm beside the pen");
+  checkEqual(after, drawn, "the text after a palm beside the pen");
 }
 
 const drop = (editor, files) => dropFiles(editor.page, files);
@@ -124,6 +131,7 @@ export async function testLostContext(editor) {
   await editor.until("it is told", () => /graphics card let go/.test(document.body.textContent));
   await editor.page.evaluate(() => window.taken.restoreContext());
   await editor.until("it comes back", () => !document.querySelector("canvas.picture").getContext("webgl2").isContextLost());
+  await editor.press(/./, ".toast button");
   await editor.until("the words go", () => !document.querySelector(".toast"));
   checkEqual(largestDifference(before, await editor.picture()), 0, "the picture after the graphics came back");
 }

@@ -7,10 +7,10 @@ import { execFileSync } from "node:child_process";
 import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
-import { setTimeout as sleep } from "node:timers/promises";
 import { pathToFileURL } from "node:url";
 import { FirefoxPage, launchFirefox, missing } from "./gecko.mjs";
-import { check, checkEqual, EditorPage, launch, serve, Skip, Tap } from "./harness.mjs";
+import { check, checkEqual, EditorPage, launch, serve, Skip, Tap, until } from "./harness.mjs";
+import { atOnce } from "./hooks.mjs";
 import { testFiles, testLostContext, testOffline, testPen, testServed, testTools, testTouch } from "./firefox-tools.mjs";
 import { countColors, largestDifference } from "./pixels.mjs";
 import { isKept } from "./recover.mjs";
@@ -39,16 +39,16 @@ async function testOpens(editor) {
 /** A file that comes into the folder of downloads, once it is whole. */
 async function downloaded(folder, act) {
   await act();
-  for (let tries = 0; tries < 200; tries += 1, await sleep(100)) {
+  let file = null;
+  await until("a file comes", () => {
     const names = readdirSync(folder);
     const [name] = names;
-    if (names.length !== 1 || name.endsWith(".part")) continue;
-    const bytes = readFileSync(join(folder, name));
-    if (bytes.length === 0) continue;
-    rmSync(join(folder, name));
-    return { name, bytes };
-  }
-  throw new Error("no file came");
+    if (names.length !== 1 || name.endsWith(".part")) return false;
+    file = { name, bytes: readFileSync(join(folder, name)) };
+    return file.bytes.length > 0;
+  });
+  rmSync(join(folder, file.name));
+  return file;
 }
 
 async function drawAll(editor) {
@@ -126,7 +126,7 @@ async function testSame({ address }, drawn) {
   check(drawn, "nothing was drawn");
   const browser = await launch();
   try {
-    const editor = await EditorPage.open(browser, address, { size: FirefoxPage.size });
+    const editor = await EditorPage.open(browser, address, { size: FirefoxPage.size, ratio: 1, isDrawn: true });
     await editor.load(drawn.text);
     const most = largestDifference(drawn.picture, await editor.picture());
     console.log(`# Firefox and Chromium differ by ${most} code values`);
@@ -169,9 +169,11 @@ async function testKeys(editor) {
   }
   await editor.key("Tab");
   checkEqual(await selected(editor), "one", "what Tab selects");
-  await editor.changing("an arrow", () => editor.key("ArrowRight"));
-  const moved = await editor.changing("an arrow with Shift", () => editor.key("Shift+ArrowDown"));
-  // Arrows that follow each other are one step.
+  // Arrows that follow each other soon are one step.
+  const moved = await atOnce(editor.page, async () => {
+    await editor.changing("an arrow", () => editor.key("ArrowRight"));
+    return editor.changing("an arrow with Shift", () => editor.key("Shift+ArrowDown"));
+  });
   checkEqual(await editor.changing("Ctrl Z", () => editor.key("Control+z")), small, "the text after Ctrl Z");
   checkEqual(await editor.changing("Ctrl Y", () => editor.key("Control+y")), moved, "the text after Ctrl Y");
   await testOwnKeys(editor);
@@ -274,7 +276,7 @@ const lacks = missing();
 if (lacks) {
   console.log(`ok - editor: firefox: the editor works there # SKIP there is no ${lacks}`);
 } else {
-  const tap = new Tap(only);
+  const tap = new Tap({ only, prefix: "editor: " });
   const server = await serve(resolve(built, "editor"));
   const { browser, close } = await launchFirefox();
   const oneFile = pathToFileURL(join(resolve(built), "editor.html")).href;

@@ -2,6 +2,7 @@
 // Frames are held back where that is what went wrong: a busy machine draws them late.
 import { check, checkEqual, EditorPage } from "./harness.mjs";
 import { changing, openWithoutPickers } from "./draw.mjs";
+import { timersHaveRun } from "./hooks.mjs";
 
 const drawing = `<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1" viewBox="0 0 640 480" sf:background="#fff">
   <g id="back" sf:diffuse="true">
@@ -127,7 +128,7 @@ async function testLateTools({ browser, address }) {
     await page.mouse.move(...(await editor.at(x, y)));
     await page.mouse.down();
     // What waits for a frame runs after a tenth of a second without one.
-    await page.waitForTimeout(250);
+    await timersHaveRun(page, 250);
     await page.mouse.up();
   }
   const drawn = await changing(editor, "the pen", () => page.keyboard.press("Enter"));

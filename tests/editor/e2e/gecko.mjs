@@ -1,7 +1,8 @@
 // Firefox for the tests: on a screen in memory, driven by WebDriver BiDi.
 import { spawn, spawnSync } from "node:child_process";
 import { once } from "node:events";
-import { check, EditorPage, packageOf } from "./harness.mjs";
+import { PATIENCE, check, EditorPage, packageOf } from "./harness.mjs";
+import { installHooks } from "./hooks.mjs";
 
 const puppeteer = packageOf("puppeteer-core");
 
@@ -32,7 +33,7 @@ export async function launchFirefox() {
     const executablePath = String(spawnSync("which", [firefox]).stdout).trim();
     const env = { ...process.env, DISPLAY: screen.display };
     const args = ["--remote-allow-system-access"];
-    const browser = await puppeteer.launch({ browser: "firefox", executablePath, headless: false, args, env });
+    const browser = await puppeteer.launch({ browser: "firefox", executablePath, headless: false, args, env, timeout: PATIENCE, protocolTimeout: PATIENCE });
     const close = () => browser.close().finally(screen.close);
     return { browser, close };
   } catch (error) {
@@ -69,6 +70,7 @@ export class FirefoxPage extends EditorPage {
     editor.context = context;
     const [width, height] = FirefoxPage.size;
     await editor.page.setViewport({ width, height });
+    await editor.page.evaluateOnNewDocument(installHooks);
     await editor.go(address);
     return editor;
   }

@@ -1,6 +1,7 @@
 // What tools do beyond their first gestures.
-import { check, checkEqual, EditorPage, packageOf } from "./harness.mjs";
+import { check, checkEqual, EditorPage, packageOf, until } from "./harness.mjs";
 import { changing } from "./draw.mjs";
+import { atOnce } from "./hooks.mjs";
 import { one, photo, Tools, withTools } from "./tools.mjs";
 
 const { decode } = packageOf("fast-png");
@@ -22,8 +23,11 @@ async function testGrips(t) {
   await t.fresh("v", [200, 300]);
   await goToGrip(page, "Scale, south-east");
   const zoom = (await editor.at(1, 0))[0] - (await editor.at(0, 0))[0];
-  for (let k = 0; k < 5; k += 1) await page.keyboard.press("Shift+ArrowLeft");
-  const text = await changing(editor, "an arrow", () => page.keyboard.press("ArrowLeft"));
+  // Arrows that follow each other soon are one step.
+  const text = await atOnce(page, async () => {
+    for (let k = 0; k < 5; k += 1) await page.keyboard.press("Shift+ArrowLeft");
+    return changing(editor, "an arrow", () => page.keyboard.press("ArrowLeft"));
+  });
   t.near(t.path(text).slice(-2), [500 - 51 / zoom, 300], "the end that was scaled", 0.01);
   t.near(t.path(text).slice(0, 2), [100, 300], "the end that stays", 0.01);
   checkEqual(await changing(editor, "undo", () => page.keyboard.press("Control+z")), one, "after one undo");
@@ -42,6 +46,7 @@ async function withCurve(t, curve, at) {
   await t.page.locator(".canvas-stage").focus();
   await t.page.keyboard.press("v");
   await t.editor.click(...at);
+  await t.apart();
   await t.page.keyboard.press("a");
   return t.editor.text;
 }
@@ -187,10 +192,11 @@ async function testPickAsSeen(t) {
   check((await editor.text).includes('id="c" d="M100 300L300 300L500 300" sf:left="#e33"'), "more than one step of undo");
 }
 
-/** The colour of the page at a point of the artboard, bytes. */
+/** The colour of the page's pixel at a point of the artboard, bytes. */
 async function pixelAt(editor, x, y) {
-  const [left, top] = await editor.at(x, y);
-  const png = await editor.page.screenshot({ clip: { x: Math.round(left), y: Math.round(top), width: 1, height: 1 } });
+  const side = 1 / (await editor.page.evaluate(() => devicePixelRatio));
+  const [left, top] = (await editor.at(x, y)).map((place) => side * Math.round(place / side));
+  const png = await editor.page.screenshot({ clip: { x: left, y: top, width: side, height: side } });
   return [...decode(png).data.slice(0, 3)];
 }
 
@@ -210,11 +216,11 @@ async function testPhoto(t) {
   const below = await changing(editor, "Below", () => page.getByRole("radio", { name: "Below" }).click());
   check(below.indexOf("<image") < below.indexOf('id="layer"'), `not below: ${below}`);
   await editor.settled();
-  await page.waitForTimeout(300);
-  const [, green] = await pixelAt(editor, 300, 200);
-  check(green > 30, `the photo hides the picture from below: ${green}`);
-  const [red, , blue] = await pixelAt(editor, 560, 460);
-  check(blue > 150 && blue > red + 60, `the photo does not show through: ${red}, ${blue}`);
+  await until("the picture hides the photo", async () => (await pixelAt(editor, 300, 200))[1] > 30);
+  await until("the photo shows through", async () => {
+    const [red, , blue] = await pixelAt(editor, 560, 460);
+    return blue > 150 && blue > red + 60;
+  });
   await editor.shot("photo-below");
   checkEqual(await changing(editor, "undo", () => page.keyboard.press("Control+z")), start, "after undo");
   const moved = await t.drag("the photo", [[560, 400], [580, 420]], ["Control"]);
@@ -261,6 +267,11 @@ export async function testGestures(tap, given) {
     "the loupe shows what is sampled": testLoupe,
     "a stop takes the colour that is seen": testPickAsSeen,
   };
-  for (const [name, body] of Object.entries(gestures)) await tap.test(name, () => withTools(given, body));
+  const looks = [testPhoto, testLoupe, testPickAsSeen];
+  for (const [name, body] of Object.entries(gestures)) {
+    // Numbers are as exact as the pixels of the screen.
+    const options = body === testGrips ? { ratio: 1 } : { isDrawn: looks.includes(body) };
+    await tap.test(name, () => withTools(given, body, options));
+  }
   await tap.test("the loupe stands above the finger", () => testTouchLoupe(given));
 }

@@ -19,8 +19,8 @@ const drawing = `<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1
 const stopOf = (page, index) => page.locator(".inspector .ribbon").first().locator(".stop").nth(index);
 const field = (page, name) => page.locator(".inspector").getByRole("textbox", { name });
 
-async function openSky(given) {
-  const editor = await EditorPage.open(given.browser, given.address);
+async function openSky(given, options) {
+  const editor = await EditorPage.open(given.browser, given.address, options);
   await editor.load(drawing);
   await editor.click(320, 240);
   await editor.page.getByRole("group", { name: "Left side, linear gradient “sky”" }).waitFor();
@@ -96,7 +96,7 @@ async function testKeys(given) {
 }
 
 async function testFields(given) {
-  const editor = await openSky(given);
+  const editor = await openSky(given, { isDrawn: true });
   const { page } = editor;
   await stopOf(page, 1).click();
   const typed = (name, value) => async () => {

@@ -6,6 +6,7 @@ import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
+import { MESA } from "../../chromium.mjs";
 import { Artist } from "./artist.mjs";
 import { drop } from "./disk.mjs";
 import { check, EditorPage, launch, pathOf, serve } from "./harness.mjs";
@@ -101,13 +102,13 @@ function pack(png, path) {
 
 const [build = "build", folder = pathOf("docs/images"), only = ""] = process.argv.slice(2);
 const server = await serve(resolve(build, "editor"));
-const browser = await launch();
+const browser = await launch(MESA);
 try {
   for (const [name, take] of Object.entries(pictures)) {
     if (only !== "" && name !== only) continue;
     // The first page by daylight, the rest as most people draw.
     const colorScheme = name === "editor-welcome" ? "light" : "dark";
-    const editor = await EditorPage.open(browser, server.address, { colorScheme, reducedMotion: "reduce" });
+    const editor = await EditorPage.open(browser, server.address, { ratio: 1, isDrawn: true, colorScheme, reducedMotion: "reduce" });
     await editor.settled();
     const png = await take(editor, new Artist(editor));
     pack(png, join(folder, `${name}.jpg`));

@@ -1,9 +1,15 @@
-// What the editor's tests in a browser share: TAP, a server of static files, pages.
+// What the editor's tests in a browser share: a server of static files, pages.
 import { createReadStream, existsSync, mkdirSync, statSync } from "node:fs";
 import { createServer } from "node:http";
 import { createRequire } from "node:module";
 import { extname, join, normalize } from "node:path";
+import { setTimeout as sleep } from "node:timers/promises";
 import { fileURLToPath } from "node:url";
+import { launchWith, MESA } from "../../chromium.mjs";
+import { PATIENCE, check, checkEqual } from "../../tap.mjs";
+import { drawNothing, installHooks } from "./hooks.mjs";
+
+export { PATIENCE, Skip, Tap, check, checkEqual } from "../../tap.mjs";
 
 const root = new URL("../../../", import.meta.url);
 
@@ -13,58 +19,6 @@ export const pathOf = (relative) => fileURLToPath(new URL(relative, root));
 /** Packages of the editor. */
 export const packageOf = createRequire(pathOf("web/editor/package.json"));
 export const { chromium } = packageOf("playwright-core");
-
-export class Skip extends Error {}
-
-/** Runs tests one after another and prints TAP. */
-export class Tap {
-  failures = 0;
-
-  /** @param {string} only tests whose names hold this; "" all */
-  constructor(only = "") {
-    this.only = only;
-  }
-
-  /** A test that fails is tried once more, and says so: browsers share the machine with other tests. */
-  async test(name, body) {
-    if (!name.includes(this.only)) return;
-    const start = Date.now();
-    let error = await this.attempt(body);
-    if (error && !(error instanceof Skip)) {
-      console.log(`# editor: ${name}: once more, after ${commented(error)}`);
-      error = await this.attempt(body);
-    }
-    const seconds = ((Date.now() - start) / 1000).toFixed(1);
-    if (!error) return console.log(`# ${seconds} s\nok - editor: ${name}`);
-    if (error instanceof Skip) return console.log(`ok - editor: ${name} # SKIP ${error.message}`);
-    this.failures += 1;
-    console.log(`not ok - editor: ${name}\n# ${commented(error)}`);
-  }
-
-  /** @returns what was thrown, or null */
-  async attempt(body) {
-    try {
-      await body();
-      return null;
-    } catch (error) {
-      return error;
-    }
-  }
-}
-
-/** An error as lines of comment, but for the first one's sign. */
-function commented(error) {
-  return String(error?.stack ?? error).replaceAll("\n", "\n# ");
-}
-
-export function check(condition, message) {
-  if (!condition) throw new Error(message);
-}
-
-export function checkEqual(actual, expected, what) {
-  const [a, b] = [actual, expected].map((value) => JSON.stringify(value));
-  if (a !== b) throw new Error(`${what}: ${a?.slice(0, 800)}, expected ${b?.slice(0, 800)}`);
-}
 
 const types = {
   ".html": "text/html",
@@ -92,24 +46,38 @@ export async function serve(folder) {
   return { address: `http://127.0.0.1:${server.address().port}/`, close: () => server.close() };
 }
 
-const quiet = [
-  "--no-sandbox",
-  "--disable-quic",
-  "--no-first-run",
-  "--disable-background-networking",
-  "--disable-component-update",
-  "--disable-sync",
-];
-/** Mesa's software driver, which is several times as fast as Chromium's own. */
-const mesa = ["--use-gl=angle", "--use-angle=gl-egl", "--ignore-gpu-blocklist", "--enable-gpu"];
+/** Between two looks at what may have changed, milliseconds. */
+const PAUSE = 25;
 
-export function launch(flags = mesa) {
-  const executablePath = process.env.CHROMIUM ?? "/usr/bin/chromium";
-  return chromium.launch({ executablePath, args: [...quiet, ...flags] });
+/** The page is put together without graphics, which leaves these to the picture. */
+export const launch = (flags = [...MESA, "--disable-gpu-compositing"]) => launchWith(chromium, flags);
+
+/** Device pixels to a CSS pixel, where nobody looks at them. Places on the page are the same. */
+const RATIO = 0.25;
+
+/**
+ * A fresh profile. size: of the window, CSS pixels; ratio: device pixels to a CSS pixel; isDrawn: whether
+ * there is a picture to look at, and motion; and what Playwright has for contexts.
+ */
+export async function newContext(browser, options = {}) {
+  const { size = [1440, 900], ratio = RATIO, isDrawn = false, ...more } = options;
+  const [width, height] = size;
+  const window = { viewport: { width, height }, deviceScaleFactor: ratio };
+  const reducedMotion = isDrawn ? "no-preference" : "reduce";
+  const context = await browser.newContext({ ...window, reducedMotion, ...more });
+  context.setDefaultTimeout(PATIENCE);
+  if (!isDrawn) await context.addInitScript(drawNothing);
+  return context;
 }
 
-/** What has not happened after this never will, milliseconds. */
-const WAIT = Number(process.env.SFUMATO_WAIT ?? 45000);
+/** Waits until something is so that the page alone cannot know. */
+export async function until(what, test) {
+  const end = performance.now() + PATIENCE;
+  while (!(await test())) {
+    check(performance.now() < end, `not so: ${what}`);
+    await sleep(PAUSE);
+  }
+}
 
 /** The editor in a page of a fresh profile, and what it says on its console. */
 export class EditorPage {
@@ -118,22 +86,21 @@ export class EditorPage {
   /** Addresses beyond the server's that were asked for. */
   requests = [];
 
-  static async open(browser, address, { size = [1440, 900], ...options } = {}) {
-    const [width, height] = size;
-    const context = await browser.newContext({ viewport: { width, height }, ...options });
-    return EditorPage.within(context, address);
+  static async open(browser, address, options) {
+    return EditorPage.within(await newContext(browser, options), address);
   }
 
   static async within(context, address) {
     const editor = new EditorPage(await context.newPage());
     editor.context = context;
+    await editor.page.addInitScript(installHooks);
     await editor.go(address);
     return editor;
   }
 
   constructor(page) {
     this.page = page;
-    page.setDefaultTimeout(WAIT);
+    page.setDefaultTimeout(PATIENCE);
     page.on("pageerror", (error) => this.errors.push(String(error)));
     page.on("console", (message) => {
       if (message.type() === "error") this.errors.push(message.text());
@@ -171,6 +138,11 @@ export class EditorPage {
     return this.page.evaluate(([a, b]) => window.sfumatoEditor.place(a, b), [x, y]);
   }
 
+  /** The same of many points. */
+  all(points) {
+    return this.page.evaluate((all) => all.map(([x, y]) => window.sfumatoEditor.place(x, y)), points);
+  }
+
   /** The picture on the stage as a PNG, without what is drawn above it. */
   async picture() {
     await this.settled();
@@ -195,9 +167,8 @@ export class EditorPage {
   }
 
   /** A stroke through points of the artboard. */
-  async drag(points, { steps = 8, keys = [] } = {}) {
-    const places = [];
-    for (const [x, y] of points) places.push(await this.at(x, y));
+  async drag(points, { steps = 4, keys = [] } = {}) {
+    const places = await this.all(points);
     for (const key of keys) await this.page.keyboard.down(key);
     await this.page.mouse.move(...places[0]);
     await this.page.mouse.down();
@@ -217,10 +188,19 @@ export class EditorPage {
     checkEqual(this.requests, [], "requests to elsewhere");
   }
 
+  /** A picture to be looked at: each CSS pixel is one. */
   async shot(name) {
     const folder = pathOf("build/editor-shots");
     mkdirSync(folder, { recursive: true });
+    // It stays: with its end the window would have another size.
+    const session = await this.context.newCDPSession(this.page);
+    const size = this.page.viewportSize();
+    const show = (deviceScaleFactor) =>
+      session.send("Emulation.setDeviceMetricsOverride", { ...size, deviceScaleFactor, mobile: false });
+    const ratio = await this.page.evaluate(() => devicePixelRatio);
+    await show(1);
     await this.page.screenshot({ path: `${folder}/${name}.png`, caret: "initial" });
+    await show(ratio);
   }
 
   close() {

@@ -1,6 +1,6 @@
 // Every key of the table does its command; none is heard while somebody types; keys can be changed.
 import { readFileSync } from "node:fs";
-import { check, checkEqual, pathOf } from "./harness.mjs";
+import { check, checkEqual, pathOf, until } from "./harness.mjs";
 import { changing, openWithoutPickers } from "./draw.mjs";
 import { said } from "./words.mjs";
 
@@ -49,7 +49,7 @@ class Keys {
       else await this.editor.click(...places[name]);
       if (k > 0) await this.page.keyboard.up("Shift");
     }
-    if (names.length > 0) await this.until(`${names} is selected`, async () => (await this.selected()).join() === names.join());
+    if (names.length > 0) await until(`${names} is selected`, async () => (await this.selected()).join() === names.join());
     await this.page.locator(".canvas-stage").focus();
   }
 
@@ -67,11 +67,6 @@ class Keys {
     return this.page.evaluate(() => window.sfumatoEditor.selection.map(({ name }) => name));
   }
 
-  async until(what, test) {
-    const end = Date.now() + 20000;
-    while (!(await test())) check(Date.now() < end, `not so: ${what}`);
-  }
-
   zoom() {
     return this.page.evaluate(() => {
       const [a, b] = [window.sfumatoEditor.place(0, 0), window.sfumatoEditor.place(1, 0)];
@@ -79,28 +74,19 @@ class Keys {
     });
   }
 
-  /** The zoom once it rests: views move smoothly. */
-  async rest() {
-    for (let last = NaN; ; await this.page.waitForTimeout(100)) {
-      const now = await this.zoom();
-      if (now === last) return now;
-      last = now;
-    }
-  }
-
   async zooms(key, test) {
-    const before = await this.rest();
+    const before = await this.zoom();
     await this.press(key);
-    await this.until(`${key} zooms`, async () => test(await this.zoom(), before));
+    await until(`${key} zooms`, async () => test(await this.zoom(), before));
   }
 
   /** Something that is pressed or shown, before and after. */
   async toggles(key, state) {
     const before = await state();
     await this.press(key);
-    await this.until(`${key} changes`, async () => (await state()) !== before);
+    await until(`${key} changes`, async () => (await state()) !== before);
     await this.press(key);
-    await this.until(`${key} again changes back`, async () => (await state()) === before);
+    await until(`${key} again changes back`, async () => (await state()) === before);
   }
 
   isShown(locator) {
@@ -119,7 +105,7 @@ class Keys {
     await this.press("a");
     await this.press("Enter");
     await this.press("Tab");
-    await this.until("a node is chosen", () =>
+    await until("a node is chosen", () =>
       this.page.evaluate(() => window.sfumatoEditor.selection[0]?.part.kind !== "whole"),
     );
     await this.text(key, pattern);
@@ -166,9 +152,9 @@ const shows = {
     await keys.fresh();
     const before = await keys.editor.picture();
     await keys.press(key);
-    await keys.until("the mesh shows", async () => !before.equals(await keys.editor.picture()));
+    await until("the mesh shows", async () => !before.equals(await keys.editor.picture()));
     await keys.press(key);
-    await keys.until("the mesh goes", async () => before.equals(await keys.editor.picture()));
+    await until("the mesh goes", async () => before.equals(await keys.editor.picture()));
   },
   "exact-pixels": async (keys, key) => {
     await keys.fresh();
@@ -212,12 +198,12 @@ const shows = {
   "select-all": async (keys, key) => {
     await keys.fresh("low");
     await keys.press(key);
-    await keys.until("three are selected", async () => (await keys.selected()).length === 3);
+    await until("three are selected", async () => (await keys.selected()).length === 3);
   },
   deselect: async (keys, key) => {
     await keys.fresh("low");
     await keys.press(key);
-    await keys.until("nothing is selected", async () => (await keys.selected()).length === 0);
+    await until("nothing is selected", async () => (await keys.selected()).length === 0);
   },
   "show-opacity": (keys, key) => keys.fresh("high").then(() => keys.attribute(key, "Opacity")),
   "show-blur": (keys, key) => keys.fresh("high").then(() => keys.attribute(key, "Blur")),
@@ -272,19 +258,19 @@ const shows = {
   export: (keys, key) => keys.dialog(key, "Export"),
 };
 
-async function openKeys({ browser, address }) {
-  const editor = await openWithoutPickers(browser, address, { permissions: ["clipboard-read", "clipboard-write"] });
+async function openKeys({ browser, address }, options) {
+  // Views go where they are sent at once.
+  const asked = { permissions: ["clipboard-read", "clipboard-write"], reducedMotion: "reduce" };
+  const editor = await openWithoutPickers(browser, address, { ...asked, ...options });
   const keys = new Keys(editor);
   await keys.fresh();
   return keys;
 }
 
-async function testTable(given) {
-  const keys = await openKeys(given);
-  const table = bindings();
-  check(table.length > 40, "the table was not read");
+async function testGroup(given, group) {
+  const keys = await openKeys(given, group === "view" ? { isDrawn: true } : {});
   const failed = [];
-  for (const { command, keys: all } of table) {
+  for (const { command, keys: all } of bindings().filter((one) => one.group === group)) {
     for (const key of all) {
       // The browser opens a window on it before a page hears of it.
       if (key === "Ctrl+N") continue;
@@ -360,7 +346,12 @@ async function testChanging(given) {
 }
 
 export async function testKeys(tap, given) {
-  await tap.test("each key of the table does its command", () => testTable(given));
+  const table = bindings();
+  const groups = [...new Set(table.map(({ group }) => group))];
+  await tap.test("the table of keys is read", () => check(table.length > 40, "the table was not read"));
+  for (const group of groups) {
+    await tap.test(`each key of the table does its command: ${group}`, () => testGroup(given, group));
+  }
   await tap.test("no key is a command while somebody types", () => testTyping(given));
   await tap.test("keys can be changed, stay changed, and be as at first", () => testChanging(given));
 }

@@ -1,6 +1,7 @@
 // The tree of layers: thumbs, and what is changed only once, names for a screen reader, rows under the mouse.
 import { check, checkEqual, EditorPage } from "./harness.mjs";
 import { changing } from "./draw.mjs";
+import { askedAgain, callsOf, idleMoments, pass } from "./hooks.mjs";
 
 const drawing = `<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1" viewBox="0 0 640 480" sf:background="#fff">
   <defs><path id="shape" d="M300 100C420 100 420 300 300 300S180 110 300 100" sf:left="#e33" sf:right="#36c" sf:left-opacity="0" sf:right-opacity="1"/></defs>
@@ -32,7 +33,7 @@ const pixelOf = (image, x, y) =>
 const isNear = (a, b) => a.every((value, k) => Math.abs(value - b[k]) <= 12);
 
 async function testThumbs({ browser, address }) {
-  const editor = await EditorPage.open(browser, address);
+  const editor = await EditorPage.open(browser, address, { isDrawn: true });
   const { page } = editor;
   await editor.load(drawing);
   for (const name of ["back", "copies", "set"]) await thumb(page, name).waitFor();
@@ -48,36 +49,42 @@ async function testThumbs({ browser, address }) {
   await editor.click(320, 300);
   const place = await editor.at(320, 300);
   // Sooner, it would be a double click.
-  await page.waitForTimeout(700);
+  await pass(page, 700);
   await page.mouse.move(...place);
   await page.mouse.down();
   await page.mouse.move(place[0], place[1] - 40, { steps: 8 });
-  await page.waitForTimeout(700);
+  await rests(editor);
   checkEqual(await addresses(), before, "thumbs while a curve is dragged");
   await page.mouse.up();
   await page.waitForFunction((now) => [...document.querySelectorAll(".tree-row img.thumb")].some((img, k) => img.src !== now[k]), before);
-  await page.waitForTimeout(500);
+  await rests(editor);
   const after = await addresses();
   const names = await page.locator(".tree-row:has(img.thumb) .name").allTextContents();
   checkEqual(names.filter((_, k) => after[k] !== before[k]), ["back"], "thumbs that are new");
   // Hidden, it stays as it was.
   await changing(editor, "an eye", () => row(page, "back").getByRole("button", { name: /^Hide/ }).click());
-  await editor.settled();
-  await page.waitForTimeout(500);
+  await rests(editor);
   check(await thumb(page, "back").isVisible(), "the thumb of what is hidden is gone");
   await checkThumbsNearBy(editor, addresses);
   editor.checkQuiet();
   await editor.close();
 }
 
+/** When the exact picture stands, and thumbs that are to be made of it are made. */
+async function rests(editor) {
+  await editor.page.waitForFunction(() => window.sfumatoEditor.status.kind === "exact");
+  await editor.settled();
+  await idleMoments(editor.page);
+}
+
 /** Nearer, where a part of the picture is made, thumbs still show all of theirs. */
 async function checkThumbsNearBy(editor, addresses) {
   const { page } = editor;
   const before = await addresses();
+  const solves = await callsOf(page, "solve");
   for (let i = 0; i < 9; ++i) await editor.key("+");
-  await page.waitForTimeout(500);
-  await page.waitForFunction(() => window.sfumatoEditor.status.kind === "exact");
-  await page.waitForTimeout(500);
+  await askedAgain(page, "solve", solves);
+  await rests(editor);
   const [ball, beside] = [await pixelOf(thumb(page, "set"), 0.5, 0.5), await pixelOf(thumb(page, "set"), 0.05, 0.05)];
   check(isNear(ball, [0, 255, 0, 255]) && beside[3] === 0, `near by the ball's thumb shows ${ball}`);
   checkEqual(await addresses(), before, "thumbs near by");

@@ -1,7 +1,7 @@
 // Gradients and textures on the canvas: their grips by the pointer and by keys; gradients as opacity.
 import { changing } from "./draw.mjs";
 import { Disk, giveDisk } from "./disk.mjs";
-import { check, checkEqual, EditorPage, packageOf } from "./harness.mjs";
+import { check, checkEqual, EditorPage, newContext, packageOf } from "./harness.mjs";
 import { said } from "./words.mjs";
 
 const { encode } = packageOf("fast-png");
@@ -111,7 +111,7 @@ async function testOpacity(given) {
 
 /** A picture file becomes a side's opacity: one step, and nothing where no picture was chosen. */
 async function testTextureAsOpacity(given) {
-  const context = await given.browser.newContext({ viewport: { width: 1440, height: 900 } });
+  const context = await newContext(given.browser, { isDrawn: true });
   await giveDisk(context);
   const editor = await EditorPage.within(context, given.address);
   const { page } = editor;

@@ -1,6 +1,7 @@
 // The panels: each field and button does one step that undo takes back; picker, tree, dialogs, hints, tour.
 import { check, checkEqual, EditorPage } from "./harness.mjs";
 import { changing, count, openWithoutPickers, startBlank } from "./draw.mjs";
+import { askedAgain, callsOf } from "./hooks.mjs";
 
 const pixel = "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mP8z8BQDwAEhQGAhKmMIQAAAABJRU5ErkJggg==";
 const drawing = `<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1" viewBox="0 0 640 480" sf:background="#fff">
@@ -312,9 +313,9 @@ async function testHintsOfWholes({ browser, address }) {
 async function testKept({ browser, address }) {
   const editor = await EditorPage.open(browser, address);
   const { page } = editor;
+  const looks = await callsOf(page, "lint");
   await startBlank(editor);
-  await editor.settled();
-  await page.waitForTimeout(2500);
+  await askedAgain(page, "lint", looks);
   await page.getByRole("button", { name: "No hints" }).waitFor();
   await editor.load(drawing);
   await page.evaluate(() => {

@@ -1,5 +1,6 @@
 // Drawings that go by a photo: its colours, its blur, its edges, and where they are unlike it.
 import { check, checkEqual, EditorPage } from "./harness.mjs";
+import { workersRest } from "./hooks.mjs";
 import { small } from "./texts.mjs";
 import { said, shows, textAfter } from "./words.mjs";
 
@@ -152,7 +153,8 @@ async function testNothing(editor) {
   await editor.key("Shift+I", "x");
   await said(page, /has changed in the meantime/);
   const swapped = await editor.text;
-  await page.waitForTimeout(1000);
+  await editor.settled();
+  await workersRest(page);
   checkEqual(await editor.text, swapped, "the text after the edit");
 }
 

@@ -1,10 +1,9 @@
 // What the browser keeps of a drawing: after a page that ended, beside another tab, and where it keeps nothing.
-import { setTimeout as sleep } from "node:timers/promises";
-import { check, checkEqual, EditorPage } from "./harness.mjs";
+import { check, checkEqual, EditorPage, newContext, until } from "./harness.mjs";
 import { small } from "./texts.mjs";
 import { edit, said, shows } from "./words.mjs";
 
-const size = { viewport: { width: 900, height: 600 } };
+const size = [900, 600];
 
 const state = (page, pattern) =>
   page.waitForFunction((source) => new RegExp(source).test(document.querySelector(".saved")?.textContent), pattern.source);
@@ -26,15 +25,12 @@ export async function isKept(page, wanted) {
       };
     });
   };
-  for (let tries = 0; !(await page.evaluate(look, wanted)); ++tries) {
-    check(tries < 100, "the browser does not keep it");
-    await sleep(100);
-  }
+  await until("the browser keeps it", () => page.evaluate(look, wanted));
 }
 
 /** A page that is killed loses nothing but the last second; what was done can be undone. */
 async function testKilled(browser, address) {
-  const context = await browser.newContext(size);
+  const context = await newContext(browser, { size });
   const editor = await EditorPage.within(context, address);
   await editor.load(small, "killed.svg");
   await edit(editor);
@@ -82,7 +78,7 @@ async function testSwitched(browser, address) {
 }
 
 async function testRefused(browser, address, script, pattern) {
-  const context = await browser.newContext(size);
+  const context = await newContext(browser, { size });
   await context.addInitScript(script);
   const editor = await EditorPage.within(context, address);
   const { page } = editor;
@@ -113,7 +109,7 @@ const full = () => {
 
 /** Two tabs on one drawing: the second is told, may take it, and the first one writes no more. */
 async function testTabs(browser, address) {
-  const context = await browser.newContext(size);
+  const context = await newContext(browser, { size });
   const first = await EditorPage.within(context, address);
   await first.load(small, "shared.svg");
   const once = await edit(first);

@@ -4,7 +4,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { copied, drop, paste } from "./disk.mjs";
-import { check, checkEqual, EditorPage, packageOf, serve } from "./harness.mjs";
+import { check, checkEqual, EditorPage, newContext, packageOf, serve } from "./harness.mjs";
 import { example, small } from "./texts.mjs";
 import { closeDialog, edit, said, shows } from "./words.mjs";
 
@@ -12,8 +12,8 @@ const { decode } = packageOf("fast-png");
 const size = [900, 600];
 const status = ({ page }) => page.evaluate(() => window.sfumatoEditor.status);
 
-async function within(browser, address, script, body) {
-  const context = await browser.newContext({ viewport: { width: 900, height: 600 } });
+async function within(browser, address, script, body, options) {
+  const context = await newContext(browser, { size: [900, 600], ...options });
   if (script) await context.addInitScript(script);
   const editor = await EditorPage.within(context, address);
   try {
@@ -44,6 +44,7 @@ async function testLostContext(editor) {
   await page.evaluate(() => window.taken.restoreContext());
   await page.waitForFunction(() => !document.querySelector("canvas.picture").getContext("webgl2").isContextLost());
   await editor.key("Control+Shift+a");
+  await page.locator(".toast button").click();
   await page.waitForFunction(() => !document.querySelector(".toast"));
   // Marks of what has the focus may lie above it.
   const others = share(before, await editor.picture());
@@ -90,7 +91,7 @@ async function testHuge(editor) {
   const curves = Array.from({ length: 40000 }, (_, i) => `<path d="M${i % 200},${i / 200} c1,2 3,4 5,${i % 7}" sf:left="#fff" sf:right="#000"/>`);
   const huge = small.replace(/<path[^]*?\/>/, curves.join("\n"));
   await editor.page.evaluate((text) => window.sfumatoEditor.open(text.replace("#fff", "salmonish"), "huge.svg"), huge);
-  await editor.page.waitForFunction(() => window.sfumatoEditor.status.kind === "problem", null, { timeout: 60000 });
+  await editor.page.waitForFunction(() => window.sfumatoEditor.status.kind === "problem");
   await editor.load(small);
   checkEqual((await status(editor)).kind, "exact", "the next picture");
   editor.checkQuiet();
@@ -133,7 +134,7 @@ async function testOffline(browser, folder) {
   cpSync(join(folder, "editor"), below, { recursive: true });
   const server = await serve(root);
   const address = `${server.address.replace("127.0.0.1", "localhost")}art/editor/`;
-  const context = await browser.newContext({ viewport: { width: 900, height: 600 } });
+  const context = await newContext(browser, { size: [900, 600] });
   const opened = async () => {
     const editor = await EditorPage.within(context, address);
     await editor.load(small);
@@ -163,7 +164,7 @@ async function testOffline(browser, folder) {
 
 /** The file that dialogs and panels are in does not come: the page says so and goes on. */
 async function testMissingParts(browser, address) {
-  const context = await browser.newContext({ viewport: { width: 900, height: 600 }, serviceWorkers: "block" });
+  const context = await newContext(browser, { size: [900, 600], serviceWorkers: "block" });
   await context.route(/\/parts-[^/]*\.js$/, (route) => route.abort());
   try {
     const editor = await EditorPage.within(context, address);
@@ -184,7 +185,7 @@ const mine = [{ name: "a.svg", bytes: Buffer.from(small) }];
 
 /** What works on drawings does not come: the first page says so, and again where it is asked for. */
 async function testMissingWork(browser, address) {
-  const context = await browser.newContext({ viewport: { width: 900, height: 600 }, serviceWorkers: "block" });
+  const context = await newContext(browser, { size: [900, 600], serviceWorkers: "block" });
   await context.route(/\/work-[^/]*\.js$/, (route) => route.abort());
   const page = await context.newPage();
   const isSaidAfter = async (act) => {
@@ -212,7 +213,7 @@ function noteAsked() {
 /** What is asked for on the first page before the rest of the editor has come is done when it comes. */
 async function testEarly(browser, address) {
   const early = async (act, isDone) => {
-    const context = await browser.newContext({ viewport: { width: 900, height: 600 }, serviceWorkers: "block" });
+    const context = await newContext(browser, { size: [900, 600], serviceWorkers: "block" });
     await context.addInitScript(noteAsked);
     const page = await context.newPage();
     let come;
@@ -255,7 +256,7 @@ async function meddle(page) {
 
 /** Panels and dialogs are late: the stage takes all that it takes, and what they show is shown later. */
 async function testEarlyStage(browser, address) {
-  const context = await browser.newContext({ viewport: { width: 1200, height: 800 }, serviceWorkers: "block" });
+  const context = await newContext(browser, { size: [1200, 800], serviceWorkers: "block" });
   let come;
   const coming = new Promise((resolve) => (come = resolve));
   await context.route(/\/parts-[^/]*\.js$/, (route) => coming.then(() => route.continue()));
@@ -322,7 +323,7 @@ async function testOneFile(editor) {
 /** What a browser says that runs no scripts, knows no modules, or not what is in them. */
 async function testTooOld(browser, addresses) {
   const says = async (what, address, prepare, where, options = {}) => {
-    const context = await browser.newContext(options);
+    const context = await newContext(browser, options);
     const page = await context.newPage();
     await prepare(page);
     await page.goto(address);
@@ -345,7 +346,7 @@ async function testTooOld(browser, addresses) {
 
 /** A server that says that all pages are UTF-8, which the one file is not. */
 async function testSaidToBeUtf8(browser, address, oneFile) {
-  const context = await browser.newContext({ viewport: { width: 900, height: 600 } });
+  const context = await newContext(browser, { size: [900, 600] });
   const page = { path: fileURLToPath(oneFile), contentType: "text/html; charset=utf-8" };
   await context.route(`${address}one.html`, (route) => route.fulfill(page));
   const editor = await EditorPage.within(context, `${address}one.html`);
@@ -367,7 +368,7 @@ async function testColdStart(browser, oneFile) {
 
 export async function testRobust(tap, { browser, address, oneFile, folder }) {
   const test = (name, script, body, at = address) => tap.test(`robust: ${name}`, () => within(browser, at, script, body));
-  await test("graphics that were lost come back", null, testLostContext);
+  await tap.test("robust: graphics that were lost come back", () => within(browser, address, null, testLostContext, { ratio: 0.5, isDrawn: true }));
   await test("without WebGL 2 all but the picture works", noWebGl, (editor) => testWithout(editor, "exact", /no WebGL 2/));
   await test("without WebAssembly the page says so", noWebAssembly, (editor) => testWithout(editor, "failed", /no WebAssembly/));
   await test("workers that are refused are told of", noWorker, (editor) => testWithout(editor, "failed", /starts no worker/));

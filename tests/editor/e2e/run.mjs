@@ -27,7 +27,6 @@ import { testSunset } from "./sunset.mjs";
 import { testTools } from "./tools.mjs";
 import { testTrace } from "./trace.mjs";
 
-/** The longest first. */
 const themes = [
   testSunset,
   testTools,
@@ -51,32 +50,20 @@ const themes = [
   testServedDrawing,
 ];
 
-/** Browsers at work side by side: each of them waits much of its time. */
-const LANES = 2;
-
 const [folder = "build", only = ""] = process.argv.slice(2);
-const tap = new Tap(only);
+const tap = new Tap({ only, prefix: "editor: " });
 const server = await serve(resolve(folder, "editor"));
-const waiting = [...themes];
-
-async function lane() {
-  const browser = await launch();
-  const given = {
-    browser,
-    address: server.address,
-    folder: resolve(folder),
-    oneFile: pathToFileURL(join(resolve(folder), "editor.html")).href,
-  };
-  try {
-    for (let test = waiting.shift(); test; test = waiting.shift()) await test(tap, given);
-  } finally {
-    await browser.close();
-  }
-}
-
+const browser = await launch();
+const given = {
+  browser,
+  address: server.address,
+  folder: resolve(folder),
+  oneFile: pathToFileURL(join(resolve(folder), "editor.html")).href,
+};
 try {
-  await Promise.all(Array.from({ length: LANES }, lane));
+  for (const test of themes) await test(tap, given);
 } finally {
+  await browser.close();
   server.close();
 }
 process.exitCode = tap.failures > 0 ? 1 : 0;

@@ -1,7 +1,7 @@
 // Files that are saved: the bytes that were opened, but for the edit; and what may stand in the way.
 import { gunzipSync, gzipSync } from "node:zlib";
 import { downloaded, giveDisk, Disk } from "./disk.mjs";
-import { check, checkEqual, EditorPage } from "./harness.mjs";
+import { check, checkEqual, EditorPage, newContext } from "./harness.mjs";
 import { corpus, entities, example, exampleNames, small, strangers } from "./texts.mjs";
 import { edit, said } from "./words.mjs";
 
@@ -211,7 +211,7 @@ async function testDownload(editor) {
 
 /** A page with a disk; or one whose browser knows downloads alone. */
 async function pageOf(browser, address, hasDisk) {
-  const context = await browser.newContext({ viewport: { width: 900, height: 500 } });
+  const context = await newContext(browser, { size: [900, 500] });
   if (hasDisk) await giveDisk(context);
   else await context.addInitScript(() => delete window.showOpenFilePicker);
   return EditorPage.within(context, address);
@@ -232,7 +232,7 @@ export async function testSaving(tap, { browser, address }) {
   const legacy = await pageOf(browser, address, false);
   await tap.test("saving: a browser without dialogs downloads", () => testDownload(legacy));
   await legacy.close();
-  const many = await browser.newContext({ viewport: { width: 900, height: 300 } });
+  const many = await newContext(browser, { size: [900, 300] });
   await many.addInitScript(() => delete window.BroadcastChannel);
   const bulk = await EditorPage.within(many, address);
   await tap.test("saving: the fuzzers' finds have the same bytes", () => testCorpus(bulk));

@@ -77,7 +77,7 @@ async function testTextures(browser, where) {
   const editor = await EditorPage.open(browser, address, { size: [900, 600] });
   try {
     await shows(editor.page, example("textures.svg"));
-    await editor.page.waitForFunction(() => window.sfumatoEditor.status.kind === "exact", null, { timeout: 60000 });
+    await editor.page.waitForFunction(() => window.sfumatoEditor.status.kind === "exact");
     editor.checkQuiet();
   } finally {
     await endEdit(child);

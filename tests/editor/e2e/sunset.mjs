@@ -1,9 +1,10 @@
-// A picture drawn from nothing through what a person has: pointer, pen, keys and panels.
-import { readFileSync } from "node:fs";
+// A picture drawn from nothing through what a person has: pointer, pen, keys and panels. Each stage
+// begins with the text that the stage before leaves: sunset/*.svg, examples/sunset.svg at the end.
+// SFUMATO_WRITE_STAGES=1 writes the texts in between.
+import { readFileSync, writeFileSync } from "node:fs";
 import { Artist } from "./artist.mjs";
-import { EditorPage, check, checkEqual, pathOf } from "./harness.mjs";
+import { EditorPage, check, checkEqual, pathOf, until } from "./harness.mjs";
 
-const STEPS = 60;
 const BLUR = "Blur, radius of point 1";
 
 /** Nodes of a circle for the pen, clockwise from an angle, degrees. */
@@ -15,7 +16,7 @@ function circle(x, y, radius, from) {
   });
 }
 
-/** All curves while there are but two colours: what is drawn later takes what it finds. 8 steps. */
+/** All curves while there are but two colours: what is drawn later takes what it finds. */
 async function sketch(artist) {
   await artist.curve([[-150, 272], [1110, 272]]);
   await artist.curve(circle(330, 214, 44, 180), { closes: true });
@@ -33,7 +34,7 @@ async function sketch(artist) {
   await artist.stroke(foam, { radius: 8, smoothing: 2 });
 }
 
-/** Sand, wet sand and sea. 7 steps. */
+/** Sand, wet sand and sea. */
 async function shore(artist) {
   await artist.select(900, 646.7);
   await artist.color("Left", 0, "a06a55");
@@ -55,12 +56,16 @@ async function glowing(artist, side, end, middle) {
   await artist.pick(side, 1, middle);
 }
 
-/** The horizon, the clouds above it, and the light on both. 21 steps. */
-async function sky(artist) {
+/** The clouds above the horizon. */
+async function clouds(artist) {
   await artist.select(540, 150);
   await glowing(artist, "Left", "5b4182", "96608f");
   await glowing(artist, "Right", "cf6680", "ffab78");
   await artist.field(BLUR, 26);
+}
+
+/** The horizon, and the light above it and on the water. */
+async function horizon(artist) {
   await artist.select(800, 272);
   await glowing(artist, "Right", "75476f", "ffb676");
   await glowing(artist, "Left", "d4636a", "ffe0a0");
@@ -84,7 +89,7 @@ function glitter() {
   });
 }
 
-/** The sky's edge, whose colour shadow and gulls take; the sun, whose colour the highlight. 7 steps. */
+/** The sky's edge, whose colour shadow and gulls take. */
 async function shades(artist) {
   await artist.select(480, -30);
   await artist.pick("Right", 0, "382a5c");
@@ -97,15 +102,11 @@ async function shades(artist) {
   await artist.deselect();
   await artist.stroke([[612, 158, 0.1], [620, 151, 0.7], [629, 152, 0.8], [634, 158, 1],
     [641, 151, 0.8], [650, 150, 0.7], [659, 157, 0.1]], { radius: 2.6 });
-  await artist.select(330, 170);
-  await artist.color("Left", 0, "ffdc8c");
-  await artist.pick("Right", 0, "fffbe6");
-  await artist.field(BLUR, 4);
 }
 
-/** A layer of one circle, a stroke for its highlight, its shadow; and all of it once more. 17 steps. */
-async function balls(artist) {
-  const { page, editor } = artist;
+/** A layer of one circle. */
+async function ball(artist) {
+  const { page } = artist;
   await artist.deselect();
   await page.getByRole("button", { name: "New layer" }).click();
   await artist.curve(circle(640, 445, 80, 72), { closes: true });
@@ -117,6 +118,14 @@ async function balls(artist) {
   await artist.copyStop("Right", 1, 0.68);
   await artist.field("Opacity, left", 0);
   await artist.field(BLUR, 1);
+}
+
+/** The sun, whose colour the ball's highlight takes; and ball, highlight and shadow once more. */
+async function light(artist) {
+  await artist.select(330, 170);
+  await artist.color("Left", 0, "ffdc8c");
+  await artist.pick("Right", 0, "fffbe6");
+  await artist.field(BLUR, 4);
   await artist.deselect();
   await artist.stroke([[592, 420, 0.2], [600, 402, 0.9], [612, 391, 1],
     [632, 383, 0.2]], { radius: 14 });
@@ -124,23 +133,67 @@ async function balls(artist) {
   await artist.choose("Layer 2", { modifiers: ["Control"] });
   await artist.choose("Stroke 7", { modifiers: ["Control"] });
   await artist.tool("Select");
-  await editor.key("Control+G", "Control+Alt+D");
+  await artist.editor.key("Control+G", "Control+Alt+D");
   await artist.scale("south-east", 0.38);
   await artist.move([613, 419], [876, 418]);
 }
 
-/** Draws the sunset: 60 steps of undo after the empty page, whose text it returns. */
-export async function drawSunset(editor) {
-  const artist = new Artist(editor);
-  await artist.blank(960, 600, "232a58");
+/** steps: of undo. text: what is there at the end. */
+const stages = [
+  { name: "lines and foam", steps: 8, draw: sketch, text: "tests/editor/e2e/sunset/1-lines.svg" },
+  { name: "the shore", steps: 7, draw: shore, text: "tests/editor/e2e/sunset/2-shore.svg" },
+  { name: "the clouds", steps: 9, draw: clouds, text: "tests/editor/e2e/sunset/3-clouds.svg" },
+  { name: "the horizon", steps: 12, draw: horizon, text: "tests/editor/e2e/sunset/4-horizon.svg" },
+  { name: "shadow and gulls", steps: 4, draw: shades, text: "tests/editor/e2e/sunset/5-shades.svg" },
+  { name: "a ball", steps: 12, draw: ball, text: "tests/editor/e2e/sunset/6-ball.svg" },
+  { name: "the sun, and another ball", steps: 8, draw: light, text: "examples/sunset.svg" },
+];
+const STEPS = 60;
+
+const textOf = ({ text }) => readFileSync(pathOf(text), "utf8");
+
+/** An empty page, or what the stage before has left; with room around it for curves that run beyond. */
+async function begin(artist, before) {
+  if (!before) {
+    await artist.blank(960, 600, "232a58");
+  } else {
+    await artist.editor.load(textOf(before));
+    await artist.makeRoom();
+  }
   await artist.menu("View", "Snap");
-  const start = await editor.text;
-  await sketch(artist);
-  await shore(artist);
-  await sky(artist);
-  await shades(artist);
-  await balls(artist);
-  return start;
+  return artist.editor.text;
+}
+
+/** Presses a key so often, each time while its button has something to do; then it has no more. */
+async function every(editor, key, name, times) {
+  await editor.page.locator(".canvas-stage").focus();
+  const button = editor.page.getByRole("button", { name });
+  for (let step = 0; step < times; step += 1) {
+    await until(`${key} has more than ${step} steps`, () => button.isEnabled());
+    await editor.key(key);
+  }
+  await until(`${key} has ${times} steps`, () => button.isDisabled());
+}
+
+async function testStage({ browser, address }, { steps, draw, text }, before) {
+  // The text is looked at, not the picture.
+  const editor = await EditorPage.open(browser, address);
+  try {
+    const artist = new Artist(editor);
+    const start = await begin(artist, before);
+    await draw(artist);
+    const drawn = await editor.text;
+    const isWritten = process.env.SFUMATO_WRITE_STAGES && text.startsWith("tests/");
+    if (isWritten) writeFileSync(pathOf(text), drawn);
+    checkAlike(drawn, textOf({ text }), "what was drawn");
+    await every(editor, "Control+z", /^Undo/, steps);
+    checkEqual(await editor.text, start, "the text after all steps were undone");
+    await every(editor, "Control+Shift+z", /^Redo/, steps);
+    checkEqual(await editor.text, drawn, "the text after all steps were redone");
+    editor.checkQuiet();
+  } finally {
+    await editor.close();
+  }
 }
 
 /** Numbers differ by rounding between machines; everything else is to be the same. */
@@ -153,27 +206,11 @@ function checkAlike(actual, expected, what) {
   check(far < 0, `${what}: ${a[far]}, expected ${b[far]}`);
 }
 
-export async function testSunset(tap, { browser, address }) {
-  await tap.test(`a sunset is drawn in ${STEPS} steps, and they lead back`, async () => {
-    // The text is looked at, not the picture: a quarter of its pixels takes a fifth off the time.
-    const editor = await EditorPage.open(browser, address, { deviceScaleFactor: 0.5 });
-    try {
-      const start = await drawSunset(editor);
-      const drawn = await editor.text;
-      checkAlike(drawn, readFileSync(pathOf("examples/sunset.svg"), "utf8"), "what was drawn");
-      const undo = editor.page.getByRole("button", { name: /^Undo/ });
-      const redo = editor.page.getByRole("button", { name: /^Redo/ });
-      for (let step = 0; step < STEPS; step += 1) {
-        check(await undo.isEnabled(), `there are ${step} steps to undo only`);
-        await undo.click();
-      }
-      checkEqual(await editor.text, start, "the text after all steps were undone");
-      check(await undo.isDisabled(), `there are more than ${STEPS} steps`);
-      for (let step = 0; step < STEPS; step += 1) await redo.click();
-      checkEqual(await editor.text, drawn, "the text after all steps were redone");
-      editor.checkQuiet();
-    } finally {
-      await editor.close();
-    }
-  });
+export async function testSunset(tap, given) {
+  for (const [k, stage] of stages.entries()) {
+    const name = `a sunset is drawn, and its steps lead back: ${stage.name}`;
+    await tap.test(name, () => testStage(given, stage, stages[k - 1]));
+  }
+  await tap.test(`the sunset takes ${STEPS} steps`, () =>
+    checkEqual(stages.reduce((sum, { steps }) => sum + steps, 0), STEPS, "steps of all stages"));
 }

@@ -1,6 +1,7 @@
 // Every tool with its gestures, on the stage.
-import { check, checkEqual, EditorPage } from "./harness.mjs";
+import { check, checkEqual, EditorPage, until } from "./harness.mjs";
 import { changing, count } from "./draw.mjs";
+import { atOnce, pass } from "./hooks.mjs";
 import { largestDifference } from "./pixels.mjs";
 
 const open = '<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1" viewBox="0 0 640 480" sf:background="#fff">';
@@ -24,13 +25,18 @@ export class Tools {
     await this.page.locator(".canvas-stage").focus();
     await this.page.keyboard.press("v");
     for (const at of selected) await this.editor.click(...at);
+    await this.apart();
     await this.page.keyboard.press(tool);
+  }
+
+  /** What follows a click at the same place is another click, no double one. */
+  apart() {
+    return pass(this.page, 450);
   }
 
   /** A drag during which something is done before the pointer is let go. */
   async held(points, during) {
-    const places = [];
-    for (const point of points) places.push(await this.editor.at(...point));
+    const places = await this.editor.all(points);
     await this.page.mouse.move(...places[0]);
     await this.page.mouse.down();
     for (const place of places.slice(1)) await this.page.mouse.move(...place, { steps: 6 });
@@ -103,10 +109,10 @@ async function testFollowing(t) {
   const before = await editor.picture();
   let during;
   await t.held([[200, 300], [220, 360]], async () => {
-    const end = Date.now() + 8000;
-    do during = await editor.picture();
-    while (largestDifference(before, during) <= 20 && Date.now() < end);
-    check(largestDifference(before, during) > 20, "the picture does not follow the pointer");
+    await until("the picture follows the pointer", async () => {
+      during = await editor.picture();
+      return largestDifference(before, during) > 20;
+    });
   });
   checkEqual(largestDifference(during, await editor.picture()), 0, "what was shown while dragging and what is kept");
 }
@@ -117,8 +123,7 @@ async function testNodes(t) {
   const begin = async () => {
     await t.fresh("a", [420, 300]);
     await editor.click(...middle);
-    // What follows within this at the same place would be a double click.
-    await page.evaluate(() => new Promise((done) => setTimeout(done, 450)));
+    await t.apart();
     checkEqual((await page.evaluate(() => window.sfumatoEditor.selection))[0]?.part, { kind: "node", path: 0, index: 1 }, "the node");
   };
   await begin();
@@ -138,7 +143,9 @@ async function testNodes(t) {
   t.near(t.path(await changing(editor, "Del", () => page.keyboard.press("Delete"))), [100, 300, 500, 300], "without its middle");
   await t.fresh("a", [420, 300]);
   const place = await editor.at(200, 300);
-  const more = await changing(editor, "a double click", () => page.mouse.dblclick(...place));
+  const more = await changing(editor, "a double click", () =>
+    atOnce(page, () => page.mouse.dblclick(...place)),
+  );
   checkEqual(t.path(more).length, 8, "numbers after a double click");
   await t.fresh("a", [420, 300]);
   check((await t.drag("the curve", [[200, 300], [200, 340]])).includes("C"), "the curve is not bent");
@@ -275,8 +282,8 @@ async function testHand(t) {
   check(Math.hypot(wx - x, wy - y) < 1, "the wheel does not keep the point under the pointer");
 }
 
-export async function withTools({ browser, address }, body) {
-  const editor = await EditorPage.open(browser, address);
+export async function withTools({ browser, address }, body, options) {
+  const editor = await EditorPage.open(browser, address, options);
   await body(new Tools(editor));
   editor.checkQuiet();
   await editor.close();
@@ -285,7 +292,9 @@ export async function withTools({ browser, address }, body) {
 export async function testTools(tap, given) {
   const tools = { select: testSelect, nodes: testNodes, pen: testPen, "pencil and stroke": testFree, blur: testBlur, sample: testSample, hand: testHand };
   for (const [name, body] of Object.entries(tools)) {
-    await tap.test(`the tool ${name} and its gestures`, () => withTools(given, body));
+    // The picture moves on its way.
+    const options = name === "hand" ? { reducedMotion: "no-preference" } : {};
+    await tap.test(`the tool ${name} and its gestures`, () => withTools(given, body, options));
   }
-  await tap.test("the picture follows a drag exactly", () => withTools(given, testFollowing));
+  await tap.test("the picture follows a drag exactly", () => withTools(given, testFollowing, { isDrawn: true }));
 }

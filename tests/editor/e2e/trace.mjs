@@ -1,7 +1,7 @@
 // Photos that become curves: the dialog, its rounds, what it is left by, and what it leaves.
 import { readFileSync } from "node:fs";
 import { drop } from "./disk.mjs";
-import { check, checkEqual, EditorPage, pathOf } from "./harness.mjs";
+import { check, checkEqual, EditorPage, pathOf, until } from "./harness.mjs";
 import { small } from "./texts.mjs";
 import { closeDialog, said, shows, textAfter } from "./words.mjs";
 
@@ -114,11 +114,7 @@ async function testCancel({ browser, address }) {
   await page.locator(dialog).getByRole("button", { name: "Cancel" }).waitFor();
   await closeDialog(page);
   await shows(page, small);
-  const before = Date.now();
-  while (page.workers().length > MOST_WORKERS) {
-    check(Date.now() - before < 10000, `${page.workers().length} workers are left`);
-    await page.waitForTimeout(50);
-  }
+  await until("no worker is left", () => page.workers().length <= MOST_WORKERS);
   editor.checkQuiet();
   await editor.close();
 }

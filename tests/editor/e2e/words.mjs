@@ -6,7 +6,7 @@ export async function said(page, pattern, where = ".toast") {
   const find = ([selector, source, flags]) =>
     [...document.querySelectorAll(selector)].map((e) => e.textContent).find((t) => new RegExp(source, flags).test(t));
   try {
-    const found = await page.waitForFunction(find, [where, pattern.source, pattern.flags], { timeout: 20000 });
+    const found = await page.waitForFunction(find, [where, pattern.source, pattern.flags]);
     return await found.jsonValue();
   } catch {
     const now = await page.locator(where).allTextContents();
@@ -16,14 +16,14 @@ export async function said(page, pattern, where = ".toast") {
 
 /** Waits until the page's drawing has another text. */
 export async function textAfter(page, before) {
-  await page.waitForFunction((text) => window.sfumatoEditor.text !== text, before, { timeout: 20000 });
+  await page.waitForFunction((text) => window.sfumatoEditor.text !== text, before);
   return page.evaluate(() => window.sfumatoEditor.text);
 }
 
 /** Waits until the drawing's text is this one. */
 export async function shows(page, text) {
   const isThere = (wanted) => window.sfumatoEditor.text === wanted;
-  await page.waitForFunction(isThere, text, { timeout: 20000 }).catch(() => check(false, "the text is not shown"));
+  await page.waitForFunction(isThere, text).catch(() => check(false, "the text is not shown"));
 }
 
 /** Closes the dialog that is open. */
