@@ -15,17 +15,9 @@
 #include "support/picture_quality.hpp"
 #include "support/places.hpp"
 #include "support/planes.hpp"
-#include "support/sanitizers.hpp"
 #include "support/scenes.hpp"
 
 namespace sfumato::test {
-
-/// How much longer a trace may take than in an optimised build.
-#if SFUMATO_HAS_SANITIZER || !defined(NDEBUG)
-inline constexpr double kSlowdown = 20;
-#else
-inline constexpr double kSlowdown = 1;
-#endif
 
 /// A trace that must succeed and be valid.
 inline Document trace_of(const Image& picture, const TraceOptions& options = {},
