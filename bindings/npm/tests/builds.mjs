@@ -3,19 +3,16 @@ import { copyFileSync, mkdirSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
+import { launchWith } from "../../../tests/chromium.mjs";
+import { Pages } from "../../../tests/viewer/harness.mjs";
 import { testElement } from "./element.mjs";
 import { testManners } from "./manners.mjs";
 import { writeFiles } from "./node.mjs";
-import { check, checkNear, packageOf, serve } from "./tools.mjs";
+import { checkNear, packageOf, serve } from "./tools.mjs";
 
 const { chromium } = packageOf("playwright-core");
 
-/** Mesa's software driver, which is several times as fast as Chromium's own. */
-const graphics = ["--use-gl=angle", "--use-angle=gl-egl", "--ignore-gpu-blocklist", "--enable-gpu"];
-const quiet = ["--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync"];
-
-export const launch = (flags = graphics) =>
-  chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: [...quiet, ...flags] });
+export const launch = () => launchWith(chromium);
 
 /** As somebody would who has read Vite's first page and nothing of ours. */
 async function buildByVite(project) {
@@ -72,36 +69,25 @@ export async function checkPixel(page, id, [x, y], expected) {
   expected.forEach((value, i) => checkNear(found[i], value, 10, `channel ${i} of ${id} at ${x}, ${y} (${found})`));
 }
 
-/** Opens an address, and fails where the page complains of what is not in `expected`. */
-export async function visit(browser, address, { expected = /^$/, ...options }, body) {
-  const context = await browser.newContext({ viewport: { width: 1000, height: 800 }, ...options });
-  const complaints = [];
-  const page = await context.newPage();
-  page.setDefaultTimeout(45000);
-  page.on("pageerror", (error) => complaints.push(String(error)));
-  page.on("console", (message) => {
-    const isHarmless = /GPU stall due to ReadPixels|Multiple readback operations/.test(message.text()) || expected.test(message.text());
-    if (["error", "warning"].includes(message.type()) && !isHarmless) complaints.push(message.text());
-  });
-  page.on("request", (request) => {
-    if (!/^(data|blob):/.test(request.url()) && !request.url().startsWith(new URL(address).origin)) complaints.push(`asked for ${request.url()}`);
-  });
-  try {
-    await page.goto(address);
-    await body(page);
-    check(complaints.length === 0, `the page complained: ${complaints.join(" | ")}`);
-  } finally {
-    await context.close();
-  }
-}
+/** What says nothing of the page: reading pixels back is slow. */
+const harmless = /GPU stall due to ReadPixels|Multiple readback operations/;
 
-async function testOneBuild(tap, browser, name, project, make) {
+/** Opens an address, and fails where the page complains of what is not in `expected`. */
+export const visit = (pages, address, { expected, ...options }, body) =>
+  pages.visit(address, {
+    size: [1000, 800],
+    ratio: 0.5,
+    harmless: expected ? new RegExp(`${harmless.source}|${expected.source}`) : harmless,
+    ...options,
+  }, body);
+
+async function testOneBuild(tap, pages, name, project, make) {
   await tap.test(`npm: ${name} builds a page that draws`, async () => {
     const out = await make(project);
     addPage(project, out);
     const { address, close } = await serve(out);
     try {
-      await visit(browser, address, {}, async (page) => {
+      await visit(pages, address, {}, async (page) => {
         await page.evaluate(() => document.getElementById("first").ready);
         await checkPixel(page, "first", [0.5, 0.1], [255, 0, 0, 255]);
       });
@@ -118,15 +104,16 @@ export async function testBuilds(tap, project, folder) {
     site = await buildByVite(project);
   });
   const browser = await launch();
+  const pages = new Pages(browser);
   try {
     if (site) {
       const server = await serve(site);
-      await testElement(tap, browser, server.address, folder);
-      await testManners(tap, browser, server.address);
+      await testElement(tap, pages, server.address, folder);
+      await testManners(tap, pages, server.address);
       server.close();
     }
-    await testOneBuild(tap, browser, "webpack", project, buildByWebpack);
-    await testOneBuild(tap, browser, "esbuild", project, buildByEsbuild);
+    await testOneBuild(tap, pages, "webpack", project, buildByWebpack);
+    await testOneBuild(tap, pages, "esbuild", project, buildByEsbuild);
   } finally {
     await browser.close();
   }

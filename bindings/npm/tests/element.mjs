@@ -21,9 +21,15 @@ export const settled = (page, id, act) =>
       ["clear", () => picture.setAttribute("background", "none")]]).get(text)();
   }), [id, act]);
 
-async function testFirst(tap, { browser, address, shot }) {
+/** When the page has had so many frames. */
+export const frames = (page, count) =>
+  page.evaluate(async (most) => {
+    for (let i = 0; i < most; ++i) await new Promise((resolve) => requestAnimationFrame(resolve));
+  }, count);
+
+async function testFirst(tap, { pages, address, shot }) {
   await tap.test("npm: drawings and payloads are drawn, and what is far below waits", () =>
-    visit(browser, address, { expected }, async (page) => {
+    visit(pages, address, { expected }, async (page) => {
       for (const id of ["first", "second", "payload"]) {
         await ready(page, id);
         await checkPixel(page, id, [0.5, 0.05], [255, 0, 0, 255]);
@@ -39,7 +45,7 @@ async function testFirst(tap, { browser, address, shot }) {
       await shot(page, "texture");
     }));
   await tap.test("npm: an edge is as sharp when it is enlarged", () =>
-    visit(browser, address, { expected }, async (page) => {
+    visit(pages, address, { expected }, async (page) => {
       await ready(page, "first");
       await settled(page, "first", "close");
       const rows = await page.evaluate(() => {
@@ -53,7 +59,7 @@ async function testFirst(tap, { browser, address, shot }) {
       await shot(page, "close");
     }));
   await tap.test("npm: the mesh is shown where it is asked for", () =>
-    visit(browser, address, { expected }, async (page) => {
+    visit(pages, address, { expected }, async (page) => {
       await ready(page, "first");
       const before = await page.evaluate(() => document.getElementById("first").shadowRoot.querySelector("canvas").toDataURL());
       await settled(page, "first", "mesh");
@@ -63,9 +69,9 @@ async function testFirst(tap, { browser, address, shot }) {
     }));
 }
 
-async function testSources(tap, { browser, address }) {
+async function testSources(tap, { pages, address }) {
   await tap.test("npm: gzipped drawings and deflated payloads are drawn, damaged ones refused", () =>
-    visit(browser, address, { expected }, async (page) => {
+    visit(pages, address, { expected }, async (page) => {
       for (const src of ["halves.svgz", "packed.sfv"]) {
         await page.evaluate((name) => (document.getElementById("second").src = name), src);
         await ready(page, "second");
@@ -77,7 +83,7 @@ async function testSources(tap, { browser, address }) {
       checkEqual(await isCanvasShown(page, "second"), false, "its canvas");
     }));
   await tap.test("npm: of sources that change quickly the last one is shown", () =>
-    visit(browser, address, { expected }, async (page) => {
+    visit(pages, address, { expected }, async (page) => {
       await page.evaluate(() => {
         const picture = document.getElementById("second");
         for (const src of ["gone.svg", "halves.svgz", "halves.sfv", "textured.svg"]) picture.src = src;
@@ -86,7 +92,7 @@ async function testSources(tap, { browser, address }) {
       await checkPixel(page, "second", [0.5, 0.95], [0, 128, 0, 255]);
     }));
   await tap.test('npm: background="none" shows what is behind', () =>
-    visit(browser, address, { expected }, async (page) => {
+    visit(pages, address, { expected }, async (page) => {
       await page.evaluate(() => (document.getElementById("second").src = "clear.svg"));
       await ready(page, "second");
       await checkPixel(page, "second", [0.5, 0.05], [0, 255, 0, 255]);
@@ -95,26 +101,29 @@ async function testSources(tap, { browser, address }) {
     }));
 }
 
-async function testWheel(tap, { browser, address, shot }) {
+async function testWheel(tap, { pages, address, shot }) {
   await tap.test("npm: a wheel scrolls the page and hints; with Ctrl it zooms", () =>
-    visit(browser, address, { expected }, async (page) => {
+    visit(pages, address, { expected }, async (page) => {
       await ready(page, "first");
       const { zoom } = await viewOf(page, "first");
       checkNear(zoom, 1, 0.01, "the zoom that fits");
+      // A hint stands for little more than a second: each is noted.
+      await page.evaluate(() => {
+        const hint = document.getElementById("first").shadowRoot.getElementById("hint");
+        window.hints = [];
+        new MutationObserver(() => window.hints.push([hint.className, hint.textContent])).observe(hint, { attributeFilter: ["class"] });
+      });
       await page.mouse.move(150, 130);
       await page.mouse.wheel(0, 200);
       await page.waitForFunction(() => window.scrollY > 100);
       checkEqual((await viewOf(page, "first")).zoom, zoom, "the zoom after a wheel");
-      const hint = () => page.evaluate(() => {
-        const element = document.getElementById("first").shadowRoot.getElementById("hint");
-        return [element.className, element.textContent];
-      });
-      checkEqual(await hint(), ["shown", "Ctrl + wheel zooms"], "the hint");
       await page.evaluate(() => window.scrollTo(0, 0));
       await page.mouse.wheel(0, 1);
-      await page.waitForTimeout(200); // the hint fades in
+      // The hint fades in.
+      await page.evaluate(() => Promise.all(document.getElementById("first").shadowRoot.getAnimations().map((one) => one.finished.catch(() => {}))));
       await shot(page, "hint");
-      await page.waitForFunction(() => document.getElementById("first").shadowRoot.getElementById("hint").className === "");
+      await page.waitForFunction(() => window.hints.at(-1)?.[0] === "");
+      checkEqual(await page.evaluate(() => window.hints[0]), ["shown", "Ctrl + wheel zooms"], "the hint");
       await page.evaluate(() => window.scrollTo(0, 0));
       await page.keyboard.down("Control");
       await page.mouse.wheel(0, -300);
@@ -128,7 +137,7 @@ async function testWheel(tap, { browser, address, shot }) {
       await page.waitForFunction((zoomed) => document.getElementById("first").view.zoom > zoomed, before);
     }));
   await tap.test("npm: without `interactive` nothing answers", () =>
-    visit(browser, address, { expected }, async (page) => {
+    visit(pages, address, { expected }, async (page) => {
       await ready(page, "second");
       const before = await viewOf(page, "second");
       const box = await page.locator("#second").boundingBox();
@@ -137,14 +146,14 @@ async function testWheel(tap, { browser, address, shot }) {
       await page.mouse.move(box.x + 60, box.y + 60);
       await page.mouse.up();
       await page.evaluate(() => document.getElementById("second").dispatchEvent(new KeyboardEvent("keydown", { key: "+" })));
-      await page.waitForTimeout(100);
+      await frames(page, 10);
       checkEqual(await viewOf(page, "second"), before, "the view");
     }));
 }
 
-async function testHands(tap, { browser, address }) {
+async function testHands(tap, { pages, address }) {
   await tap.test("npm: dragging and double clicks move and zoom", () =>
-    visit(browser, address, { expected, reducedMotion: "reduce" }, async (page) => {
+    visit(pages, address, { expected, reducedMotion: "reduce" }, async (page) => {
       await ready(page, "first");
       await page.mouse.move(150, 130);
       await page.mouse.down();
@@ -158,7 +167,7 @@ async function testHands(tap, { browser, address }) {
       checkEqual(await page.evaluate(() => document.activeElement.id), "first", "the focus");
     }));
   await tap.test("npm: keys move and zoom, and Tab leaves", () =>
-    visit(browser, address, { expected, reducedMotion: "reduce" }, async (page) => {
+    visit(pages, address, { expected, reducedMotion: "reduce" }, async (page) => {
       await ready(page, "first");
       await page.keyboard.press("Tab");
       checkEqual(await page.evaluate(() => document.activeElement.id), "first", "the focus after Tab");
@@ -172,21 +181,20 @@ async function testHands(tap, { browser, address }) {
       check((await page.evaluate(() => document.activeElement.id)) !== "first", "the focus is held");
     }));
   await tap.test("npm: one finger is the page's, two are the picture's", () =>
-    visit(browser, address, { expected, hasTouch: true, reducedMotion: "reduce" }, async (page) => {
+    visit(pages, address, { expected, hasTouch: true, reducedMotion: "reduce" }, async (page) => {
       await ready(page, "first");
       const session = await page.context().newCDPSession(page);
       const touch = (type, ...points) => session.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([x, y]) => ({ x, y })) });
+      // The page may glide on for a while, and only then is a second gesture one of its own.
+      await page.evaluate(() => addEventListener("scrollend", () => (window.isScrolled = true), { once: true }));
       await touch("touchStart", [150, 160]);
       for (let i = 1; i <= 8; ++i) await touch("touchMove", [150, 160 - 10 * i]);
       await touch("touchEnd");
-      await page.waitForFunction(() => window.scrollY > 0);
+      await page.waitForFunction(() => window.isScrolled);
+      check((await page.evaluate(() => window.scrollY)) > 0, "the page did not scroll");
       checkEqual(await viewOf(page, "first"), { x: 150, y: 100, zoom: 1 }, "the view after one finger");
-      // The page may glide on for a while, and only then is a second gesture one of its own.
-      await page.waitForTimeout(500);
-      await page.evaluate(() => new Promise((resolve) => {
-        window.scrollTo(0, 0);
-        requestAnimationFrame(() => requestAnimationFrame(() => resolve()));
-      }));
+      await page.evaluate(() => window.scrollTo(0, 0));
+      await frames(page, 2);
       await touch("touchStart", [130, 130], [170, 130]);
       for (let i = 1; i <= 8; ++i) await touch("touchMove", [130 - 5 * i, 130], [170 + 5 * i, 130]);
       await touch("touchEnd");
@@ -194,9 +202,9 @@ async function testHands(tap, { browser, address }) {
     }));
 }
 
-async function testWords(tap, { browser, address, shot }) {
+async function testWords(tap, { pages, address, shot }) {
   await tap.test("npm: what cannot be drawn leaves its still picture and says why", () =>
-    visit(browser, address, { expected }, async (page) => {
+    visit(pages, address, { expected }, async (page) => {
       const said = { missing: /gone\.svg: 404/, webpage: /answered with a web page/, broken: /broken\.svg:3:/ };
       for (const [id, words] of Object.entries(said)) {
         const why = await reason(page, id);
@@ -214,10 +222,10 @@ async function testWords(tap, { browser, address, shot }) {
     }));
 }
 
-export async function testElement(tap, browser, address, folder) {
+export async function testElement(tap, pages, address, folder) {
   mkdirSync(folder, { recursive: true });
   const shot = (page, name) => page.screenshot({ path: `${folder}/${name}.png` });
-  const given = { browser, address, shot };
+  const given = { pages, address, shot };
   await testFirst(tap, given);
   await testSources(tap, given);
   await testWheel(tap, given);

@@ -1,16 +1,17 @@
 // How <sfumato-picture> gets on with the page, the browser and those who do not see it.
 import { readFileSync } from "node:fs";
+import { Pages } from "../../../tests/viewer/harness.mjs";
 import { checkPixel, launch, visit } from "./builds.mjs";
-import { settled } from "./element.mjs";
-import { check, checkEqual, packageOf } from "./tools.mjs";
+import { frames, settled } from "./element.mjs";
+import { PATIENCE, check, checkEqual, packageOf } from "./tools.mjs";
 
 const expected = /status of 404/;
 const axe = readFileSync(packageOf.resolve("axe-core/axe.min.js"), "utf8");
 const ready = (page, id) => page.evaluate((name) => document.getElementById(name).ready, id);
 
-async function testAccess(tap, { browser, address }) {
+async function testAccess(tap, { pages, address }) {
   await tap.test("npm: pictures have names, and axe finds nothing", () =>
-    visit(browser, address, { expected }, async (page) => {
+    visit(pages, address, { expected }, async (page) => {
       await ready(page, "first");
       await ready(page, "second");
       const told = await page.evaluate(() => ["first", "second", "missing"].map((id) => {
@@ -24,7 +25,7 @@ async function testAccess(tap, { browser, address }) {
       checkEqual(found.violations.map(({ id, nodes }) => [id, nodes.map(({ html }) => html)]), [], "violations");
     }));
   await tap.test("npm: what the page says of roles and names stands", () =>
-    visit(browser, address, { expected }, async (page) => {
+    visit(pages, address, { expected }, async (page) => {
       const told = await page.evaluate(() => {
         const picture = document.createElement("sfumato-picture");
         picture.setAttribute("role", "figure");
@@ -42,9 +43,10 @@ async function testAccess(tap, { browser, address }) {
     }));
 }
 
-async function testLosses(tap, { browser, address }) {
+async function testLosses(tap, { pages, address }) {
   await tap.test("npm: a lost context comes back, or another takes its place", async () => {
-    const context = await browser.newContext();
+    const context = await pages.browser.newContext();
+    context.setDefaultTimeout(PATIENCE);
     try {
       const page = await context.newPage();
       // The page has no way to the element's context.
@@ -95,7 +97,8 @@ async function testLosses(tap, { browser, address }) {
   };
   for (const [what, [words, id, before]] of Object.entries(without)) {
     await tap.test(`npm: without ${what} the still picture stays, and an event says so`, async () => {
-      const context = await browser.newContext();
+      const context = await pages.browser.newContext();
+      context.setDefaultTimeout(PATIENCE);
       try {
         const page = await context.newPage();
         await page.addInitScript(before);
@@ -110,7 +113,8 @@ async function testLosses(tap, { browser, address }) {
     });
   }
   await tap.test("npm: without WebAssembly payloads are drawn, and drawings say so", async () => {
-    const context = await browser.newContext();
+    const context = await pages.browser.newContext();
+    context.setDefaultTimeout(PATIENCE);
     try {
       const page = await context.newPage();
       await page.route(/worker[^/]*\.js$/, async (route) => {
@@ -148,13 +152,13 @@ async function testForty(browser, address) {
   const blank = await browser.newPage();
   const before = await memoryOf(browser);
   await blank.close();
-  await visit(browser, `${address}many.html`, {}, async (page) => {
+  await visit(new Pages(browser), `${address}many.html`, {}, async (page) => {
     const seen = () => page.evaluate(() => [...document.querySelectorAll("sfumato-picture")].filter((picture) => picture.frames > 0).length);
     await page.waitForFunction(() => document.querySelectorAll("sfumato-picture")[0].frames > 0);
     check((await seen()) < 40, "those far below are drawn");
     for (let y = 0; y < 4000; y += 400) {
       await page.evaluate((to) => window.scrollTo(0, to), y);
-      await page.waitForTimeout(150);
+      await frames(page, 5);
     }
     await page.evaluate(() => document.querySelectorAll("sfumato-picture")[39].scrollIntoView());
     await page.waitForFunction(() => document.querySelectorAll("sfumato-picture")[39].frames > 0);
@@ -171,7 +175,7 @@ async function testForty(browser, address) {
   });
 }
 
-async function testMany(tap, { browser, address }) {
+async function testMany(tap, { pages, address }) {
   await tap.test("npm: forty pictures of a page share a context, a worker and their memory", async () => {
     const other = await launch();
     try {
@@ -181,7 +185,7 @@ async function testMany(tap, { browser, address }) {
     }
   });
   await tap.test("npm: elements come, move and go", () =>
-    visit(browser, address, { expected }, async (page) => {
+    visit(pages, address, { expected, ratio: 1 }, async (page) => {
       await ready(page, "first");
       await page.evaluate(() => {
         const picture = document.getElementById("first");
@@ -191,10 +195,11 @@ async function testMany(tap, { browser, address }) {
       await page.evaluate(() => document.getElementById("first").style.setProperty("width", "450px"));
       await page.waitForFunction(() => document.getElementById("first").shadowRoot.querySelector("canvas").width === 450);
       await page.evaluate(() => document.querySelectorAll("sfumato-picture").forEach((picture) => picture.remove()));
-      await page.waitForTimeout(200);
+      // What goes makes no complaint a little later.
+      await frames(page, 10);
     }));
   await tap.test("npm: paper gets the whole picture", () =>
-    visit(browser, `${address}print.html`, {}, async (page) => {
+    visit(pages, `${address}print.html`, {}, async (page) => {
       await ready(page, "first");
       await settled(page, "first", "close");
       await page.evaluate(() => window.dispatchEvent(new Event("beforeprint")));
@@ -209,8 +214,8 @@ async function testMany(tap, { browser, address }) {
     }));
 }
 
-export async function testManners(tap, browser, address) {
-  const given = { browser, address };
+export async function testManners(tap, pages, address) {
+  const given = { pages, address };
   await testAccess(tap, given);
   await testLosses(tap, given);
   await testMany(tap, given);

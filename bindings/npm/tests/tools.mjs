@@ -7,15 +7,11 @@ import { extname, join, normalize } from "node:path";
 import { pathToFileURL } from "node:url";
 import { pathOf } from "../../../tests/viewer/harness.mjs";
 
-export { check, checkNear, pathOf, Skip, Tap } from "../../../tests/viewer/harness.mjs";
+export { PATIENCE, Skip, Tap, check, checkEqual, checkNear } from "../../../tests/tap.mjs";
+export { pathOf } from "../../../tests/viewer/harness.mjs";
 
 /** Packages that only the tests need. */
 export const packageOf = createRequire(import.meta.url);
-
-export function checkEqual(actual, expected, what) {
-  const [a, b] = [actual, expected].map((value) => JSON.stringify(value));
-  if (a !== b) throw new Error(`${what}: ${a}, expected ${b}`);
-}
 
 /** Runs a program, and has what it says in the error where it fails. */
 export function run(folder, program, ...words) {
