@@ -16,7 +16,7 @@ help:
 	@echo 'make test    the quick tests: a minute or two once all is built'
 	@echo 'make check   the quick tests, and the style: before each change is handed in'
 	@echo 'make check-all   the slow tests, WebAssembly, browsers, Python, npm, outside programs'
-	@echo 'make soak    the slow tests with all their random cases: hours'
+	@echo 'make soak    the native tests with all their random cases: hours'
 	@echo 'make docs    the API reference: build/docs/html/index.html'
 	@echo 'make kills   outputs under 1,000 times kill -9'
 	@echo 'make check-slurm   tiles and frames by Slurm and GNU parallel on this machine'
@@ -66,7 +66,7 @@ soak:
 	@scripts/setup build cache check viewers
 	@cmake --preset release -DSFUMATO_TESTS=ON -DSFUMATO_WERROR=OFF --log-level=WARNING >/dev/null
 	@cmake --build $(build_folder) --parallel $(jobs)
-	@SFUMATO_SOAK=1 ctest --test-dir $(build_folder) --label-regex slow --timeout 7200 --parallel $(jobs) --progress \
+	@SFUMATO_SOAK=1 ctest --test-dir $(build_folder) --timeout 7200 --parallel $(jobs) --progress \
 	  --output-on-failure --no-tests=error
 
 docs:
