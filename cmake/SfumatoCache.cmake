@@ -11,11 +11,20 @@ if(NOT SFUMATO_CCACHE_PROGRAM)
 endif()
 # pch_defines and time_macros are what ccache's manual asks for with precompiled headers. Their times
 # differ from clone to clone; their bytes do not.
-set(cache_settings
+set(launcher ${CMAKE_COMMAND} -E env
   CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=1
-  CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime)
+  CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
+  ${SFUMATO_CCACHE_PROGRAM})
+# ccache fails where it may not write its folder, as for a user without a home.
+set(probe ${PROJECT_BINARY_DIR}/CMakeFiles/ccache_probe)
+file(WRITE ${probe}.cpp "int probe;\n")
+execute_process(COMMAND ${launcher} ${CMAKE_CXX_COMPILER} -c ${probe}.cpp -o ${probe}.o
+                RESULT_VARIABLE status OUTPUT_QUIET ERROR_QUIET)
+if(NOT status EQUAL 0)
+  message(STATUS "ccache does not work here: compiling without it")
+  return()
+endif()
 foreach(language C CXX)
-  set(CMAKE_${language}_COMPILER_LAUNCHER
-      ${CMAKE_COMMAND} -E env ${cache_settings} ${SFUMATO_CCACHE_PROGRAM})
+  set(CMAKE_${language}_COMPILER_LAUNCHER ${launcher})
 endforeach()
 add_compile_options(-ffile-prefix-map=${PROJECT_SOURCE_DIR}=.)
