@@ -3,7 +3,7 @@ import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { check, checkEqual, EditorPage, Skip } from "./harness.mjs";
+import { check, checkEqual, EditorPage, PATIENCE, Skip } from "./harness.mjs";
 import { largestDifference } from "./pixels.mjs";
 
 /** Of the layers' curves: x and y of the four points. */
@@ -23,12 +23,15 @@ const drawing = (paint = "#124") => `<svg xmlns="http://www.w3.org/2000/svg" xml
 
 /** Few pixels: software takes a second for some thousands. */
 const RATIO = 0.25;
-const opened = { size: [900, 640], ratio: RATIO, isDrawn: true };
+const opened = { size: [800, 480], ratio: RATIO, isDrawn: true };
 
 const state = (editor) => editor.page.evaluate(() => window.sfumatoEditor.exactPixels);
 
+/** A busy machine gathers them by the few: that takes longer than other states. */
 const becomes = (editor, kind) =>
-  editor.page.waitForFunction((wanted) => window.sfumatoEditor.exactPixels.kind === wanted, kind);
+  editor.page.waitForFunction((wanted) => window.sfumatoEditor.exactPixels.kind === wanted, kind, {
+    timeout: 4 * PATIENCE,
+  });
 
 async function gathered(editor) {
   await editor.settled();

@@ -93,14 +93,14 @@ async function testHtml(editor, browser) {
   const { name, bytes } = await exported(editor, "HTML");
   checkEqual(name, "small.html", "the page's name");
   const folder = mkdtempSync(join(tmpdir(), "sfumato-html-"));
-  const page = await browser.newPage({ viewport: { width: 320, height: 320 } });
+  const page = await browser.newPage({ viewport: { width: 160, height: 160 } });
   page.setDefaultTimeout(PATIENCE);
   try {
     const errors = [];
     page.on("pageerror", (error) => errors.push(String(error)));
     writeFileSync(join(folder, name), bytes);
     await page.goto(pathToFileURL(join(folder, name)).href);
-    await page.waitForFunction(() => document.querySelector("canvas")?.width > 300);
+    await page.waitForFunction(() => document.querySelector("canvas")?.width === 160);
     const colors = async () => new Set(decode(await page.screenshot()).data).size;
     await until("the exported page shows a picture", async () => (await colors()) >= 64);
     await page.evaluate(() => void (window.sfumatoViewer.exact = true));

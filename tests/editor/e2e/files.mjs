@@ -5,6 +5,7 @@ import { join } from "node:path";
 import { gzipSync } from "node:zlib";
 import { drop, dropPaths, giveDisk, Disk } from "./disk.mjs";
 import { check, checkEqual, EditorPage, newContext, pathOf } from "./harness.mjs";
+import { messagesGo } from "./hooks.mjs";
 import { example, small, utf16 } from "./texts.mjs";
 import { closeDialog, said, shows } from "./words.mjs";
 
@@ -108,6 +109,7 @@ async function testPaths(editor) {
     await dropPaths(editor, [folder]);
     await said(page, /This is a folder/, "dialog");
     await closeDialog(page);
+    await messagesGo(page);
     const files = ["textures.svg", "wood.png", "waves.png", "hemp.png"];
     await dropPaths(editor, files.map((name) => pathOf(`examples/${name}`)));
     await shows(page, example("textures.svg"));

@@ -6,7 +6,7 @@ import { gzipSync } from "node:zlib";
 import { drop as dropFiles } from "./disk.mjs";
 import { FirefoxPage } from "./gecko.mjs";
 import { check, checkEqual, pathOf, serve, Skip } from "./harness.mjs";
-import { atOnce } from "./hooks.mjs";
+import { atOnce, messagesGo } from "./hooks.mjs";
 import { largestDifference } from "./pixels.mjs";
 import { endEdit, startEdit } from "./served.mjs";
 import { example, small } from "./texts.mjs";
@@ -131,7 +131,7 @@ export async function testLostContext(editor) {
   await editor.until("it is told", () => /graphics card let go/.test(document.body.textContent));
   await editor.page.evaluate(() => window.taken.restoreContext());
   await editor.until("it comes back", () => !document.querySelector("canvas.picture").getContext("webgl2").isContextLost());
-  await editor.press(/./, ".toast button");
+  await messagesGo(editor.page);
   await editor.until("the words go", () => !document.querySelector(".toast"));
   checkEqual(largestDifference(before, await editor.picture()), 0, "the picture after the graphics came back");
 }

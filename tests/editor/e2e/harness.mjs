@@ -192,15 +192,19 @@ export class EditorPage {
   async shot(name) {
     const folder = pathOf("build/editor-shots");
     mkdirSync(folder, { recursive: true });
-    // It stays: with its end the window would have another size.
-    const session = await this.context.newCDPSession(this.page);
-    const size = this.page.viewportSize();
-    const show = (deviceScaleFactor) =>
-      session.send("Emulation.setDeviceMetricsOverride", { ...size, deviceScaleFactor, mobile: false });
     const ratio = await this.page.evaluate(() => devicePixelRatio);
-    await show(1);
+    if (ratio !== 1) await this.#showAt(1);
     await this.page.screenshot({ path: `${folder}/${name}.png`, caret: "initial" });
-    await show(ratio);
+    if (ratio !== 1) await this.#showAt(ratio);
+  }
+
+  /** From now on a CSS pixel has so many of the screen. */
+  async #showAt(deviceScaleFactor) {
+    // It stays: with its end the window would have another size.
+    this.screen ??= await this.context.newCDPSession(this.page);
+    const size = this.page.viewportSize();
+    const wanted = { ...size, deviceScaleFactor, mobile: false };
+    await this.screen.send("Emulation.setDeviceMetricsOverride", wanted);
   }
 
   close() {

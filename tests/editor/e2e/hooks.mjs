@@ -19,21 +19,29 @@ export function installHooks() {
 
   // A slow machine may need the time that a message stands, 5 s, to press its button.
   const { setTimeout } = window;
-  window.setTimeout = (act, delay, ...more) =>
-    setTimeout(act, delay === 5000 ? 1e6 : delay, ...more);
+  const standing = [];
+  window.setTimeout = (act, delay, ...more) => {
+    if (delay !== 5000) return setTimeout(act, delay, ...more);
+    standing.push(act);
+    return 0;
+  };
+  const letMessagesGo = () => standing.splice(0).forEach((act) => act());
 
   /** names: of all calls; waiting: those without an answer, by worker. */
   const calls = { names: [], waiting: new Map() };
-  const count = (worker, by) => calls.waiting.set(worker, (calls.waiting.get(worker) ?? 0) + by);
+  const count = (worker, by) => calls.waiting.set(worker, calls.waiting.get(worker) + by);
   const hear = (worker) => {
     if (calls.waiting.has(worker)) return;
+    calls.waiting.set(worker, 0);
     worker.addEventListener("message", ({ data }) => {
-      if (data && "id" in data && !("note" in data)) count(worker, -1);
+      // A worker that was ended may have answered before.
+      if ("id" in data && calls.waiting.has(worker)) count(worker, -1);
     });
   };
   const { postMessage, terminate } = Worker.prototype;
   Worker.prototype.postMessage = function (message, ...more) {
-    if (message && "name" in message && "given" in message) {
+    // Others than the engine's take messages of their own.
+    if (typeof message?.name === "string" && "given" in message) {
       hear(this);
       count(this, 1);
       calls.names.push(message.name);
@@ -46,7 +54,7 @@ export function installHooks() {
   };
   const isIdle = () => [...calls.waiting.values()].every((waiting) => waiting === 0);
   const callsOf = (wanted) => calls.names.filter((name) => name === wanted).length;
-  window.tests = { clock, isIdle, callsOf };
+  window.tests = { clock, letMessagesGo, isIdle, callsOf };
 }
 
 /**
@@ -78,6 +86,9 @@ export async function atOnce(page, act) {
     await page.evaluate(() => void (window.tests.clock.held = null));
   }
 }
+
+/** Messages have stood for their time. */
+export const messagesGo = (page) => page.evaluate(() => window.tests.letMessagesGo());
 
 /** When timers of the page that are due within so many milliseconds have run. */
 export const timersHaveRun = (page, milliseconds) =>

@@ -5,6 +5,7 @@ import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { copied, drop, paste } from "./disk.mjs";
 import { check, checkEqual, EditorPage, newContext, packageOf, serve } from "./harness.mjs";
+import { messagesGo } from "./hooks.mjs";
 import { example, small } from "./texts.mjs";
 import { closeDialog, edit, said, shows } from "./words.mjs";
 
@@ -44,7 +45,7 @@ async function testLostContext(editor) {
   await page.evaluate(() => window.taken.restoreContext());
   await page.waitForFunction(() => !document.querySelector("canvas.picture").getContext("webgl2").isContextLost());
   await editor.key("Control+Shift+a");
-  await page.locator(".toast button").click();
+  await messagesGo(page);
   await page.waitForFunction(() => !document.querySelector(".toast"));
   // Marks of what has the focus may lie above it.
   const others = share(before, await editor.picture());
