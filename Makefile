@@ -1,9 +1,10 @@
-# The front door. `make help` lists what there is.
+# The entry point of the project. `make help` lists the targets.
 
 build_folder := build
 jobs := $(shell nproc 2>/dev/null || echo 2)
 scene := examples/portrait.svg
 equal_scenes := 1-1000
+targets := sfumato sfumato_library sfumato_c
 fuzz_seconds := 60
 
 .DEFAULT_GOAL := help
@@ -12,36 +13,37 @@ fuzz_seconds := 60
 
 help:
 	@echo 'make demo    install what the build needs, build, draw $(scene)'
-	@echo 'make build   the command: $(build_folder)/sfumato, and what cmake --install takes'
-	@echo 'make test    the quick tests: a minute or two once all is built'
-	@echo 'make check   the quick tests, and the style: before each change is handed in'
+	@echo 'make build   the command, $(build_folder)/sfumato, and the library for cmake --install'
+	@echo 'make test    the quick tests: one or two minutes after the build'
+	@echo 'make check   the quick tests and the style; run it before you submit a change'
 	@echo 'make check-all   the slow tests, WebAssembly, browsers, Python, npm, outside programs'
 	@echo 'make soak    the native tests with all their random cases: hours'
 	@echo 'make docs    the API reference: build/docs/html/index.html'
-	@echo 'make kills   outputs under 1,000 times kill -9'
-	@echo 'make check-slurm   tiles and frames by Slurm and GNU parallel on this machine'
+	@echo 'make kills   write outputs while 1,000 kill -9 interrupt them'
+	@echo 'make check-slurm   tiles and frames with Slurm and GNU parallel on this machine'
 	@echo 'make sanitize  the unit tests under AddressSanitizer, UBSan and ThreadSanitizer'
 	@echo 'make fuzz    each fuzz target for fuzz_seconds=$(fuzz_seconds) (fuzz/README.md)'
 	@echo 'make bench   the table of docs/benchmarks.md on this machine'
 	@echo 'make hostile-growth   time and memory of hostile inputs, doubled twice'
 	@echo 'make hostile-sanitized   all hostile inputs under AddressSanitizer and UBSan'
-	@echo 'make equal   random scenes $(equal_scenes): the same bits by any threads and instructions'
-	@echo 'make equal-by-clang   the library that clang makes of the same files gives the bits of that of g++'
+	@echo 'make equal   random scenes $(equal_scenes): the same bits for all thread counts and instruction sets'
+	@echo 'make equal-by-clang   the library built by clang gives the same bits as the one built by g++'
 	@echo 'make wasm    the library for WebAssembly: build-wasm/sfumato.wasm'
 	@echo 'make editor  draw in a browser: $(build_folder)/editor/ and $(build_folder)/editor.html'
-	@echo 'make editor-tests   the editor in Chromium: all that a person does, and what fuzzers found; in Firefox the core of it'
-	@echo 'make python  the wheel: $(build_folder)/python/, tested where it is installed'
-	@echo 'make npm     the package for npm: $(build_folder)/npm/sfumato-*.tgz, tested where it is installed'
-	@echo 'make deb     packages for Debian: $(build_folder)/debian/*.deb, tried in a clean Debian'
-	@echo 'make reproducible  two builds in two folders are the same bytes'
+	@echo 'make editor-tests   the editor in Chromium: all user actions, and the inputs of the fuzzers; its core in Firefox'
+	@echo 'make python  the wheel, $(build_folder)/python/, tested after installation'
+	@echo 'make npm     the npm package, $(build_folder)/npm/sfumato-*.tgz, tested after installation'
+	@echo 'make deb     the Debian packages, $(build_folder)/debian/*.deb, tested in a clean Debian'
+	@echo 'make reproducible  check that two builds in two folders give the same bytes'
 	@echo 'make clean   remove what was built'
 
 build:
 	@scripts/setup build cache
 	@cmake --preset release -DSFUMATO_TESTS=OFF -DSFUMATO_BENCH=OFF -DSFUMATO_WERROR=OFF \
 	  --log-level=WARNING >/dev/null
-	@cmake --build $(build_folder) --parallel $(jobs) --target sfumato sfumato_library sfumato_c
+	@cmake --build $(build_folder) --parallel $(jobs) --target $(targets)
 
+demo: targets := sfumato
 demo: build
 	@$(build_folder)/sfumato render $(scene) -o $(build_folder)/demo.png --scale 2
 	@$(build_folder)/sfumato render $(scene) -o $(build_folder)/demo.html

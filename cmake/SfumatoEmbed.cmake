@@ -1,6 +1,6 @@
-# sfumato_embed(TARGET FOLDER FILE...): compiles text files of FOLDER into TARGET, as
-# embedded_file() of src/display/embedded.hpp, by the names given here. NAME=PATH is a file of
-# another folder, PATH from the project's own.
+# sfumato_embed(TARGET FOLDER FILE...): compiles text files of FOLDER into TARGET, available by the names
+# given here from embedded_file() of src/display/embedded.hpp. NAME=PATH is a file of another folder; PATH
+# is relative to the project.
 function(sfumato_embed target folder)
   set(generated ${CMAKE_CURRENT_BINARY_DIR}/embed_${target}.cpp)
   set(paths)

@@ -1,40 +1,49 @@
-# One static library for each folder of src/, linked only to the folders that it may use.
+# Builds one static library for each folder of src/, linked only to the folders that it may use.
 
 add_library(sfumato_flags INTERFACE)
 target_compile_options(sfumato_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow
                        $<$<BOOL:${SFUMATO_WERROR}>:-Werror>)
-# The same bits for any compiler and instruction set: no contraction, and no vectorising of pairs of
+# Gives the same bits with any compiler and instruction set: no contraction, and no vectorising of pairs of
 # rounded doubles, which g++ 12.2 gets wrong.
 target_compile_options(sfumato_flags INTERFACE -ffp-contract=off -fno-math-errno)
 if(NOT SFUMATO_WASM)
-  # One compilation for both libraries: what the shared one does not export costs it nothing to be
-  # position-independent.
+  # Compiles once for both libraries; position-independent code costs nothing for functions that the shared
+  # library does not export.
   target_compile_options(sfumato_flags INTERFACE -fPIC -fvisibility=hidden
                          $<$<COMPILE_LANGUAGE:CXX>:-fvisibility-inlines-hidden>)
 endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  # g++ 12 warns of overlapping copies in "text" + std::string where there are none (PR 105329), and
-  # of writes past a std::vector that has just grown (PR 105562).
+  # g++ 12 warns falsely of overlapping copies in "text" + std::string (PR 105329), and of writes past a
+  # std::vector that has just grown (PR 105562).
+  # Collecting garbage after each 512 MB instead of 128 MB saves a tenth of the compile time.
   target_compile_options(sfumato_flags INTERFACE -fno-tree-slp-vectorize -Wno-psabi -Wno-restrict
-                         -Wno-stringop-overflow)
+                         -Wno-stringop-overflow --param=ggc-min-heapsize=524288)
 endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
-  # std::stable_sort of g++ 12's library uses what the standard has deprecated.
+  # std::stable_sort of g++ 12's library uses deprecated functions of the standard.
   target_compile_options(sfumato_flags INTERFACE -Wno-deprecated-declarations)
 endif()
 if(SFUMATO_SANITIZE)
-  # Sizes of objects are AddressSanitizer's affair. They and the sums of pointers are looked at in
-  # each lane of a kernel: two minutes of compiling for each instruction set instead of six seconds.
+  # AddressSanitizer checks the sizes of objects. UBSan's checks of sizes and of pointer sums in each lane
+  # of a kernel cost two minutes of compiling for each instruction set instead of six seconds.
   target_compile_options(sfumato_flags INTERFACE -fsanitize=${SFUMATO_SANITIZE}
                          -fno-sanitize=object-size,pointer-overflow
                          -fno-sanitize-recover=all -fno-omit-frame-pointer)
-  # Programs of 100 MB with what sanitizers add: lld links them in a fraction of the time.
+  # Sanitizers make programs of 100 MB, which lld links in a fraction of the time.
   target_link_options(sfumato_flags INTERFACE -fsanitize=${SFUMATO_SANITIZE} -fuse-ld=lld)
 endif()
 
-# sfumato_precompiled_headers(NAME [HEADER...]): a target of no code that reads once what most files
-# include, and the headers named. Its usage requirements and options are to be set as those of the
-# targets that share it.
+# Options for code that runs once: optimising it takes longer than running it. g++ restores options from a
+# precompiled header, so each set of options needs its own header.
+set(sfumato_cold_options $<$<CONFIG:Release>:-O1>)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # At -O1, g++ 12 warns of uninitialised values of an empty std::variant or std::optional.
+  list(APPEND sfumato_cold_options -Wno-maybe-uninitialized)
+endif()
+
+# sfumato_precompiled_headers(NAME [HEADER...]): a target without code that reads, once, the headers that
+# most files include and the headers given here. Set the same usage requirements and options for it as for
+# the targets that share it.
 function(sfumato_precompiled_headers name)
   set(source ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp)
   file(CONFIGURE OUTPUT ${source} CONTENT "")
@@ -44,35 +53,35 @@ function(sfumato_precompiled_headers name)
                             ${ARGN})
 endfunction()
 
-# sfumato_precompile(TARGET HEADERS): TARGET takes what HEADERS has read, where there is such a target.
+# sfumato_precompile(TARGET HEADERS): lets TARGET reuse the headers of HEADERS, if that target exists.
 function(sfumato_precompile target headers)
   if(TARGET ${headers})
     target_precompile_headers(${target} REUSE_FROM ${headers})
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-      # The false warning of PR 105329 has these further names where std::string is precompiled.
+      # With a precompiled std::string, the false warning of PR 105329 has these further names.
       target_compile_options(${target} PRIVATE -Wno-array-bounds -Wno-stringop-overread)
     endif()
   endif()
 endfunction()
 
-# sfumato_unity(TARGET SOURCE...): files are compiled sixteen at a time, as one. The compiler reads,
-# instantiates and optimises what they include once. Kernels are long enough alone. Libraries leave out
-# photos by the names of their objects, and modules of WebAssembly have other files in the place of some.
+# sfumato_unity(TARGET SOURCE...): compiles thirty-two files at a time as one, so that the compiler reads,
+# instantiates and optimises their headers once. Kernels are long enough to compile alone. Photos are
+# excluded because libraries leave out their objects by name, and WebAssembly modules replace some files.
 function(sfumato_unity target)
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 16)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 32)
   foreach(source ${ARGN})
-    if(source MATCHES "/kernels/|/codecs/photo|_wasm\\.cpp$|/html/viewer_exact\\.cpp$")
+    if(source MATCHES "/kernels/|/codecs/photo/|_wasm\\.cpp$|/html/viewer_exact\\.cpp$")
       set_source_files_properties(${source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
     endif()
   endforeach()
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    # It takes what a file has for itself for what a header gives to many.
+    # g++ mistakes a file's private names for names of a header.
     target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
   endif()
 endfunction()
 
-# with_users_first(LIST PATTERN): moves files that match the pattern to the front of a list of files, so
-# that unity compiles them together, and the templates that they share once.
+# with_users_first(LIST PATTERN): moves files that match the pattern to the front of a list, so that a unity
+# build compiles them together, and the templates that they share only once.
 function(with_users_first list pattern)
   set(users)
   foreach(source ${${list}})
@@ -86,8 +95,9 @@ function(with_users_first list pattern)
   set(${list} ${users} ${others} PARENT_SCOPE)
 endfunction()
 
-# sfumato_fast_objects(NAME FROM OBJECTS): takes the kernels and what SFUMATO_FAST_SOURCES names out of the list
-# FROM, for WebAssembly, and gives their objects, compiled with -O3, in the list OBJECTS.
+# sfumato_fast_objects(NAME FROM OBJECTS): for WebAssembly, removes the kernels and the files of
+# SFUMATO_FAST_SOURCES from the list FROM, compiles them with -O3, and returns their objects in the list
+# OBJECTS.
 function(sfumato_fast_objects name from objects)
   set(others ${${from}})
   set(fast)
@@ -104,7 +114,8 @@ function(sfumato_fast_objects name from objects)
   endif()
 endfunction()
 
-# sfumato_object_library(TARGET OPTION SOURCE...): objects of files of src/, compiled with an option of their own.
+# sfumato_object_library(TARGET OPTION SOURCE...): objects of files of src/, compiled with an additional
+# option.
 function(sfumato_object_library target option)
   add_library(${target} OBJECT ${ARGN})
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src)
@@ -115,24 +126,49 @@ function(sfumato_object_library target option)
   endif()
 endfunction()
 
-# sfumato_folder(NAME [COLD] [USES folder...] [PRECOMPILED headers] [TOGETHER pattern]): library
-# sfumato_NAME from every .cpp in folder NAME but main.cpp, with sfumato_headers where no other headers are
-# named. COLD: no loop over pixels or nodes is here, so that -O3 would only cost compiling. TOGETHER: files
-# that match are compiled as one. Files that end in _avx2.cpp and _avx512.cpp are compiled for these
-# instruction sets.
+# sfumato_read_folders(FOLDERS): reads scripts/folder-order.txt. Returns the folders of src/ that this build
+# has in the list FOLDERS, in their order, and in sfumato_FOLDER_uses and sfumato_FOLDER_options the line of
+# each. Fails if a folder uses one that is not above it.
+function(sfumato_read_folders folders)
+  set(order ${PROJECT_SOURCE_DIR}/scripts/folder-order.txt)
+  set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${order})
+  set(found)
+  file(STRINGS ${order} lines REGEX "^[a-z]+( |:|$)")
+  foreach(line ${lines})
+    if(NOT line MATCHES "^([a-z]+)( \\(([a-z ]+)\\))?:([a-z/ ]*)$")
+      message(FATAL_ERROR "${order}: write \"folder (options): folder folder\" instead of \"${line}\"")
+    endif()
+    set(name ${CMAKE_MATCH_1})
+    separate_arguments(options UNIX_COMMAND "${CMAKE_MATCH_3}")
+    separate_arguments(uses UNIX_COMMAND "${CMAKE_MATCH_4}")
+    list(FILTER uses EXCLUDE REGEX "/")
+    if(SFUMATO_WASM AND "native" IN_LIST options)
+      continue()
+    endif()
+    foreach(other ${uses})
+      if(NOT other IN_LIST found)
+        message(FATAL_ERROR "${order}: ${name} uses ${other}, which is not above it")
+      endif()
+    endforeach()
+    list(APPEND found ${name})
+    set(sfumato_${name}_uses ${uses} PARENT_SCOPE)
+    set(sfumato_${name}_options ${options} PARENT_SCOPE)
+  endforeach()
+  set(${folders} ${found} PARENT_SCOPE)
+endfunction()
+
+# sfumato_folder(NAME): builds library sfumato_NAME from every .cpp in folder NAME except main.cpp, with the
+# uses and options of sfumato_read_folders(). Files that match the pattern sfumato_NAME_together, if it is set,
+# are compiled as one. Files that end in _avx2.cpp and _avx512.cpp are compiled for these instruction sets.
 function(sfumato_folder name)
-  cmake_parse_arguments(ARG "COLD" "PRECOMPILED;TOGETHER" "USES" ${ARGN})
-  if(NOT ARG_PRECOMPILED)
-    set(ARG_PRECOMPILED sfumato_headers)
-  endif()
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
   list(FILTER sources EXCLUDE REGEX "/main\\.cpp$")
   if(SFUMATO_WASM)
-    # No operating system and no other instruction set there; to decode pictures and to unpack gzip is
-    # the host's own affair.
+    # WebAssembly has no operating system and no other instruction set. The host decodes pictures and
+    # unpacks gzip.
     list(FILTER sources EXCLUDE REGEX "/native/(atomic_file|file|folder|posix)|_avx(2|512)\\.cpp$")
-    list(FILTER sources EXCLUDE REGEX "/codecs/(png_decode|jpeg|webp|photo|image_file|gunzip)")
-    # NAME_wasm.cpp stands in the place of NAME.cpp.
+    list(FILTER sources EXCLUDE REGEX "/codecs/(png/png_decode|jpeg/|webp/|photo/|image_file|gunzip)")
+    # NAME_wasm.cpp replaces NAME.cpp.
     foreach(source ${sources})
       if(source MATCHES "^(.*)_wasm\\.cpp$")
         list(REMOVE_ITEM sources ${CMAKE_MATCH_1}.cpp)
@@ -141,14 +177,14 @@ function(sfumato_folder name)
   else()
     list(FILTER sources EXCLUDE REGEX "_wasm\\.cpp$")
   endif()
-  # ThreadSanitizer sees NAME_tsan.cpp in the place of NAME.cpp.
+  # Under ThreadSanitizer, NAME_tsan.cpp replaces NAME.cpp.
   if(SFUMATO_SANITIZE MATCHES "thread")
     list(FILTER sources EXCLUDE REGEX "/tbb_executor\\.cpp$")
   else()
     list(FILTER sources EXCLUDE REGEX "_tsan\\.cpp$")
   endif()
-  if(ARG_TOGETHER)
-    with_users_first(sources ${ARG_TOGETHER})
+  if(sfumato_${name}_together)
+    with_users_first(sources ${sfumato_${name}_together})
   endif()
   set(fast_objects)
   if(SFUMATO_WASM)
@@ -160,19 +196,22 @@ function(sfumato_folder name)
   target_link_libraries(sfumato_${name} PUBLIC sfumato_flags)
   if(SFUMATO_WASM)
     target_compile_options(sfumato_${name} PRIVATE -Oz)
-  elseif(ARG_COLD AND NOT SFUMATO_SANITIZE)
-    target_compile_options(sfumato_${name} PRIVATE $<$<CONFIG:Release>:-O2>)
+  endif()
+  set(headers sfumato_headers)
+  if("cold" IN_LIST sfumato_${name}_options AND NOT SFUMATO_WASM)
+    target_compile_options(sfumato_${name} PRIVATE ${sfumato_cold_options})
+    set(headers sfumato_cold_headers)
   endif()
   if(SFUMATO_UNITY)
-    sfumato_precompile(sfumato_${name} ${ARG_PRECOMPILED})
+    sfumato_precompile(sfumato_${name} ${headers})
     sfumato_unity(sfumato_${name} ${sources})
   endif()
-  if(SFUMATO_SANITIZE MATCHES "fuzzer" AND NOT name MATCHES "^(base|document|codecs|formats)$")
-    # A fuzzer that is told what was compared guesses words of a grammar. Kernels would only spend
-    # half of their time on it.
+  if(SFUMATO_SANITIZE MATCHES "fuzzer" AND NOT "grammar" IN_LIST sfumato_${name}_options)
+    # Traced comparisons help a fuzzer to guess words of a grammar. In kernels they would only take half of
+    # the time.
     target_compile_options(sfumato_${name} PRIVATE -fno-sanitize-coverage=trace-cmp)
   endif()
-  foreach(folder ${ARG_USES})
+  foreach(folder ${sfumato_${name}_uses})
     target_link_libraries(sfumato_${name} PUBLIC sfumato_${folder})
   endforeach()
   if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")

@@ -1,11 +1,15 @@
-# sfumato::sfumato, the whole library as one archive; sfumato::c, the C interface as a shared library;
-# and what `cmake --install` puts where. Afterwards another project says find_package(sfumato) and
-# links one of them, or asks pkg-config for the C interface.
+# sfumato::sfumato, the whole library as one archive; sfumato::c, the C interface as a shared library; and
+# the places where `cmake --install` puts files. Another project then uses find_package(sfumato) and links
+# one of them, or asks pkg-config for the C interface.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-set(library_folders base document codecs curves formats picture import mesh gather trace raster solve display
-    export gpu api lint options output capi)
+set(library_folders)
+foreach(folder ${source_folders})
+  if(NOT "command" IN_LIST sfumato_${folder}_options)
+    list(APPEND library_folders ${folder})
+  endif()
+endforeach()
 add_library(sfumato_library STATIC)
 add_library(sfumato::sfumato ALIAS sfumato_library)
 set_target_properties(sfumato_library PROPERTIES
@@ -20,18 +24,18 @@ target_include_directories(sfumato_library INTERFACE
 target_link_libraries(sfumato_library PUBLIC TBB::tbb
   PRIVATE pugixml::pugixml PkgConfig::SPNG PkgConfig::WEBP PkgConfig::LCMS ZLIB::ZLIB JPEG::JPEG
   ${CMAKE_DL_LIBS})
-# The number of SFUMATO_ABI in sfumato.h.
+# The value of SFUMATO_ABI in sfumato.h.
 set(sfumato_abi 1)
-# sfumato_shared(NAME [EXCLUDE_FROM_ALL]): the C interface as a shared library. Its symbols are those alone,
-# under the version node of their ABI.
+# sfumato_shared(NAME [EXCLUDE_FROM_ALL]): the C interface as a shared library. It exports only the
+# interface's symbols, under the version node of their ABI.
 set(exports ${PROJECT_SOURCE_DIR}/src/capi/exports.map)
 function(sfumato_shared name)
   add_library(${name} SHARED ${ARGN})
   set_target_properties(${name} PROPERTIES OUTPUT_NAME sfumato LINKER_LANGUAGE CXX
     VERSION ${sfumato_abi}.${PROJECT_VERSION} SOVERSION ${sfumato_abi} LINK_DEPENDS ${exports})
   foreach(folder ${library_folders})
-    # Callers hand pixels in: the reader of photos, and its libraries, would be dead weight.
-    target_sources(${name} PRIVATE $<FILTER:$<TARGET_OBJECTS:sfumato_${folder}>,EXCLUDE,/codecs/photo[^/]*$>)
+    # Callers supply pixels, so the reader of photos and its libraries are not needed.
+    target_sources(${name} PRIVATE $<FILTER:$<TARGET_OBJECTS:sfumato_${folder}>,EXCLUDE,/codecs/photo/>)
   endforeach()
   target_link_libraries(${name} PRIVATE TBB::tbb pugixml::pugixml PkgConfig::SPNG PkgConfig::WEBP
     ZLIB::ZLIB JPEG::JPEG ${CMAKE_DL_LIBS})
@@ -40,7 +44,7 @@ function(sfumato_shared name)
   if(SFUMATO_SANITIZE)
     target_link_options(${name} PUBLIC -fsanitize=${SFUMATO_SANITIZE})
   else()
-    target_link_options(${name} PRIVATE -Wl,-z,defs)  # sanitizers leave some to the program
+    target_link_options(${name} PRIVATE -Wl,-z,defs)  # sanitizers leave some symbols to the program
   endif()
 endfunction()
 sfumato_shared(sfumato_c)
@@ -49,8 +53,8 @@ set_target_properties(sfumato_c PROPERTIES EXPORT_NAME c)
 target_include_directories(sfumato_c INTERFACE
   $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
   $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
-# What packages of other languages carry: it, and the libraries that it needs, find these beside it and
-# nowhere else before.
+# The shared library for packages of other languages. It finds the libraries that it needs beside it before
+# anywhere else.
 sfumato_shared(sfumato_carried EXCLUDE_FROM_ALL)
 set_target_properties(sfumato_carried PROPERTIES BUILD_WITH_INSTALL_RPATH ON INSTALL_RPATH "$ORIGIN"
   LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/carried)
@@ -60,9 +64,9 @@ if(SFUMATO_SANITIZE)
   target_link_options(sfumato_library INTERFACE -fsanitize=${SFUMATO_SANITIZE})
 endif()
 
-# Components, for packages that hand out parts (docs/packaging.md): runtime is the command, capi the C
-# interface and its shared library, cxx the rest of the library, doc the documents. Who names none gets
-# all but the documents; cxx is of use with capi alone, whose configuration for CMake loads both.
+# Components, for packages that contain parts (docs/packaging.md): runtime is the command, capi the C
+# interface and its shared library, cxx the rest of the library, doc the documents. Without a component
+# everything except the documents is installed. cxx needs capi, whose CMake configuration loads both.
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/sfumato)
 install(TARGETS sfumato RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT runtime)
 install(TARGETS sfumato_library EXPORT sfumato
@@ -72,7 +76,7 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/sfumato DESTINATION ${CMAKE_INST
         COMPONENT cxx FILES_MATCHING PATTERN *.hpp)
 install(FILES ${PROJECT_SOURCE_DIR}/include/sfumato/sfumato.h
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/sfumato COMPONENT capi)
-# From where the file lies to the prefix, which `cmake --install --prefix` may choose anew.
+# From the file's folder to the prefix, which `cmake --install --prefix` may change.
 file(RELATIVE_PATH sfumato_prefix_of_pc "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
 configure_file(${PROJECT_SOURCE_DIR}/cmake/sfumato.pc.in ${PROJECT_BINARY_DIR}/sfumato.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/sfumato.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig
@@ -91,7 +95,7 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR
         COMPONENT doc EXCLUDE_FROM_ALL FILES_MATCHING PATTERN *.md PATTERN figures EXCLUDE
         PATTERN gallery EXCLUDE PATTERN images EXCLUDE PATTERN man EXCLUDE PATTERN tutorial EXCLUDE)
 
-# What `make editor` has made; `sfumato edit` serves it.
+# The output of `make editor`; `sfumato edit` serves it.
 install(FILES ${PROJECT_SOURCE_DIR}/build/editor.html OPTIONAL
         DESTINATION ${CMAKE_INSTALL_DATADIR}/sfumato COMPONENT runtime)
 

@@ -1,5 +1,5 @@
-# Toolchain: clang 19 and wasi-libc for WebAssembly, as Debian packages them (scripts/setup wasm).
-# Modules without threads and exceptions, with 128-bit SIMD.
+# Toolchain: clang 19 and wasi-libc for WebAssembly, as packaged by Debian (scripts/setup wasm). Modules
+# have no threads and no exceptions; they use 128-bit SIMD.
 set(CMAKE_SYSTEM_NAME Generic)
 set(CMAKE_SYSTEM_PROCESSOR wasm32)
 set(CMAKE_C_COMPILER clang-19)

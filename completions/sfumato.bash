@@ -31,8 +31,11 @@ _sfumato() {
     --device | --gather) options='cpu gpu' ;;
     --background) options='none white black' ;;
     --limit)
-      options='input-bytes= unpack-ratio= xml-depth= xml-elements= xml-attributes= style-values=
-        used-elements= used-bytes= id-bytes= curves= control-points= stops= stops-per-list= layers= shaders-per-layer=
+      options='input-bytes= unpack-ratio= entity-bytes= entity-depth= xml-depth= xml-elements=
+        xml-attributes= style-values= selector-steps= variable-bytes= variable-depth=
+        used-elements= used-bytes= id-bytes= curves= control-points= dashes= dash-lengths=
+        markers= marker-depth= pattern-tiles= pattern-texels= pattern-side= pattern-shapes=
+        pattern-depth= chords= chord-pairs= stops= stops-per-list= layers= shaders-per-layer=
         stack-items= group-depth= image-file-bytes= textures= texels= segments= triangles= nodes=
         image-side= viewer-triangles= viewer-stroke-segments= svg-triangles='
       compopt -o nospace 2>/dev/null

@@ -1,4 +1,4 @@
-"""What the scripts that draw the examples share: colours, Bezier chains, stop lists, elements."""
+"""Functions for the scripts that draw the examples: colours, Bezier chains, stop lists, elements."""
 
 
 def mix(a, b, t):
@@ -39,7 +39,7 @@ def smooth_chain(points):
 
 
 def path_data(chain, closed=False):
-    """Path data of cubic pieces, each of which begins where the one before ends."""
+    """Returns path data of cubic pieces; each begins where the one before ends."""
     commands = [f'M{number(chain[0][0][0])} {number(chain[0][0][1])}']
     for piece in chain:
         commands.append('C' + ' '.join(f'{number(x)} {number(y)}' for x, y in piece[1:]))

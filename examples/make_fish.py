@@ -294,7 +294,7 @@ class School:
         return all(math.hypot(x - a, y - b) > 66 * (scale + other) for a, b, other, *_ in self.fish)
 
     def add(self, x, y, scale, turn, opacity=1):
-        """turn: the angle in which it swims."""
+        """Adds a fish. turn: the angle of its direction."""
         self.fish.append((x, y, scale, turn, opacity))
 
     def follow(self, route, count, scales, opacities, spread):

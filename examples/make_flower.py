@@ -113,7 +113,7 @@ class Petal(Blade):
                      stroke=css(self.tint(self.RIB, .5, 0)))
 
     def shadow(self):
-        """What the petal takes of the light of those behind it."""
+        """Returns the shadow of the petal on the petals behind it."""
         points = [(x + 7, y + 12) for x, y in self.outline()]
         return layer(self.name + '-shadow', [curve(
             path(points, True), sf_left='#3c0c30', sf_right='#3c0c30', sf_left_opacity=0,
@@ -239,7 +239,7 @@ LEAVES = [
 
 
 def garden():
-    """What lies far behind: nothing but soft light and dark."""
+    """Returns the background: only soft light and dark."""
     frame = curve('M-60 -60L620 -60L620 700L-60 700Z', fill='none', stroke='#2d4f3a',
                   sf_right='#86a877, #3f6b52 20%, #10271f 45%, #0c1d18 60%, #16352a 85%, #86a877')
     glow = curve('M150 70C230 130 330 130 420 60', sf_left='#9fbd84, #b8cf94 40%, #5d8a68',

@@ -136,7 +136,7 @@ def feather(chance):
 
 
 def ground():
-    """The right half: dusk, in which the feather shines. Its edge bears opacity only."""
+    """Returns the right half: dusk, where the feather shines. Its edge has only an opacity."""
     return layer('dusk', [
         curve('M450 0L900 0L900 640L450 640Z', sf_left_opacity=0, sf_right_opacity=1,
               fill='#2a2148', fill_opacity='.9'),

@@ -1,4 +1,4 @@
-"""What the scripts that draw textures share: a picture of grey values as a PNG with a palette."""
+"""Writes a picture of grey values as a PNG with a palette, for the scripts that draw textures."""
 
 import struct
 import zlib

@@ -1,7 +1,7 @@
-// A document, then bytes that drag some of its curves, or give stops of them other values: every
-// picture is a valid one of the document with the curve where it is, the same at the same place, or
-// with the stop as it is; what fails changes nothing; afterwards
-// the picture is the one that diffuse makes, and no memory is kept that is not held.
+// A document, then bytes that drag some of its curves, or change values of their stops. Every frame
+// is a valid picture of the document with the curve at its place or the stop at its value, and the
+// same place gives the same picture. A failed frame changes nothing. Afterwards the picture equals
+// the picture of diffuse, and exactly the memory in use is charged.
 #include <algorithm>
 #include <utility>
 
@@ -19,25 +19,25 @@ namespace {
 
 constexpr int kMostDrags = 3;
 constexpr int kFrames = 3;
-/// What comes before the document.
+/// Bytes before the document.
 constexpr std::size_t kStepBytes = kMostDrags * (2 + 4 * kFrames);
 
 void require_told(const Status& status) {
   if (status.code != StatusCode::cancelled) fuzz::require_honest(status);
 }
 
-/// A frame without time, and then what it leaves, a little at a time.
+/// Makes a frame without time, and then the rest, a little at a time.
 Status drag_in_steps(Context& context, Solution& solution, const Curve& curve) {
   Status status = solution.drag(context, curve, nullptr, 0);
   while (const std::size_t left = status ? solution.waiting_nodes() : 0) {
     fuzz::require_ok(picture::check_picture(context, solution.picture()), "a frame is no picture");
-    if (!solution.drag_more(context, nullptr, 0)) break;  // the frame is there
+    if (!solution.drag_more(context, nullptr, 0)) break;  // the frame is complete
     fuzz::require(solution.waiting_nodes() < left, "nothing was gathered");
   }
   return status;
 }
 
-/// Frames are at times cancelled on their way, or made in steps.
+/// Drags a curve; some frames are cancelled, or made in steps.
 Status drag(Context& context, Solution& solution, const Curve& curve, unsigned cancelled_at) {
   if (cancelled_at == 0) return solution.drag(context, curve);
   if (cancelled_at % 3 == 0) return drag_in_steps(context, solution, curve);
@@ -75,7 +75,7 @@ Curve at_next_place(fuzz::ByteReader& bytes, const Document& document, Curve cur
   return curve;
 }
 
-/// The stop of a curve that bytes decide on, which may not be there.
+/// Returns a stop of a curve that bytes choose; the stop may not exist.
 StopPlace next_stop(fuzz::ByteReader& bytes, std::uint32_t layer, std::uint32_t curve) {
   const unsigned choice = bytes.byte();
   StopPlace place{layer, curve, choice % 2 == 0 ? CurveSide::left : CurveSide::right,
@@ -85,7 +85,7 @@ StopPlace next_stop(fuzz::ByteReader& bytes, std::uint32_t layer, std::uint32_t 
   return place;
 }
 
-/// At times beyond what a stop may be.
+/// Returns a value that is sometimes outside the range of a stop.
 StopValue next_value(fuzz::ByteReader& bytes, StopAttribute attribute) {
   const auto number = [&] { return static_cast<float>(1.05 * bytes.unit()); };
   if (attribute == StopAttribute::opacity) return number();
@@ -93,7 +93,7 @@ StopValue next_value(fuzz::ByteReader& bytes, StopAttribute attribute) {
   return Rgb{r, g, b};
 }
 
-/// Gives the stop a value; what fails changes nothing.
+/// Gives the stop a value. A failure must change nothing.
 bool require_color(Context& context, Solution& solution, const StopPlace& place,
                    const StopValue& value) {
   const Document document = solution.document();
@@ -174,7 +174,7 @@ void run(Context& context, fuzz::ByteReader bytes, const Document& document) {
   if (!expected) return require_told(expected.status());
   fuzz::require(test::difference_of(solution->picture(), *expected).empty(),
                 "after a drag a solution has another picture than diffuse");
-  // What drags begin from goes with other options, and is kept for nobody but the owner.
+  // The data for the begin of drags depends on the options, and is reserved only for the owner.
   Context visitor{.budget = Budget(fuzz::kBudgetBytes)};
   DiffuseOptions other = options;
   other.max_error += 1;

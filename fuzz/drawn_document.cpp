@@ -41,7 +41,8 @@ class Drawer {
     return {r, g, b};
   }
 
-  /// In shares of the artboard: mostly in it, at times at its edge, far away or near a known point.
+  /// Returns shares of the artboard: mostly inside, sometimes at its edge, far away or near a known
+  /// point.
   Vec2 point() {
     const Vec2 corner = document_.artboard.min;
     const double width = document_.artboard.width(), height = document_.artboard.height();
@@ -139,7 +140,7 @@ class Drawer {
       }
       case 1: {
         const double angle = 2 * reader_.unit(), scale = std::ldexp(1.0, int(reader_.below(8)) - 5);
-        // Nearly a rotation, without libm: seeds stay what they are everywhere.
+        // Nearly a rotation, without libm, so that seeds mean the same on every machine.
         return {scale * (1 - angle * angle / 2),
                 scale * angle,
                 -scale * angle,

@@ -1,4 +1,5 @@
-// Pictures to every kind of file, small and coarse: refused with a reason, or some bytes.
+// Writes pictures to every kind of file, small and coarse: the exporter refuses with a reason, or
+// gives bytes.
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -37,10 +38,11 @@ void check(const File& file) {
   fuzz::require(!file->empty(), "a file of no bytes");
 }
 
-/// The first byte of the input says which file; its beginning is the title where there is one.
+/// Exports a picture. The first byte of the input chooses the file; its beginning is the title, if
+/// there is one.
 File exported(Context& context, const Picture& picture, unsigned kind, const std::string& title) {
   const double side = std::max(picture.artboard.width(), picture.artboard.height());
-  // A page of 72 points at kPixels a page.
+  // A page of 72 points has kPixels.
   const double points = 72, dpi = kPixels;
   switch (kind) {
     case 0:

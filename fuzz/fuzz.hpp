@@ -10,8 +10,8 @@
 
 #include "sfumato/base/context.hpp"
 
-/// What the targets of this folder share. A target is one function of bytes; it may refuse them,
-/// but never crash, hang or answer wrongly.
+/// Shared by the targets of this folder. A target is one function of bytes; it may refuse them, but
+/// must never crash, hang or give a wrong answer.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 namespace sfumato::fuzz {
@@ -22,7 +22,7 @@ inline std::string_view as_text(Bytes bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-/// Ends the program where a promise is broken: that is how a fuzzer is told.
+/// Ends the program if a promise is broken; the fuzzer takes this as a find.
 inline void require(bool holds, std::string_view promise) {
   if (holds) return;
   std::fprintf(stderr, "broken promise: %.*s\n", static_cast<int>(promise.size()), promise.data());
@@ -34,18 +34,18 @@ inline void require_ok(const Status& status, std::string_view what) {
   require(false, std::string(what) + ": " + to_string(status));
 }
 
-/// A refusal must be one of those that input can bring about, and say something.
+/// Requires that a refusal has a code that input can cause, and a message.
 inline void require_honest(const Status& status) {
   require(status.code == StatusCode::bad_input || status.code == StatusCode::limit,
           "an error of input has another code: " + to_string(status));
   require(!status.message.empty(), "an error without a message");
 }
 
-/// Where targets get their context from: one thread, so little memory that what is large is refused
-/// at once.
+/// The budget of the targets' contexts: one thread, and so little memory that large inputs are
+/// refused at once.
 inline constexpr std::size_t kBudgetBytes = std::size_t{48} << 20;
 
-/// Turns bytes into numbers; zeros where they end.
+/// Turns bytes into numbers; after the end, all numbers are zero.
 class ByteReader {
  public:
   explicit ByteReader(Bytes bytes) : rest_(bytes) {}
@@ -65,7 +65,7 @@ class ByteReader {
   }
   /// 0 to n - 1, for n up to 256.
   unsigned below(unsigned n) { return byte() % n; }
-  /// 0 to 1; both can come.
+  /// Returns a number from 0 to 1, both included.
   double unit() { return byte() / 255.0; }
 
  private:

@@ -1,5 +1,5 @@
-// The packet kernels of every instruction set give the same bits, within the range of the colours,
-// and, away from curves, the values of the slow reference in double precision.
+// The packet kernels of every instruction set give the same bits, within the range of the colours.
+// Away from curves the bits match the slow reference in double precision.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -17,13 +17,13 @@ namespace {
 
 constexpr double kSide = 256;
 constexpr unsigned kPoints = 24;
-/// Points nearer to a curve than this, and scenes with shorter pieces, are not held against the
-/// reference: single precision cannot tell the sides apart for sure.
+/// Points closer to a curve than this, and scenes with shorter pieces, are not compared with the
+/// reference: single precision cannot distinguish the sides there.
 constexpr double kClearance = 1;
 constexpr double kTolerance = 1.0 / 255;
-/// Nor are points that see next to nothing: of a curve that is seen along itself the kernels may
-/// see a trace, the reference none, and what is divided by it is any colour. All around at a
-/// distance of 100 is 0.06.
+/// Points that see next to nothing are not compared either. If a curve is seen along its length,
+/// the kernels may see a trace of it and the reference nothing; dividing by that trace gives any
+/// colour. For comparison: a curve all around at a distance of 100 weighs 0.06.
 constexpr double kLeastWeight = 1e-4;
 
 struct Drawing {
@@ -125,7 +125,7 @@ double distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
   return length(lerp(a, b, t) - p);
 }
 
-/// And to vertices, which curves of no length leave behind alone.
+/// Includes vertices, which are all that curves of no length leave behind.
 double distance_to_curves(const mesh::TriangleMesh& mesh, Vec2 p) {
   double least = kSide;
   for (const Vec2 vertex : mesh.vertex_position) least = std::min(least, length(vertex - p));
@@ -173,7 +173,7 @@ void check_reference(const Drawing& drawing, const std::vector<Vec2>& points,
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (distance_to_curves(drawing.mesh, points[i]) < kClearance) continue;
     const std::int32_t triangle = gather::find_triangle(drawing.mesh, points[i]);
-    // On an edge, rounding may put a point outside of both of its triangles.
+    // On an edge, rounding may put a point outside both of its triangles.
     if (triangle == mesh::kNone) continue;
     const gather::ReferenceSums sums = gather::gather_reference(
         drawing.mesh, drawing.attributes, points[i], static_cast<std::uint32_t>(triangle));

@@ -1,4 +1,4 @@
-// Ordinary SVG made into diffusion curves, as `sfumato init --from` does.
+// Converts ordinary SVG to diffusion curves, as `sfumato init --from` does.
 #include <string>
 
 #include "fuzz.hpp"
@@ -11,7 +11,7 @@ using namespace sfumato;
 
 namespace {
 
-/// What was made is valid, and is a drawing when it is written.
+/// Requires that the result is valid, and can be written as a drawing.
 void check(Context& context, const ImportedSvg& made) {
   fuzz::require_ok(validate(context, made.document), "a document that is not valid");
   fuzz::require(made.warnings.size() <= limits::kWarnings + 1, "too many warnings");
@@ -27,12 +27,29 @@ void check(Context& context, const ImportedSvg& made) {
   }
 }
 
+/// Replaces the solver, which has its own targets: a tile is a valid document, and its image has
+/// transparent parts.
+Result<Image> painted(Context& context, const Document& tile, int width, int height) {
+  fuzz::require_ok(validate(context, tile), "a tile that is not valid");
+  fuzz::require(width > 0 && height > 0, "a tile without texels");
+  const auto bytes = 4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  Image image;
+  image.width = width;
+  image.height = height;
+  image.format = PixelFormat::rgba8;
+  image.bytes.resize(bytes);
+  for (std::size_t i = 0; i < bytes; ++i) image.bytes[i] = static_cast<std::uint8_t>(37 * i);
+  return image;
+}
+
 }  // namespace
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   Context context{.budget = Budget(fuzz::kBudgetBytes)};
   {
-    const Result<ImportedSvg> made = import_svg(context, fuzz::as_text({data, size}), "fuzz.svg");
+    const Result<ImportedSvg> made =
+        import_svg(context, fuzz::as_text({data, size}), "fuzz.svg", nullptr,
+                   [](auto&&... tile) { return painted(tile...); });
     if (made) {
       check(context, *made);
     } else {

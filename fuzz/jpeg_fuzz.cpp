@@ -1,13 +1,13 @@
 // JPEG files: baseline, progressive, arithmetic; gray, YCbCr, CMYK.
 #include "codecs/image_file.hpp"
-#include "codecs/jpeg_decode.hpp"
+#include "codecs/jpeg/jpeg_decode.hpp"
 #include "fuzz.hpp"
 
 using namespace sfumato;
 
 namespace {
 
-/// Two thirds of it is the library's own least.
+/// The library itself needs at least two thirds of it.
 constexpr std::size_t kJpegBudgetBytes = std::size_t{3} << 19;
 
 }  // namespace
@@ -28,7 +28,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   for (std::size_t i = 3; i < image->rgba.size(); i += 4) {
     fuzz::require(image->rgba[i] == 255, "a JPEG that can be seen through");
   }
-  // Of what the library finds in a file, textures are those that begin as JPEG does.
+  // Files that begin as JPEG are textures for the library.
   const Result<codecs::RgbaImage> again = codecs::decode_image(context, file);
   fuzz::require(again || data[2] != 0xFF, "a JPEG that is no texture");
   fuzz::require(!again || again->rgba == image->rgba, "the second reading of a file differs");

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Draws the first inputs of the fuzz targets: python3 fuzz/make_seeds.py FOLDER makes FOLDER/TARGET.
 
-What the fuzzers found since then is in fuzz/corpus; this is for beginning anew.
+fuzz/corpus has the inputs that the fuzzers found since then; use this script to start again from
+nothing.
 """
 
 import gzip
@@ -87,6 +88,63 @@ ICONS = [
         '</symbol><use href="#s" width="40" height="30" fill="gold"/><use href="#s" x="9" y="20" '
         'width="30" height="40" style="fill:tan;stroke:navy;stroke-width:.1" '
         'transform="rotate(30) skewX(20)"/>'),
+    '<?xml version="1.0"?><!DOCTYPE svg [<!ENTITY s "fill:red;"><!ENTITY n '
+    '"http://www.w3.org/2000/svg"><!ENTITY e "<g style=\'&s;\'>&#38;amp;<circle r=\'9\'/></g>">'
+    '<!ENTITY x SYSTEM "y"><!ENTITY % p "q">%p;]><svg xmlns="&n;" viewBox="0 0 64 64">&e;&x;&e;'
+    '<path style="&s;" d="M9 9h9v9z"/></svg>',
+    svg('<switch fill="red"><foreignObject requiredExtensions="&a;"/><g systemLanguage="de"/>'
+        '<g requiredFeatures="b" systemLanguage="fr, en-GB"><circle r="9"/></g><rect/></switch>'),
+    '<svg xmlns="http://www.w3.org/2000/svg" width="100%"><rect width="-1" height="1"/><use '
+    'href="#a"/><g id="a" transform="NaN"><use href="#a"/><circle cx="1e7" r="9"/><circle r="9" '
+    'stroke="red" stroke-width="3"/></g><svg viewBox="0 0 9 9" width="auto"/></svg>',
+    svg('<marker id="a" viewBox="0 0 2 1" refX="center" orient="auto-start-reverse" fill="context-stroke">'
+        '<path id="b" d="M0 0L2 1" marker-end="url(#c)"/></marker><marker id="c" orient="40grad" '
+        'markerUnits="userSpaceOnUse" markerWidth="9" preserveAspectRatio="none"><use href="#b"/></marker>'
+        '<path d="M9 9L9 9C20 9 30 30 40 9zM5 5" style="marker:url(#a);paint-order:markers"/>'
+        '<polyline points="1 1 9 9 20 1" stroke="red" marker-mid="url(#c)" marker-end="url(#d)"/>'),
+    svg('<style>:root{--m:#1a8f5a;--n:var(--m)} .p > g [data-a^="b"]:not(:first-child), .p + rect '
+        '{fill:var(--n);transform:rotate(30deg);transform-origin:50% 20px;transform-box:fill-box}'
+        '</style><g class="p" font-size="120%"><g><path d="M0 0"/><circle data-a="bc" cx="2em" cy="5vh" '
+        'r="1ex" stroke="var(--x, var(--m))" stroke-width=".2rem" vector-effect="non-scaling-stroke"/>'
+        '</g></g><rect style="x:5px;y:2mm;width:50%;height:1in;--a:var(--b);--b:var(--a)"/>'),
+    svg('<pattern id="p" width="8" height="4" patternUnits="userSpaceOnUse" patternTransform="rotate(20)">'
+        '<circle r="3" fill="url(#q)"/><rect width="2" height="9" fill="#08f8"/></pattern><pattern id="q" '
+        'width=".5" height=".5" viewBox="0 0 2 2" preserveAspectRatio="none"><path d="M0 0H1V1z" '
+        'fill="url(#p)"/></pattern><pattern id="o" href="#p" width="3" patternContentUnits="objectBoundingBox"'
+        '/><rect width="30" height="20" fill="url(#p)"/><circle r="9" fill="url(#o)" stroke="url(#q)"/>'),
+    svg('<image width="20" height="9" opacity=".5" href="data:image/png;base64,' + TINY_PNG + '"/><svg '
+        'x="30" viewBox="0 0 2 1" preserveAspectRatio="xMaxYMin slice"><image id="i" width="auto" '
+        'preserveAspectRatio="xMinYMid slice" transform="rotate(9)" href="data:image/png;base64,'
+        + TINY_PNG + '"/></svg><use href="#i" y="30"/><image href="missing.png"/>'),
+    svg('<clipPath id="c" clip-path="url(#d)"><circle cx="20" cy="20" r="15"/><path clip-rule="evenodd" '
+        'd="M9 9H50V50H9zM20 20H30V30H20z"/><use href="#e"/></clipPath><clipPath id="d" '
+        'clipPathUnits="objectBoundingBox"><rect id="e" width=".7" height="1"/></clipPath><g '
+        'clip-path="url(#c)"><path d="M0 0H60V60z" style="clip-path:url(#d)" stroke="red"/></g><symbol '
+        'id="s" viewBox="0 0 4 4" clip-path="url(#c)"><circle r="4"/></symbol><use href="#s" width="9"/>'),
+    svg('<filter id="f"><feGaussianBlur in="SourceGraphic" stdDeviation="2 2"/></filter><filter id="g" '
+        'primitiveUnits="objectBoundingBox"><feGaussianBlur stdDeviation=".1"/><feOffset/></filter><rect '
+        'width="30" height="20" filter="url(#f)" fill="#c43"/><circle r="9" style="filter:blur(2px)" '
+        'fill="none" stroke="navy"/><path d="M0 0H9V9z" filter="url(#g)"/>'),
+    svg('<style>@media screen{svg &gt; .a ~ [d$="z" i],#b:not(.a):first-child{fill:color(display-p3 0 1 0)}}'
+        '*{stroke:oklch(60% .2 none/.5)!important}</style><g id="b" class="a"/><path class="a" d="M0 0z"/>'
+        '<path d="M9 9H40V30z" fill="lab(50 40 -60/50%)"/><g fill="hwb(1turn 20% 30%)"><path d="M1 1H9V9z" '
+        'color="#f80c" stroke="currentColor" paint-order="stroke"/></g><rect width="9" height="9" '
+        'fill="color(xyz-d50 .1 .2 .3)"/><rect width="5" height="5" fill="oklab(2 -9 1e9)"/>'),
+    svg('<linearGradient id="f"><stop stop-color="#fff"/><stop offset="1" stop-opacity="0"/></linearGradient>'
+        '<mask id="m" maskUnits="userSpaceOnUse" x="4" y="5%" width="50" height="40" mask="url(#n)">'
+        '<rect width="64" height="64" fill="url(#f)"/></mask><mask id="n" mask-type="alpha" '
+        'maskContentUnits="objectBoundingBox"><rect width=".7" height="1"/><circle cx=".5" cy=".5" r=".3" '
+        'fill="red" opacity=".5"/></mask><g mask="url(#m)" opacity=".5"><circle cx="20" cy="20" r="15" '
+        'stroke="tan" stroke-width="3"/><rect x="9" y="9" width="30" height="9" fill="url(#f)" '
+        'mask="url(#n)"/></g><mask id="o" color-interpolation="linearRGB"><path d="M0 0H64V64z" fill="#fff"/>'
+        '<path d="M9 9H40" stroke="#000" stroke-width="5" mask="url(#o)"/></mask><path d="M0 0H60V60z" '
+        'mask="url(#o)"/>'),
+    svg('<clipPath id="c" style="clip-path:inset(5% 2px round 9px / 4px 20%)"><circle cx="20" cy="20" r="15" '
+        'clip-path="polygon(evenodd, 0 0, 100% 0, 50% 99px, 9px 3px)"/><use href="#r"/></clipPath>'
+        '<g clip-path="url(#c)"><rect id="r" x="9" y="9" width="40" height="30" stroke="red" '
+        'style="clip-path:circle(farthest-side at right 9px top 20%) stroke-box"/></g>'
+        '<path d="M9 9H50V40z" style="clip-path:path(\'M0 0H20V20z\') view-box"/><ellipse rx="20" ry="9" '
+        'clip-path="xywh(1 2 30 9 round 3) fill-box"/>'),
 ]
 
 CURVE_SETS = [
@@ -106,7 +164,8 @@ CURVE_SETS = [
 
 STOP_LISTS = ['red', 'red, gold', 'red, gold 30%, white', 'red 50%, blue 50%',
               'red @0, gold @2.5, white @4', '0, 12 50%, 0', '#abc 10%,#aabbcc,hsl(20deg 80% 50%)',
-              'rgb(1 2 3/1) 1e1%,rgb(10%,20%,30%)', '.5,1e-3 @1.25,.7 99%', 'hwb(1turn 2% 3%)']
+              'rgb(1 2 3/1) 1e1%,rgb(10%,20%,30%)', '.5,1e-3 @1.25,.7 99%', 'hwb(1turn 2% 3%)',
+              'oklch(70% .15 250deg), lab(50 40 -60) 20%, color(display-p3 0 1 0)']
 
 OPTION_STRINGS = [
     (0, 'threads=2 max-memory=1000 max-time=off limit.curves=9'), (0, 'simd=avx2 limit.nodes=1e9'),
@@ -126,8 +185,11 @@ PATHS = ['M1 2L3 4', 'm1,2 3-4.5.6z', 'M0 0H9V9h-3v-3Z', 'M1 1C2 3 4 5 6 7S1 2 3
 
 SHEETS = ['path{fill:red;opacity:.5}', '.a, #a , *{display:none !important}/*c*/',
           '@media x{path{fill:red}} @import "a";.a{opacity:1}', '<!-- *{fill:"a;b"} -->',
-          'path{fill:url(a;b)}.a{fill:}', 'rebeccapurple', '#abcd', '#aabbccdd', 'rgb(1,2,3,.4)',
-          'hsla(20deg,30%,40%,.5)', 'hwb(.5turn 10% 20%/30%)', 'rgb(1e2% 0 none)']
+          'path{fill:url(a;b)}.a{fill:}', '.a > b + c ~ d e[f|="g" i]:not(.h):root{--x:y;fill:var(--x,var(--z))}',
+          'rebeccapurple', '#abcd', '#aabbccdd', 'rgb(1,2,3,.4)',
+          'hsla(20deg,30%,40%,.5)', 'hwb(.5turn 10% 20%/30%)', 'rgb(1e2% 0 none)',
+          'oklch(.9 .4 150 / 50%)', 'lab(50% 32% -48%)', 'lch(60 60 none)', 'oklab(.5 .1 -.1)',
+          'color(a98-rgb .2 60% .3)', 'color(prophoto-rgb 0 0 1)', 'color(xyz-d50 .3 .4 .2)']
 
 
 def chunk(name, data):
@@ -136,7 +198,7 @@ def chunk(name, data):
 
 
 def png(depth, kind, interlaced=0, extra=b''):
-    """5 x 3 pixels; 9 x 9 where interlaced."""
+    """Returns a picture of 5 x 3 pixels; 9 x 9 if interlaced."""
     width, height = (9, 9) if interlaced else (5, 3)
     channels = {0: 1, 2: 3, 3: 1, 4: 2, 6: 4}[kind]
     header = struct.pack('>IIBBBBB', width, height, depth, kind, 0, 0, interlaced)
@@ -171,7 +233,8 @@ def pngs():
 
 
 def jpegs():
-    """By netpbm, if it is here: baseline and progressive, gray and colour, whole and subsampled."""
+    """Uses netpbm, if installed: baseline and progressive, gray and colour, full resolution and
+    subsampled."""
     if not shutil.which('pnmtojpeg'):
         return
     pixels = bytes((i * i // 7) % 256 for i in range(17 * 9 * 3))
@@ -185,7 +248,7 @@ def jpegs():
 
 
 def icc(space, tags):
-    """A profile of version 4; tags of its colours by name."""
+    """Returns a profile of version 4; tags of its colours by name."""
     table, content, at = struct.pack('>I', len(tags)), b'', 132 + 12 * len(tags)
     for name, data in tags:
         data += bytes(-len(data) % 4)
@@ -217,7 +280,7 @@ def iccs():
 
 
 def webps():
-    """By libwebp's tool, if it is here: lossy and lossless, with alpha and without."""
+    """Uses libwebp's tool, if installed: lossy and lossless, with and without alpha."""
     if not shutil.which('cwebp'):
         return
     with tempfile.TemporaryDirectory() as folder:
@@ -267,7 +330,7 @@ def noise(seed, count, longest):
 
 
 def traces():
-    """Options, a size and a kind, then levels of cells: noise, and two or three colours."""
+    """Makes options, a size and a kind, then levels of cells: noise, and two or three colours."""
     numbers = random.Random(8)
     for kind in range(64):
         head = [numbers.randrange(256) for _ in range(4)] + [kind % 8, numbers.randrange(256),
@@ -279,7 +342,8 @@ def traces():
 
 
 class PictureFile:
-    """As docs/picture-file.md lays it out, but for the checksum, which the target mends."""
+    """Returns bytes in the layout of docs/picture-file.md, without the checksum, which the target
+    corrects."""
 
     def __init__(self):
         self.bytes = b'SFPICT\x1a\x01' + struct.pack('<IQQ', 0x01020304, 0, 0)
@@ -348,7 +412,7 @@ class PictureFile:
 
 
 def pictures():
-    """Picture files of few triangles: layers with paints and opacity, groups, strokes."""
+    """Makes picture files of few triangles: layers with paints and opacity, groups, strokes."""
     for kind in range(24):
         file = PictureFile()
         file.put('4d', 1, 1, 1, 1)  # origin: own scale, pixels per unit, max-error
@@ -379,7 +443,7 @@ def pictures():
 
 
 def examples():
-    """Those of our drawings that are small."""
+    """Returns our small drawings."""
     for file in [*ROOT.glob('examples/*.svg'), *ROOT.glob('tests/*/*.svg')]:
         if file.stat().st_size < 4000:
             yield file.read_bytes()

@@ -1,5 +1,5 @@
-// Segment sets to meshes: every step leaves a mesh that the exact checker finds valid, whose
-// constraints cover the segments they came from.
+// Segment sets to meshes: the exact checker finds the mesh valid after every step, and its
+// constraints cover their source segments.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -15,12 +15,12 @@ using namespace sfumato;
 namespace {
 
 constexpr double kSide = 64;
-/// Beyond this a run would take too long, and show nothing that a smaller one does not.
+/// A larger run would take too long, and show nothing that a smaller one does not.
 constexpr std::uint32_t kManyTriangles = 20'000;
-/// Kept free while a mesh is refined: what a limit stopped can be extracted and checked.
+/// Reserved while a mesh is refined, so that a mesh at a limit can still be extracted and checked.
 constexpr std::size_t kRoomOfPatchMesh = fuzz::kBudgetBytes;
 
-/// Points as bytes say: on a grid, near or between those before, on the frame, far away.
+/// Reads points from bytes: on a grid, near or between earlier points, on the frame, far away.
 class DrawingReader {
  public:
   explicit DrawingReader(fuzz::Bytes bytes) : reader_(bytes) {}
@@ -54,7 +54,7 @@ class DrawingReader {
   }
 
   double grid() { return kSide * (static_cast<int>(reader_.byte()) - 32) / 192; }
-  /// From 2^-40 to 2^7, of either sign.
+  /// Returns a number from 2^-40 to 2^7, of either sign.
   double small() {
     const unsigned code = reader_.byte();
     return std::ldexp(code & 1 ? 1.0 : -1.0, static_cast<int>((code >> 1) % 48) - 40);
@@ -69,7 +69,7 @@ class DrawingReader {
         return {near.x + small(), near.y + small()};
       }
       case 2: {
-        // Nearly on the line through two others.
+        // Nearly on the line through two other points.
         const Vec2 a = known_point(), b = known_point();
         const double t = grid() / kSide * 1.5;
         const Vec2 on = lerp(a, b, t);
@@ -120,7 +120,7 @@ void check_thinned(Context& context, const mesh::Mesher& mesher, const mesh::Tri
   fuzz::require_ok(is_valid(*thinned), "the thinned mesh is not valid");
 }
 
-/// Runs `step` without the room that extracting what it leaves will take.
+/// Runs `step` without the memory that extracting its result will need.
 template <class Step>
 Status refine_by(Context& context, Step step) {
   fuzz::require_ok(context.budget.charge(kRoomOfPatchMesh, "a patch mesh"), "room to extract");
@@ -129,7 +129,7 @@ Status refine_by(Context& context, Step step) {
   return status;
 }
 
-/// The patch mesh, valid.
+/// Returns the patch mesh, which must be valid.
 mesh::TriangleMesh patch_mesh(Context& context, mesh::Mesher& mesher, std::string_view name) {
   Result<mesh::TriangleMesh> patch = mesher.patch_mesh(context);
   fuzz::require_ok(patch.status(), name);
@@ -137,7 +137,7 @@ mesh::TriangleMesh patch_mesh(Context& context, mesh::Mesher& mesher, std::strin
   return std::move(*patch);
 }
 
-/// Every third triangle is made smaller. A limit may stop it; the mesh stays valid.
+/// Refines every third triangle. A limit may stop that; the mesh stays valid.
 void check_refinement(Context& context, mesh::Mesher& mesher, double smallest_edge) {
   const Status refined = refine_by(context, [&] { return mesher.refine(context); });
   const mesh::TriangleMesh patch = patch_mesh(context, mesher, "the patch mesh");

@@ -1,5 +1,5 @@
-// The option strings of the C interface, a byte that chooses the call before them: settings within
-// their ranges, or an error that says something; the same twice.
+// The option strings of the C interface, after a byte that chooses the call: settings within their
+// ranges, or an error with a message; two reads give the same result.
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -17,7 +17,7 @@ constexpr options::Call kCalls[] = {options::kContext, options::kNewDocument, op
                                     options::kRaster,  options::kExport,      options::kEncode,
                                     options::kField};
 
-/// All that strings set.
+/// All settings that strings can change.
 struct Targets {
   options::Resources resources{};
   options::ContextSettings context{};

@@ -1,5 +1,4 @@
-// Orzan's XML: what is read is a valid document, what is refused has a reason, and memory is given
-// back.
+// Orzan's XML: the result is a valid document or an error with a reason, and memory is given back.
 #include "fuzz.hpp"
 #include "sfumato/document/document.hpp"
 #include "sfumato/formats/orzan/orzan.hpp"

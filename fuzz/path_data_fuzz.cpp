@@ -1,10 +1,10 @@
-// The d of paths, and transforms, which share its numbers.
+// The `d` attribute of paths, and transforms, which use the same number syntax.
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "formats/svg/path.hpp"
-#include "formats/svg/transform.hpp"
+#include "formats/svg/shapes/path.hpp"
+#include "formats/svg/shapes/transform.hpp"
 #include "fuzz.hpp"
 
 using namespace sfumato;
@@ -24,8 +24,8 @@ void check(const svg::Subpath& subpath) {
   }
 }
 
-/// Arcs of radii too small for their chord are stretched to beyond all numbers; the document's
-/// reader refuses what lies beyond limits::kCoordinate.
+/// Arcs with radii too small for their chord are stretched beyond all finite numbers; the
+/// document's reader refuses points beyond limits::kCoordinate.
 bool has_finite_points(const svg::Subpath& subpath) {
   return std::ranges::all_of(subpath.control_points,
                              [](Vec2 p) { return std::isfinite(p.x) && std::isfinite(p.y); });

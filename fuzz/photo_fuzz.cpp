@@ -1,11 +1,11 @@
-// Photos: PNG with mended checksums, JPEG, WebP. Other bytes are a colour profile behind a first
-// byte that says for what, or EXIF data.
+// Photos: PNG with corrected checksums, JPEG, WebP. Other bytes are EXIF data, or a colour profile
+// after a byte that chooses its use.
 #include <array>
 #include <vector>
 
-#include "codecs/photo.hpp"
-#include "codecs/photo_exif.hpp"
-#include "codecs/photo_profile.hpp"
+#include "codecs/photo/photo.hpp"
+#include "codecs/photo/photo_exif.hpp"
+#include "codecs/photo/photo_profile.hpp"
 #include "fuzz.hpp"
 #include "png_file.hpp"
 
@@ -13,7 +13,7 @@ using namespace sfumato;
 
 namespace {
 
-/// Largest side that is decoded: with more the runs were slow, and no other code would run.
+/// Largest side that is decoded: larger images would be slow without running other code.
 constexpr std::size_t kSide = 128;
 
 bool is_file(fuzz::Bytes bytes) {

@@ -1,5 +1,5 @@
-// Picture files, whose size and checksum are mended, or no change of a byte would come past them.
-// What is read is written again as it was, drawn, and exported.
+// Picture files. Size and checksum are corrected, because otherwise no changed byte would pass
+// them. The result is written again byte for byte, drawn, and exported.
 #include <cstring>
 #include <vector>
 
@@ -17,7 +17,7 @@ constexpr std::uint8_t kHeader[] = {'S', 'F', 'P', 'I', 'C', 'T', 0x1a, kPicture
                                     4,   3,   2,   1};
 constexpr std::size_t kSizeAt = 12, kChecksumAt = 20, kHeaderBytes = 28;
 constexpr int kSide = 12;
-/// Texels and strokes of a hostile picture may take long to draw.
+/// Limit for the texels and strokes of a hostile picture, which may take long to draw.
 constexpr std::size_t kMostItems = 6;
 constexpr std::size_t kMostTriangles = 24;
 

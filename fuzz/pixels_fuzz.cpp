@@ -1,5 +1,5 @@
-// Documents to pictures of 64 × 64 pixels and to PNG: the same bytes on every instruction set. By
-// patches, by rays, or gathered at every pixel of 16 × 16.
+// Documents to pictures of 64 × 64 pixels and to PNG, with the same bytes on every instruction set:
+// by patches, by rays, or gathered at every pixel of 16 × 16.
 #include <algorithm>
 #include <vector>
 
@@ -19,7 +19,7 @@ namespace {
 constexpr int kSide = 64;
 constexpr int kGatheredSide = 16;
 constexpr int kRays = 8;
-/// Larger documents are for the readers' targets: here they would only take time.
+/// The targets of the readers cover larger documents, which would only take time here.
 constexpr std::size_t kCurves = 8;
 constexpr std::size_t kItems = 12;
 
@@ -29,7 +29,7 @@ bool is_small(const Document& document) {
   return curves <= kCurves && document.stack.size() <= kItems;
 }
 
-/// `way`: how it is drawn, 0 to 7; from 3 on by patches as they are by default.
+/// `way`: how to draw, 0 to 7; from 3 on by patches with default options.
 Result<Image> drawn(Context& context, const Document& document, std::size_t way) {
   DiffuseOptions options;
   options.pixels_per_unit = kSide / std::max(document.artboard.width(), document.artboard.height());
@@ -92,7 +92,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     }
     check_png(context, *image);
     if (way == 3) check_lint(context, *document);
-    // It takes as long again: a quarter of the inputs tells as much.
+    // This takes as long again; a quarter of the inputs finds as much.
     if (size / 8 % 4 == 0) check_plain(*document, way, *image);
   }
   fuzz::require(context.budget.used() == 0, "a picture keeps what it charged");

@@ -10,7 +10,7 @@
 
 #include "fuzz.hpp"
 
-/// PNG files as targets make them.
+/// Builds PNG files for the targets.
 namespace sfumato::fuzz {
 
 using File = std::vector<std::uint8_t>;
@@ -34,7 +34,7 @@ inline std::uint32_t png_checksum(const std::uint8_t* bytes, std::size_t count) 
   return static_cast<std::uint32_t>(crc32(0, bytes, static_cast<uInt>(count)));
 }
 
-/// With its checksums mended, or no change of a byte would come past them.
+/// Returns the file with correct checksums, because otherwise no changed byte would pass them.
 inline File with_checksums(Bytes bytes) {
   File file(bytes.begin(), bytes.end());
   for (std::size_t at = kPngSignature.size(); at + 12 <= file.size();) {
@@ -47,7 +47,7 @@ inline File with_checksums(Bytes bytes) {
   return file;
 }
 
-/// Whether bytes begin as a PNG does.
+/// Returns whether bytes begin like a PNG.
 inline bool is_png(Bytes bytes) {
   return bytes.size() >= kPngSignature.size() &&
          std::equal(kPngSignature.begin(), kPngSignature.end(), bytes.begin());

@@ -1,5 +1,5 @@
-// PNG files. One that begins as PNG does gets its checksums mended, or no change of a byte would
-// come past them; other bytes are made into one: header, palette, transparency, rows.
+// PNG files. Bytes that begin like a PNG get correct checksums, because otherwise no changed byte
+// would pass them. Other bytes become a PNG: header, palette, transparency, rows.
 #include <zlib.h>
 
 #include <string_view>
@@ -14,7 +14,7 @@ using namespace sfumato;
 
 namespace {
 
-/// Largest image that is decoded: with more the runs were slow, and no other code would run.
+/// Memory for the largest image: larger ones would be slow without running other code.
 constexpr std::size_t kPngBudgetBytes = std::size_t{1} << 20;
 
 using fuzz::File;
@@ -41,7 +41,8 @@ File packed(fuzz::Bytes rows) {
   return result;
 }
 
-/// width, height, depth, kind, interlace, size of the palette and of tRNS, their bytes, the rows.
+/// Builds a file from width, height, depth, kind, interlace, the sizes of the palette and of tRNS,
+/// their bytes, and rows.
 File composed(fuzz::Bytes bytes) {
   fuzz::ByteReader reader(bytes);
   File header;
@@ -75,7 +76,7 @@ void check_size(const Image& image) {
                 "an image of another size than its bytes");
 }
 
-/// What was read is written and read again as it was.
+/// Requires that the image is the same after writing and reading.
 void check_round_trip(const Image& image) {
   Context context;
   const Result<std::vector<std::uint8_t>> png = encode_png(context, image);

@@ -1,5 +1,5 @@
-// Runs a target without a fuzzer over files, folders and what tar has packed: what `make check`
-// does with the corpus.
+// Runs a target without a fuzzer over files, folders and tar archives, as `make check` does with
+// the corpus.
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
@@ -29,16 +29,16 @@ void fail(const std::string& message) {
 }
 
 void run(const std::string& name, const char* bytes, std::size_t size) {
-  // Said before the run: a crash leaves no time for it.
+  // Printed before the run, because a crash leaves no time for it.
   std::printf("%s\n", name.c_str());
   std::fflush(stdout);
-  // A copy of just that size shows reads beyond the end.
+  // A copy of exactly this size detects reads beyond the end.
   const std::vector<std::uint8_t> input(bytes, bytes + size);
   LLVMFuzzerTestOneInput(input.data(), input.size());
   ++input_count;
 }
 
-/// The files in an archive of tar, as ustar writes it.
+/// Runs the files in a tar archive in the ustar format.
 void run_archive(const std::string& archive, const std::vector<char>& bytes) {
   for (std::size_t at = 0; at + kTarBlock <= bytes.size() && bytes[at] != 0;) {
     const char* header = &bytes[at];

@@ -1,4 +1,5 @@
-// A document that was read is written and read again: the same document, then the same text.
+// Writes a document that was read, and reads it again: first the document is the same, then the
+// text.
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -28,7 +29,7 @@ Document read_back(const std::string& text) {
   return std::move(read->document);
 }
 
-/// Radii that are 0 everywhere are not written.
+/// Removes radii that are 0 everywhere, because they are not written.
 ScalarStops without_zeros(const ScalarStops& radii) {
   const bool any =
       std::ranges::any_of(radii.stops, [](const auto& stop) { return stop.value > 0; });
@@ -36,7 +37,7 @@ ScalarStops without_zeros(const ScalarStops& radii) {
 }
 
 Curve comparable(Curve curve) {
-  // Ids are changed where they are no names or not unique.
+  // Ids that are not names or not unique are changed.
   curve.id.clear();
   curve.left.blur_radius = without_zeros(curve.left.blur_radius);
   curve.right.blur_radius = without_zeros(curve.right.blur_radius);
@@ -69,7 +70,7 @@ struct SameItem {
   }
 };
 
-/// Layers and shaders of a document from a reader stand in the order of their first use.
+/// Layers and shaders of a document from a reader are in the order of their first use.
 void require_same(const Document& a, const Document& b) {
   fuzz::require(a.artboard == b.artboard && a.interpolation == b.interpolation &&
                     a.background == b.background,
@@ -89,7 +90,7 @@ void require_same(const Document& a, const Document& b) {
   }
 }
 
-/// Orzan's reader keeps curves that are one point and draw nothing; that of SVG leaves them out.
+/// Orzan's reader keeps curves that are a single point and draw nothing; the SVG reader drops them.
 bool all_have_length(const Document& document) {
   const auto has_length = [](const Curve& curve) {
     const Vec2 begin = curve.control_points.front();
@@ -106,8 +107,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   Context context{.budget = Budget(fuzz::kBudgetBytes)};
   const std::optional<Document> document = fuzz::drawn_document(context, {data, size});
   if (!document) return 0;
-  // Of a drawn document the first writing brings the order of readers, and the first reading leaves
-  // out what nothing uses.
+  // Writing a drawn document puts it into the readers' order, and reading it drops unused parts.
   const Document first = read_back(written(*document));
   if (fuzz::is_file({data, size}) && all_have_length(*document)) require_same(*document, first);
   const std::string text = written(first);

@@ -1,6 +1,6 @@
-// A document, then bytes that decide on changes to it: after each solve the picture is the one that
-// diffuse makes of the changed document, what a change returns takes it back, and no memory is kept
-// that is not held. Some solves are cancelled on their way.
+// A document, then bytes that choose changes to it. After each solve the picture equals diffuse's
+// picture of the changed document, the value that a change returned takes it back, and exactly the
+// memory in use is charged. Some solves are cancelled.
 #include <algorithm>
 #include <utility>
 
@@ -17,10 +17,10 @@ using namespace sfumato;
 namespace {
 
 constexpr int kMostSteps = 6;
-/// What comes before the document.
+/// Bytes before the document.
 constexpr std::size_t kStepBytes = 4 * kMostSteps;
 
-/// A curve of the document, moved.
+/// Returns a curve of the document, moved.
 Curve moved_curve(fuzz::ByteReader& bytes, const Document& document, std::uint32_t layer) {
   const std::vector<Curve>& curves = document.layers[layer].curves;
   if (curves.empty()) return {};
@@ -41,13 +41,13 @@ Change next_change(fuzz::ByteReader& bytes, const Document& document, const Docu
   }
   const auto layer = static_cast<std::uint32_t>(bytes.byte() % document.layers.size());
   const std::size_t count = document.layers[layer].curves.size();
-  const auto curve = static_cast<std::uint32_t>(bytes.byte() % (count + 1));  // or none, at times
+  const auto curve = static_cast<std::uint32_t>(bytes.byte() % (count + 1));  // or sometimes none
   if (kind == 2) return InsertCurve{layer, curve, moved_curve(bytes, document, layer)};
   if (kind == 3) return RemoveCurve{layer, curve};
   return ReplaceCurve{layer, curve, moved_curve(bytes, document, layer)};
 }
 
-/// Applied, taken back, and applied again.
+/// Applies a change, takes it back, and applies it again.
 void apply(Context& context, Solution& solution, const Change& change) {
   const Document before = solution.document();
   const Result<Change> inverse = solution.apply(context, change);

@@ -1,8 +1,8 @@
-// Lists of colour stops and of numbers, and where they come to lie on a curve.
+// Lists of colour stops and of numbers, and their places on a curve.
 #include <cmath>
 #include <vector>
 
-#include "formats/svg/stop_list.hpp"
+#include "formats/svg/paint/stop_list.hpp"
 #include "fuzz.hpp"
 #include "sfumato/base/limits.hpp"
 
@@ -16,7 +16,7 @@ void check(const Status& parsed, const std::vector<svg::WrittenStop<Value>>& wri
   fuzz::require(written.size() <= svg::stop_bound(text), "more stops than were foreseen");
   if (!parsed) return fuzz::require_honest(parsed);
   fuzz::require(!written.empty(), "a list without a stop");
-  // Three segments of one, four and two pieces, as arcs have them.
+  // Three segments of one, four and two pieces, as arcs make them.
   static constexpr std::uint32_t kSegmentBegin[] = {0, 1, 5, 7};
   bool beyond_end = false;
   StopList<Value> placed;
@@ -36,7 +36,9 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text = fuzz::as_text({data, size});
   css::TextPoll poll;
   std::vector<svg::WrittenStop<Rgb>> colors;
-  const Status has_colors = svg::parse_color_stops(text, poll, colors);
+  std::string_view mapped;
+  const Status has_colors = svg::parse_color_stops(text, poll, colors, mapped);
+  fuzz::require(mapped.empty() || text.find(mapped) != text.npos, "a colour from nowhere");
   check(has_colors, colors, text);
   std::vector<svg::WrittenStop<float>> radii;
   const Status has_radii =

@@ -1,4 +1,4 @@
-// Style sheets, style attributes, colours, and what a sheet says of elements.
+// Style sheets, style attributes, colours, and the values of a sheet for elements.
 #include <string>
 #include <string_view>
 
@@ -19,7 +19,7 @@ bool lies_in(std::string_view part, std::string_view whole) {
          (part.data() >= whole.data() && part.data() + part.size() <= whole.data() + whole.size());
 }
 
-/// The tokens follow each other, with nothing but comments between.
+/// Requires that the tokens follow each other, with only comments between.
 void check_tokens(std::string_view text) {
   css::Tokenizer tokens(text, no_poll);
   std::size_t at = 0;
@@ -69,11 +69,11 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   for (const css::Property property :
        {css::Property::fill, css::Property::opacity, css::Property::display}) {
     for (const char* classes : {"", "a", " a  b ", "\ta\n"}) {
-      const auto setting = sheet.find("path", "a", classes, property);
-      fuzz::require(!setting || lies_in(setting->value, text), "a value from nowhere");
+      const auto found = sheet.find("path", "a", classes, {property});
+      fuzz::require(!found || lies_in(found->setting.value, text), "a value from nowhere");
     }
   }
-  // A second sheet is laid over the first.
+  // A second sheet is added over the first.
   const std::size_t count = sheet.value_count();
   sheet.add(text, limits::kStyleValues, no_poll);
   fuzz::require(count > limits::kStyleValues || sheet.value_count() == 2 * count ||

@@ -1,5 +1,5 @@
-// Whole documents as the command reads them: SVG with styles, `use`, paints and textures, gzip,
-// and whatever else the root element says it is.
+// Whole documents as the command reads them: SVG with styles, `use`, paints and textures, gzip, and
+// other formats that the root element names.
 #include <string>
 #include <vector>
 
@@ -12,7 +12,7 @@ using namespace sfumato;
 
 namespace {
 
-/// One small picture behind every name that ends in .png; nothing else is there.
+/// One small picture for every name that ends in .png; no other files.
 class OnePicture final : public ResourceLoader {
  public:
   OnePicture() {

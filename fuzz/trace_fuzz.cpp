@@ -1,5 +1,5 @@
-// Options and a small picture to a drawing: valid, of curves near the picture, the same on every
-// instruction set; written and read again it is the same text.
+// Options and a small picture to a drawing: valid, with curves near the picture, the same on every
+// instruction set, and the same text after writing, reading and writing.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,7 +18,7 @@ constexpr unsigned kMostSide = 48;
 /// More control points would only take time.
 constexpr int kMostPoints = 160;
 
-/// How far from the picture a control point may lie: in its longer sides, and pixels besides.
+/// How far from the picture a control point may lie: a share of its longer side, and extra pixels.
 constexpr double kReach = 0.25;
 constexpr double kReachPx = 4;
 
@@ -40,7 +40,7 @@ TraceOptions read_options(fuzz::ByteReader& bytes) {
   return options;
 }
 
-/// Cells of a few pixels, whose channels are the bytes that are left, again and again.
+/// Fills cells of a few pixels with channels from the remaining bytes, repeated as needed.
 Image read_picture(fuzz::ByteReader& bytes) {
   Image image;
   image.width = 1 + static_cast<int>(bytes.below(kMostSide));

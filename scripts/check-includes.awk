@@ -1,39 +1,39 @@
 # The rules of scripts/check-includes. Arguments: the table of folders, then the C++ files.
 
 BEGIN {
-  # `export` is a word of the language, and so is `import` at the beginning of a line; `lint` is the
-  # verb itself.
+  # `export` is a keyword of C++, and so is `import` at the beginning of a line. `lint` is also the name of
+  # the function.
   named["export", "outputs"] = named["import", "svg_import"] = named["lint", "lint_detail"] = 1
   named["base", "limits"] = named["document", "rules"] = named["trace", "tracing"] = 1
-  # Of the parts of a name those that tell that `stop` is the verb.
+  # Parts of a name that show that `stop` is a verb.
   stops_work = "_(must|should|shall|can|may|will|is|to|or|please|request|asked|early)_stop_|" \
                "_stop_(now|early|at|if|when|on|status|reason|code|flag|token|source|requested|work)_"
-  # Where a look at the cancel flag may end in less than a status.
+  # Files whose polls of the cancel flag need not end in a status.
   is_flag_itself["base/context.cpp"] = is_flag_itself["base/poll.hpp"] = 1
   is_flag_itself["base/parallel.cpp"] = 1             # tasks of an executor return nothing
-  is_flag_itself["base/native/posix.cpp"] = 1         # false and errno, as the system's calls
-  is_flag_itself["codecs/jpeg_decode.cpp"] = 1        # libjpeg's errors are jumps
-  is_flag_itself["codecs/jpeg_encode.cpp"] = 1        # libjpeg's callback returns nothing
-  is_flag_itself["codecs/webp_encode.cpp"] = 1        # libwebp's wants a number
+  is_flag_itself["base/native/posix.cpp"] = 1         # false and errno, as system calls do
+  is_flag_itself["codecs/jpeg/jpeg_decode.cpp"] = 1        # libjpeg reports errors by jumps
+  is_flag_itself["codecs/jpeg/jpeg_encode.cpp"] = 1        # libjpeg's callback returns nothing
+  is_flag_itself["codecs/webp/webp_encode.cpp"] = 1        # libwebp's callback returns a number
   allow_estimates()
-  is_flag_itself["formats/css/tokenizer.hpp"] = 1     # no Result a token: TextPoll has the status
+  is_flag_itself["formats/css/tokenizer.hpp"] = 1     # tokens carry no Result: TextPoll has the status
 }
 
 function allow_estimates() {
-  # Where memory may be charged by a figure, without measuring what is there.
-  is_estimate["codecs/jpeg_decode.cpp"] = 1           # libjpeg allocates by itself
-  is_estimate["codecs/jpeg_encode.cpp"] = 1
-  is_estimate["codecs/webp_encode.cpp"] = 1           # libwebp does
-  is_estimate["codecs/photo_webp.cpp"] = 1
-  is_estimate["codecs/photo_profile_memory.cpp"] = 1  # lcms2 says how large each of its blocks is
-  is_estimate["formats/text/xml_source.cpp"] = 1      # pugixml does
-  is_estimate["gpu/target.cpp"] = 1                   # the GPU's driver does
+  # Files that may charge memory by an estimate, without measuring it.
+  is_estimate["codecs/jpeg/jpeg_decode.cpp"] = 1           # libjpeg allocates the memory itself
+  is_estimate["codecs/jpeg/jpeg_encode.cpp"] = 1
+  is_estimate["codecs/webp/webp_encode.cpp"] = 1           # libwebp allocates it
+  is_estimate["codecs/photo/photo_webp.cpp"] = 1
+  is_estimate["codecs/photo/photo_profile_memory.cpp"] = 1  # lcms2 reports the size of each of its blocks
+  is_estimate["formats/text/xml_source.cpp"] = 1      # pugixml allocates it
+  is_estimate["gpu/target.cpp"] = 1                   # the GPU's driver allocates it
   is_estimate["gpu/table.cpp"] = 1
-  is_estimate["codecs/webp_import.cpp"] = 1
-  is_estimate["tiles/big_tiff.cpp"] = 1              # what libtiff keeps of each tile
-  is_estimate["export/glb/glb_file.cpp"] = 1          # so do the nodes of a std::map
-  is_estimate["formats/svg/svg_write_ids.cpp"] = 1    # and those of a std::set
-  is_estimate["cli/document_input.cpp"] = 1           # bounds what is read of a pipe, not there yet
+  is_estimate["codecs/webp/webp_import.cpp"] = 1
+  is_estimate["tiles/big_tiff.cpp"] = 1              # memory that libtiff keeps for each tile
+  is_estimate["export/glb/glb_file.cpp"] = 1          # nodes of a std::map
+  is_estimate["formats/svg/write/svg_write_ids.cpp"] = 1    # nodes of a std::set
+  is_estimate["cli/files/document_input.cpp"] = 1           # bounds the part of a pipe that is still to be read
   is_estimate["raster/rasterize.cpp"] = 1             # tasks cannot fail: charged before they begin
   is_estimate["base/charge.hpp"] = is_estimate["base/charge.cpp"] = 1
   is_estimate["base/table_memory.hpp"] = 1
@@ -52,18 +52,18 @@ function finish_file() {
   }
 }
 
-# The path within src/, or within include/sfumato/ for a public header; of other files "".
+# Returns the path within src/, or within include/sfumato/ for a public header; "" for other files.
 function inner_path(path) {
   return sub(/^(src|include\/sfumato)\//, "", path) ? path : ""
 }
 
-# The first folder of such a path ("formats"), or "".
+# Returns the first folder of such a path ("formats"), or "".
 function folder_of(path, parts) {
   return split(path, parts, "/") > 1 ? parts[1] : ""
 }
 
-# The folder of a path within src/ ("formats/css/color.hpp"): a room of its own where it has a
-# line in the table ("formats/css"), else the first one.
+# Returns the folder of a path within src/ ("formats/css/color.hpp"). A folder with its own line in the
+# table is a room ("formats/css"); otherwise the first folder counts.
 function room_of(path, parts, count) {
   count = split(path, parts, "/")
   return count > 2 && (parts[1] "/" parts[2]) in is_folder ? parts[1] "/" parts[2] : parts[1]
@@ -89,7 +89,7 @@ function check_project_include(path, parts, other, other_room) {
   if (path ~ /^base\/native\// && core) complain("the core may not include " path)
 }
 
-# A namespace is sfumato, for what the library hands out, or has its folder's name.
+# A namespace is sfumato, for public names, or has its folder's name.
 function check_namespace(name, parts) {
   if (folder == "" || name == "sfumato") return
   sub(/^sfumato::/, "", name)
@@ -98,7 +98,7 @@ function check_namespace(name, parts) {
   complain(room " may not open namespace " name)
 }
 
-# Comments and string literals are not code.
+# Returns a line without comments and string literals.
 function code_of(line) {
   gsub(/\\./, "", line)
   gsub(/"[^"]*"/, "\"\"", line)
@@ -107,7 +107,7 @@ function code_of(line) {
   return line
 }
 
-# An identifier as lower-case words between underscores: "_stop_list_" of StopList and stop_list_.
+# Returns an identifier as lower-case words between underscores: "_stop_list_" for StopList and stop_list_.
 function words_of(name, words) {
   words = ""
   while (match(name, /[A-Z]*[a-z0-9]+|[A-Z]+/)) {
@@ -117,7 +117,8 @@ function words_of(name, words) {
   return words "_"
 }
 
-# `stop` is a colour's and never means to end; a `scene` is what rays hit, or a file format's word.
+# `stop` means a colour stop and never to end; `scene` means the objects that rays hit, or a file format's
+# term.
 function check_words(name, words) {
   words = words_of(name)
   if (words ~ /_(stopped|stopping)_/ || words ~ stops_work || (words ~ /_stop_/ && !has_stops)) {
@@ -126,7 +127,7 @@ function check_words(name, words) {
   if (words ~ /_scenes?_/ && !has_scenes) complain("a scene is what rays hit: " name)
 }
 
-# A function of that name, or a number, place or flag, is no colour stop.
+# A function, number, place or flag named stop is not a colour stop.
 function check_stop_declaration(code) {
   if (code ~ /(bool|int|size_t|int(8|16|32|64)_t|char|Vec2|Status|void|stop_token)>?[ *&]+stop[^A-Za-z0-9_]/ ||
       code ~ /(^|[^A-Za-z0-9_])stop\(/) {
@@ -134,9 +135,9 @@ function check_stop_declaration(code) {
   }
 }
 
-# A cancelled step is a status: what stops in the middle without one hands out half-made data that
-# every caller has to ask the flag about again. A look at the flag has its status on the same line, or
-# on one of the next three; `look` is the line of one that has none yet.
+# A cancelled step returns a status. Code that stops in the middle without one returns incomplete data, and
+# every caller has to poll the flag again. A poll of the flag has its status on the same line, or on one of
+# the next three. `look` is the line of a poll that has no status yet.
 function check_looks(code) {
   if (code ~ /(cancel_status|check)\(\)/) {
     look = 0
@@ -155,8 +156,8 @@ function complain_of_look() {
   look = 0
 }
 
-# Memory is charged by what allocates it (TableMemory, OutputBuffer), or as large as what is there was
-# measured: a figure by hand is forgotten when the code changes.
+# Memory is charged by the code that allocates it (TableMemory, OutputBuffer), or by a measured size. A size
+# written by hand is forgotten when the code changes.
 function check_charge(code, name) {
   if (code ~ /(^|[^A-Za-z0-9_.])ScopedCharge [a-z_]+[;(]/) {
     name = code
@@ -167,7 +168,7 @@ function check_charge(code, name) {
   if (code ~ /constexpr .* k[A-Za-z]*(NodeBytes|BytesPer[A-Z][A-Za-z]*) =/ && code !~ /BytesPerPoll/) {
     complain("a figure of memory by hand: measure what is there")
   }
-  # One byte more than there is room for is how a refusal is made.
+  # A refusal charges one byte more than the budget has.
   if (code ~ /budget_?\.charge\(/ && code !~ /\(room \+ 1,/) complain("memory is charged by TableMemory or ScopedCharge")
   if (!charged && code ~ /((charge|held)_?\.(add|raise_to)|memory_?\.settle)\(/) charged = FNR
   if (!charged) return
@@ -181,7 +182,7 @@ function check_charge(code, name) {
   charge_text = ""
 }
 
-# What stands in the string literals of a line.
+# Returns the text in the string literals of a line.
 function words_for_people(line, words) {
   words = ""
   gsub(/\\./, "", line)
@@ -215,10 +216,12 @@ FNR == 1 {
 
 is_table {
   if ($0 ~ /^#/ || NF == 0) next
-  name = $1
-  sub(/:$/, "", name)
+  name = uses = $0
+  sub(/( \(.*\))?:.*/, "", name)
+  sub(/^[^:]*:/, "", uses)
   is_folder[name] = 1
-  for (i = 2; i <= NF; ++i) may_use[name, $i] = 1
+  count = split(uses, used)
+  for (i = 1; i <= count; ++i) may_use[name, used[i]] = 1
   next
 }
 
@@ -234,13 +237,13 @@ is_table {
   check_project_include(quoted[2])
 }
 
-# The command's options are the command's: it adds them to what the library says.
+# Only the command knows its options: it adds them to the library's messages.
 folder != "" && folder != "cli" && /"/ &&
     words_for_people($0) ~ /--[a-z]|sfumato (init|render|lint|convert|info|compare|watch|edit) / {
   complain("the library may not speak of the command")
 }
 
-# In angle brackets a header of ours would slip past the order of the folders.
+# In angle brackets one of our headers would escape the check of the folder order.
 folder != "" && /^[ \t]*#[ \t]*include[ \t]*<sfumato\// {
   complain("a header of the library is included by quotes")
 }
@@ -252,7 +255,7 @@ folder != "" && /^[ \t]*#[ \t]*include[ \t]*<sfumato\// {
   check_namespace(name)
 }
 
-# Large headers are read by every file of an embedder. What is listed here costs 38,000 lines.
+# Every file of an embedder reads large headers. The headers listed here cost 38,000 lines.
 is_public && /^[ \t]*#[ \t]*include[ \t]*</ &&
     !(FILENAME ~ /\.h$/ && /<std(def|int)\.h>/) &&
     !/<(cassert|cstddef|cstdint|optional|span|string|string_view|type_traits|utility|variant|vector)>/ {
@@ -263,7 +266,7 @@ core && /^[ \t]*#[ \t]*include[ \t]*<(thread|filesystem|iostream|fstream|regex|f
   complain("the core may not use" substr($0, index($0, "include") + 7))
 }
 
-# base/no_throw.hpp is where what the allocator throws becomes a status.
+# Only base/no_throw.hpp turns exceptions of the allocator into a status.
 core && FILENAME != "src/base/no_throw.hpp" {
   code = code_of($0)
   if (code ~ /(^|[^A-Za-z0-9_])(throw|try|catch)([^A-Za-z0-9_]|$)/) {

@@ -1,7 +1,7 @@
 # Shared by the scripts of this folder; sourced.
 
-# The files of C++ and C of a project folder, relative to it, each ended by NUL: those that git
-# tracks, or all where the folder is no working tree.
+# Prints the C++ and C files of a project folder, relative to it, each ended by NUL: the files that git
+# tracks, or all files if the folder is not a working tree.
 cpp_files() {
   (
     cd "$1"
@@ -19,7 +19,8 @@ cpp_files() {
 # The folder that `make check` and `make check-all` build in.
 checked=build-check
 
-# build_checked OPTION... [--target TARGET...]: configures it with these options of CMake, and builds.
+# build_checked OPTION... [--target TARGET...]: configures $checked with these options of CMake, and builds
+# it.
 build_checked() {
   local options=()
   while [[ $# -gt 0 && $1 != --target ]]; do options+=("$1") && shift; done
@@ -32,14 +33,14 @@ passed() { echo "ok - $1"; }
 failed() { echo "not ok - $1"; }
 skipped() { echo "ok - $1 # SKIP $2"; }
 
-# install_npm FOLDER: what its package-lock.json names; nothing where it is there.
+# install_npm FOLDER: installs the packages of its package-lock.json if they are not installed.
 install_npm() {
   [[ $1/node_modules/.package-lock.json -nt $1/package-lock.json ]] ||
     npm ci --prefix "$1" --no-audit --no-fund
 }
 
-# measured NAME COMMAND...: runs it, and notes the wall and CPU seconds of it and of all its processes in
-# $results/times.tsv, which scripts/time-table reads.
+# measured NAME COMMAND...: runs the command, and writes the wall and CPU seconds of it and of all its
+# processes to $results/times.tsv, which scripts/time-table reads.
 measured() {
   local name=$1 status=0 report wall user system cpu
   shift
@@ -54,14 +55,14 @@ measured() {
   return "$status"
 }
 
-# no_time_left NAME: whether CI's time is over ($SFUMATO_DEADLINE, seconds since 1970), so that the stage
-# NAME is skipped.
+# no_time_left NAME: succeeds if CI's time is over ($SFUMATO_DEADLINE, seconds since 1970); the stage NAME
+# is then skipped.
 no_time_left() {
   [[ ${EPOCHSECONDS} -ge ${SFUMATO_DEADLINE:-$((EPOCHSECONDS + 1))} ]] || return 1
   skipped "$1" "CI has no time left for it" | tee -a "$results/stages.tap"
 }
 
-# stage NAME COMMAND...: one check that passes or fails as a whole, noted in $results/stages.tap.
+# stage NAME COMMAND...: one check that passes or fails as a whole, recorded in $results/stages.tap.
 stage() {
   local name=$1 verdict=failed
   shift
@@ -71,7 +72,7 @@ stage() {
   "$verdict" "$name" | tee -a "$results/stages.tap"
 }
 
-# suite NAME COMMAND...: a command that prints its tests as TAP, kept in $results/NAME.tap.
+# suite NAME COMMAND...: runs a command that prints its tests as TAP, and stores them in $results/NAME.tap.
 suite() {
   local name=$1
   shift
@@ -80,9 +81,9 @@ suite() {
   measured "$name" "$@" | tee "$results/$name.tap"
 }
 
-# unit_tests BUILD [OPTION...]: runs the tests of a build folder, in parallel on all cores; the options are
-# ctest's. Their report, $results/ctest.xml, has the tests' verdicts and times; the exit code says whether
-# there is one.
+# unit_tests BUILD [OPTION...]: runs the tests of a build folder in parallel on all cores, with options of
+# ctest. The report, $results/ctest.xml, holds the results and times; the exit code says whether the report
+# exists.
 unit_tests() {
   local log=$results/ctest.log
   ctest --test-dir "$1" "${@:2}" --parallel "$(nproc)" --output-on-failure \
@@ -91,14 +92,14 @@ unit_tests() {
   [[ -s $results/ctest.xml ]]
 }
 
-# start_results: an empty folder $results, but for what was built there.
+# start_results: empties the folder $results, except for built files.
 start_results() {
   mkdir -p "$results"
   rm -f "$results"/summary "$results"/times.tsv "$results"/*.tap "$results"/ctest*.xml
 }
 
-# end_results: where the time went, and the count of the tests, which is the last line and kept in
-# $results/summary. Exit 1 where a test failed.
+# end_results: prints the time of each stage and the count of the tests, which is the last line and also in
+# $results/summary. Exit 1 if a test failed.
 end_results() {
   scripts/time-table "$results"
   scripts/count-tests "$results" | tee "$results/summary"

@@ -1,4 +1,4 @@
-// Chromium as the tests start it: no network of its own, graphics made in software.
+// Chromium for the tests: without network access, with software rendering.
 import { PATIENCE } from "./tap.mjs";
 
 const quiet = [
@@ -20,7 +20,7 @@ export const MESA = [
 /** Chromium's own driver. */
 export const SWIFTSHADER = ["--disable-gpu"];
 
-/** @param chromium of the folder's own playwright-core */
+/** Starts a browser. @param chromium of the calling folder's playwright-core */
 export function launchWith(chromium, flags = MESA) {
   const executablePath = process.env.CHROMIUM ?? "/usr/bin/chromium";
   return chromium.launch({ executablePath, args: [...quiet, ...flags], timeout: PATIENCE });

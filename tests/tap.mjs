@@ -1,4 +1,4 @@
-// What the tests in JavaScript share: they run one after another, are timed, and print TAP.
+// The runner of the tests in JavaScript: runs tests one after another, measures times, prints TAP.
 //
 //   # 12.3 s NAME
 //   # CPU 4.5 s
@@ -7,23 +7,23 @@
 // The slowest tests of a run: grep -E '^# [0-9.]+ s ' | sort -rn -k 2
 import { readdirSync, readFileSync } from "node:fs";
 
-/** What has not happened after this never happens, on the slowest machine. Milliseconds. */
+/** Limit for the wait for a state, milliseconds; the slowest machine needs less. */
 export const PATIENCE = Number(process.env.SFUMATO_WAIT ?? 180_000);
 
-/** A test that waits for what does not come is a failure, not a run without end. */
+/** Limit for a test, so that an endless wait is a failure. */
 const LONGEST_MS = 1_800_000;
 
-/** Of /proc, which Linux gives every program in these units. */
+/** Clock ticks per second of /proc/PID/stat, the same on every Linux. */
 const TICKS_PER_SECOND = 100;
 
 export class Skip extends Error {}
 
-/** Numbers of a process in /proc; null: it has ended. */
+/** Returns the numbers of a process in /proc; null: it has ended. */
 function statOf(id) {
   try {
     const text = readFileSync(`/proc/${id}/stat`, "utf8");
     const [, parent, ...more] = text.slice(text.lastIndexOf(")") + 2).split(" ");
-    // Its own time of user and system, and those of the children that it has waited for.
+    // The user and system time of the process and of the children that it has waited for.
     const ticks = more.slice(9, 13).reduce((sum, count) => sum + Number(count), 0);
     return { id, parent: Number(parent), ticks };
   } catch {
@@ -31,7 +31,7 @@ function statOf(id) {
   }
 }
 
-/** CPU time of this process and all below it, seconds; null where the system has no /proc. */
+/** Returns the CPU time of this process and all its descendants, seconds; null if the system has no /proc. */
 export function cpuSeconds() {
   let names;
   try {
@@ -42,7 +42,7 @@ export function cpuSeconds() {
   const ids = names.filter((name) => /^\d+$/.test(name)).map(Number);
   const all = ids.map(statOf).filter(Boolean);
   const own = new Set([process.pid]);
-  // Parents may come behind their children: until no more are found.
+  // Parents may come after their children: repeat until no more are found.
   for (let count = 0; count !== own.size; ) {
     count = own.size;
     for (const { id, parent } of all) if (own.has(parent)) own.add(id);
@@ -51,7 +51,7 @@ export function cpuSeconds() {
   return ticks / TICKS_PER_SECOND;
 }
 
-/** @returns what `body` does, unless it takes too long */
+/** Runs a body with a time limit. @returns the result of `body` */
 async function inTime(body) {
   let timer;
   const late = new Promise((_, reject) => {
@@ -64,14 +64,14 @@ async function inTime(body) {
   }
 }
 
-/** An error as lines of comment, but for the first one's sign. */
+/** Returns an error as lines of comment, without the sign of the first line. */
 const commented = (error) => String(error?.stack ?? error).replaceAll("\n", "\n# ");
 
 /** Runs tests one after another and prints TAP. */
 export class Tap {
   failures = 0;
 
-  /** only: tests whose names hold this; prefix: of each name that is printed */
+  /** only: run tests whose names contain this; prefix: of each printed name */
   constructor({ only = "", prefix = "" } = {}) {
     Object.assign(this, { only, prefix });
   }
@@ -80,7 +80,7 @@ export class Tap {
     if (name.includes(this.only)) await this.#run(this.prefix + name, () => inTime(body));
   }
 
-  /** A test of many tests, each of which has its own limit and tells its own time. */
+  /** Runs a test that contains tests. Each has its own time limit and prints its own time. */
   whole(name, body) {
     return this.#run(this.prefix + name, body, () => {});
   }
@@ -102,7 +102,7 @@ export class Tap {
   }
 }
 
-/** @returns what prints how much time has gone by since then */
+/** @returns a function that prints the time since then */
 function timer(name) {
   const [start, startCpu] = [performance.now(), cpuSeconds()];
   return () => {

@@ -1,23 +1,24 @@
-// Makes the package: node build.mjs MODULES OUT, where MODULES is what scripts/build-wasm has made.
-// Needs the packages of tests/package.json. Run it by scripts/build-npm.
+// Builds the package: node build.mjs MODULES OUT, where MODULES is the output folder of scripts/build-wasm. Needs
+// the packages of tests/package.json. Run it through scripts/build-npm.
 import { copyFileSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
+import { inEachModule, licenceOfLibrary } from "../../web/wasm/licences.mjs";
 import { condensed } from "../../web/editor/tools/viewer-page.mjs";
 
 const { build } = createRequire(new URL("tests/package.json", import.meta.url))("esbuild");
 const path = (relative) => fileURLToPath(new URL(relative, import.meta.url));
 const [modules, out] = process.argv.slice(2);
 
-/** The viewer's shaders by their names, without comments and indentation, as its page has them. */
+/** The viewer's shaders by name, without comments and indentation, as in the viewer's page. */
 const shaders = {
   name: "shaders",
   setup(building) {
     building.onResolve({ filter: /^sfumato-shaders$/ }, () => ({ path: "shaders", namespace: "shaders" }));
     building.onLoad({ filter: /.*/, namespace: "shaders" }, () => {
       const folder = path("../../web/viewer/shaders");
-      // Of the editor, and of exact pixels.
+      // Used only by the editor and for exact pixels.
       const names = readdirSync(folder).filter((name) => !/^(edges\.|exact)/.test(name));
       const texts = names.map((name) => [name, condensed(readFileSync(join(folder, name), "utf8"))]);
       const table = JSON.stringify(Object.fromEntries(texts));
@@ -26,7 +27,7 @@ const shaders = {
   },
 };
 
-/** What stands once in the package, beside those that import it. */
+/** Files that are in the package once and are imported by the others. */
 const apart = {
   name: "apart",
   setup(building) {
@@ -46,17 +47,9 @@ const bundle = (entry, options = {}) =>
     ...options,
   });
 
-/** What is in the modules besides the library, with the words that its licences want to go with it. */
+/** Returns the licence texts of the code that the modules contain besides the library. */
 function licences() {
-  const debian = (name) => readFileSync(`/usr/share/doc/${name}/copyright`, "utf8");
-  const comment = (name, which) => readFileSync(join(modules, name), "utf8").match(/\/\*[^]*?\*\//g).at(which);
-  const texts = {
-    pugixml: comment("pugixml/pugixml.hpp", -1),
-    zlib: comment("zlib/zlib.h", 0),
-    "wasi-libc": debian("wasi-libc"),
-    "libc++": debian("libc++-19-dev-wasm32"),
-  };
-  const parts = Object.entries(texts).map(([name, text]) => `=== ${name} ===\n\n${text}\n`);
+  const parts = [...inEachModule, "zlib"].map((name) => `=== ${name} ===\n\n${licenceOfLibrary(modules, name)}\n`);
   return `The modules of this package hold parts of these libraries.\n\n${parts.join("\n")}`;
 }
 

@@ -1,8 +1,8 @@
-"""One wheel for every Python 3 of a platform: no extension module, but shared libraries beside the
-text. The C library is built by CMake from the checkout that this folder is part of, or is the one
-that SFUMATO_LIBRARY names; what it needs and a system may lack goes with it. With
-SFUMATO_LIBRARY=system there is text alone, which loads the system's libsfumato.so.1: so Debian's
-package is made.
+"""Builds one wheel for every Python 3 of a platform. The wheel has no extension module; it carries
+shared libraries beside the Python files. CMake builds the C library from the checkout that holds
+this folder, or SFUMATO_LIBRARY names a library to use. The wheel also carries the libraries that
+this one needs and that a system may lack. With SFUMATO_LIBRARY=system the wheel holds only Python
+files, which load the system's libsfumato.so.1; Debian's package is built this way.
 """
 
 import os
@@ -21,11 +21,12 @@ ROOT = HERE.parent.parent
 LIBRARY = "libsfumato.so.1"
 CARRIES = os.environ.get("SFUMATO_LIBRARY") != "system"
 
-# Every Linux for which such wheels are has these, by the policies of PyPI; they belong together with
-# the system's own.
+# By the policies of PyPI every Linux system that accepts such wheels has these libraries. They must
+# come from the system, because they belong together.
 SYSTEM = re.compile(r"(linux-vdso|ld-linux.*|lib(c|m|dl|rt|pthread|gcc_s|stdc\+\+|z))\.so.*")
 
-# manylinux_2_N, by PyPI's policies: the newest versions of symbols that such a system surely has.
+# For each tag manylinux_2_N of PyPI's policies: the newest symbol versions that such a system
+# surely has.
 POLICIES = {
     28: {"GLIBC": (2, 28), "GLIBCXX": (3, 4, 24), "CXXABI": (1, 3, 11), "GCC": (7, 0, 0)},
     31: {"GLIBC": (2, 31), "GLIBCXX": (3, 4, 28), "CXXABI": (1, 3, 12), "GCC": (7, 0, 0)},
@@ -40,7 +41,7 @@ def run(*command, **how):
 
 
 def built(folder):
-    """The library, made from the checkout."""
+    """Builds the library from the checkout and returns its path."""
     if not (ROOT / "CMakeLists.txt").is_file():
         sys.exit("setup.py: Sfumato's sources are not around this folder; install from a checkout")
     for program in ("cmake", "ninja"):
@@ -53,7 +54,7 @@ def built(folder):
 
 
 def needed(library):
-    """What the loader would load for it: path by name."""
+    """Returns what the loader would load for the library: path by name."""
     told = run("ldd", library, stdout=subprocess.PIPE, text=True).stdout
     found = {}
     for line in told.splitlines():
@@ -66,7 +67,7 @@ def needed(library):
 
 
 def keep_licence(library, folder):
-    """Debian knows under which licence a library is."""
+    """Copies the licence text that Debian has for the package of a library into a folder."""
     asked = ["dpkg-query", "--search", str(library.resolve())]
     if shutil.which(asked[0]) is None:
         return
@@ -78,7 +79,7 @@ def keep_licence(library, folder):
 
 
 def policy(libraries):
-    """The oldest of POLICIES by which these may be carried, or None."""
+    """Returns the oldest of POLICIES that allows these libraries in a wheel, or None."""
     needs = {}
     for library in libraries:
         told = run("objdump", "-p", library, stdout=subprocess.PIPE, text=True).stdout
@@ -95,13 +96,13 @@ def policy(libraries):
 
 
 class Build(build_py):
-    """Copies the package, then the libraries to it."""
+    """Copies the package, then the libraries into it."""
 
     def run(self):
         if not sys.platform.startswith("linux"):
             sys.exit("setup.py: wheels are made on Linux alone so far")
         target = Path(self.build_lib) / "sfumato"
-        shutil.rmtree(target, ignore_errors=True)  # what an earlier build left
+        shutil.rmtree(target, ignore_errors=True)  # left by an earlier build
         super().run()
         if CARRIES:
             self.carry(target)

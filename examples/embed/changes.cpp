@@ -20,13 +20,13 @@ Document sky_and_sun() {
   return document;
 }
 
-/// What a program would draw, or send to a graphics card.
+/// Prints the change. A program would draw it, or send it to a graphics card.
 void show(const Picture& picture, const PictureDelta& delta) {
   std::printf("%s%zu of %zu layers are new\n", delta.frame ? "the frame and " : "",
               delta.layers.size(), picture.layers.size());
 }
 
-/// What the pointer did to it.
+/// Returns the curve after a move of the pointer.
 Curve lowered(Curve curve, double by) {
   for (Vec2& point : curve.control_points) point.y += by;
   return curve;
@@ -53,7 +53,7 @@ Status run() {
   show(solution->picture(), solution->take_delta());
 
   const Curve sun = lowered(solution->document().layers[kSunLayer].curves[0], 40);
-  // What takes the change back is what an editor's undo keeps.
+  // An editor keeps the inverse change for its undo.
   const Result<Change> undo = solution->apply(context, ReplaceCurve{kSunLayer, 0, sun});
   if (!undo) return undo.status();
   status = solution->solve(context, DiffuseOptions{});

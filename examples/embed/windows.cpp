@@ -1,4 +1,4 @@
-// Paints an image in windows, of which one at a time is in memory (docs/api.md).
+// Paints an image in windows; only one of them at a time is in memory (docs/api.md).
 #include <cstdio>
 #include <sfumato/sfumato.hpp>
 #include <vector>

@@ -78,7 +78,7 @@ function gullies(x, y, ridge) {
   return Math.max(-1, Math.min(1, 18 * (height(x + 0.006) - height(x - 0.006))));
 }
 
-/** What stands above the water at x, as a function of y, so that crests are found once a column. */
+/** Returns the scene above the water at x as a function of y: one search of crests per column. */
 function column(x) {
   const crests = RIDGES.map((ridge) => crestOf(ridge, x));
   const tops = RIDGES.map(({ trees, seed }, i) => crests[i] - (trees ? firs(x, trees, seed) : 0));

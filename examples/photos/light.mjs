@@ -44,7 +44,7 @@ function scattered(n, samples) {
     Math.sqrt(1 - r));
 }
 
-/** The direction in which a gloss of some roughness throws a ray back. */
+/** Returns the direction of a ray after reflection by a gloss of some roughness. */
 function mirrored(direction, n, roughness, samples) {
   const [a, r] = [2 * Math.PI * samples.next(), samples.next()];
   const spread = roughness * Math.sqrt(r / (1.02 - r));
@@ -53,7 +53,7 @@ function mirrored(direction, n, roughness, samples) {
   return unit(add(direction, h, -2 * dot(direction, h)));
 }
 
-/** What the window sends towards a point of it, u and v from 0 to 1: panes between bars. */
+/** Returns the light of the window at a point of it, u and v from 0 to 1: panes between bars. */
 function windowLight(window, u, v) {
   const bar = (w, count) => Math.abs(w * count - Math.round(w * count)) / count;
   const isBar = bar(u, window.panes[0]) < 0.022 || bar(v, window.panes[1]) < 0.014;
@@ -99,7 +99,7 @@ function fromWindow(scene, point, n, eye, { color, mirror, roughness }, samples)
   return window.color.map((c, i) => c * k * ((1 - mirror) * color[i] / Math.PI + gloss));
 }
 
-/** What a hit shows: { n, color, gloss, roughness }. */
+/** Returns the surface at a hit: { n, color, gloss, roughness }. */
 function look(scene, hit, point) {
   if (hit.solid) {
     const { p, n } = surface(hit.solid, point);
@@ -111,8 +111,8 @@ function look(scene, hit, point) {
 }
 
 /**
- * Light that comes back along a ray. What a matt surface would see of the window by way of a
- * mirror is left out: it comes as bright specks.
+ * Returns the light that comes back along a ray. It leaves out light that reaches a matt surface
+ * from the window by a mirror: that would make bright specks.
  */
 function light(scene, origin, direction, samples) {
   let [sum, weight, seesWindow] = [[0, 0, 0], [1, 1, 1], true];

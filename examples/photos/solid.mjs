@@ -36,7 +36,7 @@ function distance(line, r, y) {
 }
 
 /**
- * What turning a profile about the y axis makes: points [radius, y] from the axis back to the axis.
+ * Returns the solid of a profile turned about the y axis: points [radius, y] from axis to axis.
  */
 export function turned(points) {
   const line = smooth(points).map(([r, y]) => [Math.max(0, r), y]);

@@ -13,6 +13,7 @@
 /// @namespace sfumato
 /// The library: everything public is declared here, in limits and in gather.
 
+#include "sfumato/api/draw_document.hpp"
 #include "sfumato/api/render_pixels.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/image.hpp"

@@ -1,11 +1,11 @@
-# A formula of this checkout's branch main, for Homebrew on Linux, from a tap of one's own:
+# A formula for this checkout's branch main, for Homebrew on Linux, from a private tap:
 #
 #   brew tap-new local/sfumato
 #   cp packaging/homebrew/sfumato.rb "$(brew --repository local/sfumato)/Formula/"
 #   HOMEBREW_SFUMATO=$PWD brew install --HEAD local/sfumato/sfumato
 #
-# It has not been run: no Homebrew was at hand, and Sfumato was never built on macOS. A formula for all
-# names a release and its sha256 in the place of `head`.
+# It is untested: Homebrew was not available, and Sfumato was never built on macOS. A public formula names a
+# release and its sha256 instead of `head`.
 class Sfumato < Formula
   desc "Diffusion curves: vector pictures made of curves with a colour on each side"
   license "MIT"

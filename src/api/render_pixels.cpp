@@ -2,8 +2,9 @@
 
 #include "base/public_verb.hpp"
 #include "base/stopwatch.hpp"
+#include "base/try.hpp"
 #include "raster/rasterize_source.hpp"
-#include "solve/exact_picture.hpp"
+#include "solve/points/exact_picture.hpp"
 
 namespace sfumato {
 namespace {
@@ -13,10 +14,10 @@ Result<Image> render(Context& context, const Document& document,
                      DiffuseStats* stats) {
   DiffuseOptions options = diffuse_options;
   if (raster_options.viewport) options.viewport = raster_options.viewport;
-  const auto exact = solve::ExactPicture::create(context, document, options, stats);
-  if (!exact) return exact.status();
+  SFUMATO_TRY_ASSIGN(const auto& exact,
+                     solve::ExactPicture::create(context, document, options, stats));
   const Stopwatch watch;
-  Result<Image> image = rasterize(context, exact->picture(), raster_options, *exact);
+  Result<Image> image = rasterize(context, exact.picture(), raster_options, exact);
   if (image && stats) {
     stats->nodes +=
         static_cast<std::uint64_t>(image->width) * static_cast<std::uint64_t>(image->height);

@@ -5,7 +5,7 @@
 
 namespace sfumato {
 
-/// A channel of 16 bits, as it lies in memory, rounded to 8 bits.
+/// Returns a channel of 16 bits, in the machine's byte order, rounded to 8 bits.
 inline std::uint8_t rounded_to_8_bits(const std::uint8_t* channel) {
   std::uint16_t value = 0;
   std::memcpy(&value, channel, sizeof value);

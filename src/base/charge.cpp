@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/try.hpp"
+
 namespace sfumato {
 
 ScopedCharge& ScopedCharge::operator=(ScopedCharge&& other) noexcept {
@@ -17,11 +19,10 @@ ScopedCharge::~ScopedCharge() {
 
 Status ScopedCharge::add(const Context& context, std::size_t bytes, std::string_view purpose) {
   Budget& budget = budget_ ? *budget_ : context.budget;
-  Status status = budget.charge(bytes, purpose);
-  if (!status) return status;
+  SFUMATO_TRY(budget.charge(bytes, purpose));
   budget_ = &budget;
   bytes_ += bytes;
-  return status;
+  return ok_status();
 }
 
 void ScopedCharge::release(std::size_t bytes) {

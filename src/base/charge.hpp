@@ -11,9 +11,9 @@ namespace sfumato {
 /// A charge that is released at the end of its scope. It belongs to one Budget, that of the first
 /// Context to which it is charged, which must outlive it. Movable.
 ///
-/// Tables are allocated from a TableMemory, which charges what it allocates. This class is for
-/// memory that is allocated elsewhere: by other libraries, and by objects that bytes_of() measures
-/// once they exist.
+/// Use a TableMemory for tables: it charges its allocations itself. Use this class for memory that
+/// is allocated elsewhere: by other libraries, and by objects that bytes_of() measures once they
+/// exist.
 class ScopedCharge {
  public:
   ScopedCharge() = default;

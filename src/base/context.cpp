@@ -8,9 +8,10 @@
 #include <string>
 #include <utility>
 
-#include "base/json.hpp"
 #include "base/limit_error.hpp"
 #include "base/poll.hpp"
+#include "base/text/json.hpp"
+#include "base/try.hpp"
 
 namespace sfumato {
 namespace {
@@ -86,7 +87,7 @@ Status Context::cancel_status() const {
 
 namespace {
 
-/// Contexts within each other; the library makes one within the caller's.
+/// The deepest nesting of Contexts; the library makes one within the caller's.
 constexpr int kDeepestContext = 64;
 
 bool ends(const Context* context) {
@@ -102,7 +103,7 @@ bool ends(const Context* context) {
 
 Status validate(const Context& context) {
   const auto bad = [](const char* what) { return make_error(StatusCode::bad_input, what); };
-  if (Status status = validate(context.limits); !status) return status;
+  SFUMATO_TRY(validate(context.limits));
   if (context.simd > SimdLevel::avx512) return bad("a context with an unknown instruction set");
   if (context.simd > detected_simd_level()) {
     return make_error(StatusCode::unavailable, "this machine lacks the context's instruction set");

@@ -136,7 +136,7 @@ SFUMATO_INLINE Float<W> zero_unless(Mask<W> mask, Float<W> a) {
     return (Float<W>)((Int<W>)a & mask);
 }
 
-/// a < b ? a : b.
+/// Returns a < b ? a : b.
 template <int W>
 SFUMATO_INLINE Float<W> min(Float<W> a, Float<W> b) {
 #if defined(__AVX512F__)
@@ -161,7 +161,7 @@ SFUMATO_INLINE Float<W> min(Float<W> a, Float<W> b) {
     return select<W>(greater<W>(b, a), a, b);
 }
 
-/// a > b ? a : b.
+/// Returns a > b ? a : b.
 template <int W>
 SFUMATO_INLINE Float<W> max(Float<W> a, Float<W> b) {
 #if defined(__AVX512F__)
@@ -231,7 +231,7 @@ SFUMATO_INLINE Float<W> to_float(Int<W> a) {
     return __builtin_convertvector(a, Float<W>);
 }
 
-/// Bit i of the result is lane i.
+/// Returns the lanes as bits: bit i of the result is lane i.
 template <int W>
 SFUMATO_INLINE std::uint32_t mask_bits(Mask<W> mask) {
 #if defined(__AVX__)
@@ -257,7 +257,7 @@ SFUMATO_INLINE std::uint32_t mask_bits(Mask<W> mask) {
   }
 }
 
-/// Lane i is bit i; higher bits are ignored.
+/// Returns a mask: lane i is bit i; higher bits are ignored.
 template <int W>
 SFUMATO_INLINE Mask<W> mask_from_bits(std::uint32_t bits) {
   if constexpr (W == 1)

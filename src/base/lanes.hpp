@@ -30,16 +30,16 @@ struct LaneMask {
     SFUMATO_EACH(i) r.part[i] = static_cast<Register>(a.part[i] | b.part[i]);
     return r;
   }
-  /// a and not b.
+  /// Returns a and not b.
   friend SFUMATO_INLINE LaneMask and_not(const LaneMask& a, const LaneMask& b) {
     LaneMask r;
     SFUMATO_EACH(i) r.part[i] = lane::and_not<W>(a.part[i], b.part[i]);
     return r;
   }
-  /// Register i: lanes [W i, W i + W).
+  /// Returns register i: lanes [W i, W i + W).
   SFUMATO_INLINE LaneMask<W> row(int i) const { return {{part[i]}}; }
 
-  /// Lane i is bit i.
+  /// Returns a mask: lane i is bit i.
   SFUMATO_INLINE static LaneMask from_bits(std::uint32_t bits) {
     static_assert(W * K <= 32);
     LaneMask r;
@@ -60,7 +60,7 @@ struct IntLanes {
   IntLanes() = default;
   SFUMATO_INLINE IntLanes(std::int32_t x) { SFUMATO_EACH(i) part[i] = Register{} + x; }
 
-  /// W K integers in a row; any alignment.
+  /// Loads W K integers in a row; any alignment.
   SFUMATO_INLINE static IntLanes load(const std::int32_t* source) {
     IntLanes r;
     __builtin_memcpy(r.part, source, sizeof(r.part));
@@ -108,10 +108,10 @@ struct Lanes {
   Register part[K];
 
   Lanes() = default;
-  /// x in every lane. (x - 0 is x, also where x is -0.)
+  /// Sets every lane to x. (x - 0 is x, also where x is -0.)
   SFUMATO_INLINE Lanes(float x) { SFUMATO_EACH(i) part[i] = x - Register{}; }
 
-  /// W K floats in a row; any alignment.
+  /// Loads W K floats in a row; any alignment.
   SFUMATO_INLINE static Lanes load(const float* source) {
     Lanes r;
     __builtin_memcpy(r.part, source, sizeof(r.part));
@@ -119,7 +119,7 @@ struct Lanes {
   }
   SFUMATO_INLINE void store(float* target) const { __builtin_memcpy(target, part, sizeof(part)); }
 
-  /// Register i: lanes [W i, W i + W).
+  /// Returns register i: lanes [W i, W i + W).
   SFUMATO_INLINE Lanes<W> row(int i) const {
     Lanes<W> r;
     r.part[0] = part[i];
@@ -170,31 +170,31 @@ struct Lanes {
   friend SFUMATO_INLINE Mask operator<(const Lanes& a, const Lanes& b) { return b > a; }
   friend SFUMATO_INLINE Mask operator<=(const Lanes& a, const Lanes& b) { return b >= a; }
 
-  /// Lane by lane: mask ? a : b.
+  /// Returns, lane by lane: mask ? a : b.
   friend SFUMATO_INLINE Lanes select(const Mask& mask, const Lanes& a, const Lanes& b) {
     Lanes r;
     SFUMATO_EACH(i) r.part[i] = lane::select<W>(mask.part[i], a.part[i], b.part[i]);
     return r;
   }
-  /// mask ? a : 0.
+  /// Returns mask ? a : 0.
   friend SFUMATO_INLINE Lanes zero_unless(const Mask& mask, const Lanes& a) {
     Lanes r;
     SFUMATO_EACH(i) r.part[i] = lane::zero_unless<W>(mask.part[i], a.part[i]);
     return r;
   }
-  /// a < b ? a : b, hence b where either is not a number.
+  /// Returns a < b ? a : b, hence b where either is not a number.
   friend SFUMATO_INLINE Lanes min(const Lanes& a, const Lanes& b) {
     Lanes r;
     SFUMATO_EACH(i) r.part[i] = lane::min<W>(a.part[i], b.part[i]);
     return r;
   }
-  /// a > b ? a : b, hence b where either is not a number.
+  /// Returns a > b ? a : b, hence b where either is not a number.
   friend SFUMATO_INLINE Lanes max(const Lanes& a, const Lanes& b) {
     Lanes r;
     SFUMATO_EACH(i) r.part[i] = lane::max<W>(a.part[i], b.part[i]);
     return r;
   }
-  /// The correctly rounded square root.
+  /// Returns the correctly rounded square root.
   friend SFUMATO_INLINE Lanes sqrt(const Lanes& a) {
     Lanes r;
     SFUMATO_EACH(i) r.part[i] = lane::sqrt<W>(a.part[i]);
@@ -202,7 +202,7 @@ struct Lanes {
   }
 };
 
-/// The bits of a float as an integer, and back.
+/// Returns the bits of a float as an integer; as_float() does the reverse.
 template <int W, int K>
 SFUMATO_INLINE IntLanes<W, K> as_int(const Lanes<W, K>& a) {
   IntLanes<W, K> r;
@@ -235,9 +235,10 @@ SFUMATO_INLINE Lanes<W, K> to_float(const IntLanes<W, K>& a) {
   return r;
 }
 
-/// 1/a with a relative error of at most 2e-6, for |a| from 1e-37 to 1e37: a seed from the exponent
-/// (error 5 %), a balanced quadratic step (0.15 %) and a Newton step. Constants are scaled so that
-/// neither step multiplies by one. For other a some number or infinity, the same in every width.
+/// Returns 1/a with a relative error of at most 2e-6, for |a| from 1e-37 to 1e37: a seed from the
+/// exponent (error 5 %), a balanced quadratic step (0.15 %) and a Newton step. Constants are scaled
+/// so that neither step multiplies by one. For other a the result is some number or infinity, the
+/// same in every width.
 template <int W, int K>
 SFUMATO_INLINE Lanes<W, K> reciprocal(const Lanes<W, K>& a) {
   using F = Lanes<W, K>;
@@ -246,7 +247,7 @@ SFUMATO_INLINE Lanes<W, K> reciprocal(const Lanes<W, K>& a) {
   return y * (F(2.00000072f) - a * y);
 }
 
-/// 1/sqrt(a) with a relative error of at most 5e-7, for a from 1e-37 to 1e37; computed like
+/// Returns 1/sqrt(a) with a relative error of at most 5e-7, for a from 1e-37 to 1e37; computed like
 /// `reciprocal`.
 template <int W, int K>
 SFUMATO_INLINE Lanes<W, K> reciprocal_sqrt(const Lanes<W, K>& a) {
@@ -256,7 +257,7 @@ SFUMATO_INLINE Lanes<W, K> reciprocal_sqrt(const Lanes<W, K>& a) {
   return y * (F(1.88988197f) - a * (y * y));
 }
 
-/// Bit i is lane i.
+/// Returns the mask as bits: bit i is lane i.
 template <int W, int K>
 SFUMATO_INLINE std::uint32_t mask_bits(const LaneMask<W, K>& mask) {
   static_assert(W * K <= 32);

@@ -9,23 +9,40 @@
 namespace sfumato {
 namespace {
 
-/// Times the default that tables of 32-bit indices, ten nodes to a triangle, have room for.
+/// The largest factor above a default that tables with 32-bit indices, ten nodes to a triangle,
+/// allow.
 constexpr std::size_t kIndexRoom = 4;
-/// Counts that only memory and time bound.
+/// The same for counts that only memory and time bound.
 constexpr std::size_t kRoom = 16;
 
 constexpr std::array kNames{
     LimitName{"input-bytes", &Limits::input_bytes, kRoom* limits::kInputBytes},
     LimitName{"unpack-ratio", &Limits::unpack_ratio, 1032},  // deflate packs no more tightly
+    LimitName{"entity-bytes", &Limits::entity_bytes, kRoom* limits::kEntityBytes},
+    LimitName{"entity-depth", &Limits::entity_depth, limits::kEntityDepth},
     LimitName{"xml-depth", &Limits::xml_depth, limits::kXmlDepth},
     LimitName{"xml-elements", &Limits::xml_elements, kRoom* limits::kXmlElements},
     LimitName{"xml-attributes", &Limits::xml_attributes, kRoom* limits::kXmlAttributes},
     LimitName{"style-values", &Limits::style_values, kRoom* limits::kStyleValues},
+    LimitName{"selector-steps", &Limits::selector_steps, kRoom* limits::kSelectorSteps},
+    LimitName{"variable-bytes", &Limits::variable_bytes, kRoom* limits::kVariableBytes},
+    LimitName{"variable-depth", &Limits::variable_depth, limits::kVariableDepth},
     LimitName{"used-elements", &Limits::used_elements, kRoom* limits::kUsedElements},
     LimitName{"used-bytes", &Limits::used_bytes, kRoom* limits::kUsedBytes},
     LimitName{"id-bytes", &Limits::id_bytes, kRoom* limits::kIdBytes},
     LimitName{"curves", &Limits::curves, kRoom* limits::kCurves},
     LimitName{"control-points", &Limits::control_points, kRoom* limits::kControlPoints},
+    LimitName{"dashes", &Limits::dashes, kRoom* limits::kDashes},
+    LimitName{"dash-lengths", &Limits::dash_lengths, kRoom* limits::kDashLengths},
+    LimitName{"markers", &Limits::markers, kRoom* limits::kMarkers},
+    LimitName{"marker-depth", &Limits::marker_depth, limits::kMarkerDepth},
+    LimitName{"pattern-tiles", &Limits::pattern_tiles, kRoom* limits::kPatternTiles},
+    LimitName{"pattern-texels", &Limits::pattern_texels, kRoom* limits::kPatternTexels},
+    LimitName{"pattern-side", &Limits::pattern_side, limits::kImageSide},
+    LimitName{"pattern-shapes", &Limits::pattern_shapes, kRoom* limits::kPatternShapes},
+    LimitName{"pattern-depth", &Limits::pattern_depth, kRoom* limits::kPatternDepth},
+    LimitName{"chords", &Limits::chords, kIndexRoom* limits::kChords},
+    LimitName{"chord-pairs", &Limits::chord_pairs, kRoom* limits::kChordPairs},
     LimitName{"stops", &Limits::stops, kRoom* limits::kStops},
     LimitName{"stops-per-list", &Limits::stops_per_list, kRoom* limits::kStopsPerList},
     LimitName{"layers", &Limits::layers, kRoom* limits::kLayers},

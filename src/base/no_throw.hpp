@@ -12,12 +12,12 @@ inline Status out_of_memory() {
 }
 
 /// Calls body(), which returns a Status or a Result; returns out_of_memory if an allocation in it
-/// fails. Every public function does its work through this, so that no exception reaches the
-/// caller. Everything that the body holds is released, with its charges. WebAssembly is built
-/// without exceptions: there a failed allocation traps.
+/// fails. Every public function works through this, so that no exception reaches the caller.
+/// Everything that the body holds is released, with its charges. WebAssembly is built without
+/// exceptions: there a failed allocation traps.
 ///
 /// No C function may be on the stack between this and an allocation of the body; see
-/// codecs/jpeg_encode.cpp.
+/// codecs/jpeg/jpeg_encode.cpp.
 template <class Body>
 auto no_throw(Body&& body) -> decltype(body()) {
 #if defined(__cpp_exceptions)

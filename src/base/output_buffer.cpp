@@ -15,7 +15,7 @@ void OutputBuffer::reserve(std::size_t size) {
 void OutputBuffer::fail(Status status) {
   if (!status_ || status) return;
   status_ = std::move(status);
-  memory_.free(bytes_);  // without room, whatever comes is turned away
+  memory_.free(bytes_);  // without room, later pieces are refused
 }
 
 Result<std::vector<std::uint8_t>> OutputBuffer::finish() {

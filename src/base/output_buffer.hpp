@@ -15,10 +15,10 @@ namespace sfumato {
 /// A file, text or bytes, while it is written. Its memory is charged to the Context's Budget, and
 /// its capacity at least doubles when it grows. A failure is kept: from then on nothing is
 /// appended, and status() and finish() return it, so that a writer need not check after each piece.
-/// Loops over many pieces check from time to time, and the cancel flag too. Not thread-safe.
+/// Loops over many pieces check status() and the cancel flag from time to time. Not thread-safe.
 class OutputBuffer {
  public:
-  /// purpose   what is written, for the message of a limit error: "the SVG"; a literal
+  /// purpose   the content, for the message of a limit error: "the SVG"; a literal
   OutputBuffer(const Context& context, std::string_view purpose)
       : context_(context), memory_(purpose) {}
 
@@ -44,18 +44,19 @@ class OutputBuffer {
   /// Reserves room for `size` more bytes, so that appending them needs no reallocation.
   void reserve(std::size_t size);
 
-  /// The text so far, valid until more is written; empty after a failure.
+  /// Returns the text so far, valid until more is written; empty after a failure.
   std::string_view text() const {
     return {reinterpret_cast<const char*>(bytes_.data()), bytes_.size()};
   }
-  /// Bytes so far.
+  /// Returns the bytes so far.
   std::size_t size() const { return bytes_.size(); }
-  /// Ok, or why nothing is appended any more: limit (memory), cancelled, or what fail() was given.
+  /// Returns ok, or the reason why nothing more is appended: limit (memory), cancelled, or the
+  /// status given to fail().
   const Status& status() const { return status_; }
   /// Stops the writing with this failure, unless it has failed already or `status` is ok.
   void fail(Status status);
 
-  /// What was written, or the failure. The charge lasts as long as this object.
+  /// Returns the content, or the failure. The charge lasts as long as this object.
   Result<std::vector<std::uint8_t>> finish();
 
  private:

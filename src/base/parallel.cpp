@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/no_throw.hpp"
+#include "base/try.hpp"
 
 namespace sfumato {
 Status try_parallel_for(const Context& context, std::size_t count, std::size_t grain,
@@ -12,14 +13,15 @@ Status try_parallel_for(const Context& context, std::size_t count, std::size_t g
   const std::size_t task_count = (count + grain - 1) / grain;
   Status failure;
   std::atomic<bool> has_failed{false};
-  std::atomic<bool> goes_on{true};  // quicker to ask than the clock, where many ranges are left
+  std::atomic<bool> goes_on{true};  // faster to read than the clock, where many ranges are left
   const auto task = [&](std::size_t i) {
     if (!goes_on.load(std::memory_order_relaxed)) return;
     if (context.cancelled()) {
       goes_on.store(false, std::memory_order_relaxed);
       return;
     }
-    // Nothing is thrown at an executor: a thread pool without memory cannot hand an exception on.
+    // The body must not throw into an executor: a thread pool without memory cannot pass an
+    // exception on.
     Status status = no_throw([&] { return body(i * grain, std::min(count, (i + 1) * grain)); });
     if (status) return;
     if (!has_failed.exchange(true)) failure = std::move(status);
@@ -44,10 +46,9 @@ Status parallel_for(const Context& context, std::size_t count, std::size_t grain
 
 Status run_both(const Context& context, FunctionRef<Status()> first, FunctionRef<Status()> second) {
   Status outcome[2];
-  Status status = parallel_for(context, 2, 1, [&](std::size_t i, std::size_t) {
+  SFUMATO_TRY(parallel_for(context, 2, 1, [&](std::size_t i, std::size_t) {
     outcome[i] = no_throw([&] { return i == 0 ? first() : second(); });
-  });
-  if (!status) return status;
+  }));
   return outcome[0] ? outcome[1] : outcome[0];
 }
 

@@ -14,14 +14,15 @@ namespace sfumato {
 Status parallel_for(const Context& context, std::size_t count, std::size_t grain,
                     FunctionRef<void(std::size_t begin, std::size_t end)> body);
 
-/// parallel_for() with a body that may fail. After a failure the remaining ranges are skipped, and
-/// its status is returned. If several ranges fail, which status is returned depends on the threads.
+/// Does parallel_for() with a body that may fail. After a failure the remaining ranges are skipped,
+/// and its status is returned. If several ranges fail, which status is returned depends on the
+/// threads.
 Status try_parallel_for(const Context& context, std::size_t count, std::size_t grain,
                         FunctionRef<Status(std::size_t begin, std::size_t end)> body);
 
-/// Calls both, at the same time if there are two threads. Either runs to its end even if the other
-/// fails. Returns the failure of the first, else that of the second; out_of_memory is that of an
-/// allocation that fails.
+/// Calls both functions, at the same time if there are two threads. Either runs to its end even if
+/// the other fails. Returns the failure of the first, else that of the second; a failed allocation
+/// is out_of_memory.
 Status run_both(const Context& context, FunctionRef<Status()> first, FunctionRef<Status()> second);
 
 }  // namespace sfumato

@@ -4,7 +4,7 @@
 
 namespace sfumato {
 
-/// Pixels of the image from (x0, y0) up to but not (x1, y1).
+/// The pixels of the image from (x0, y0) up to but not including (x1, y1).
 struct PixelRect {
   int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
 
@@ -16,13 +16,13 @@ inline PixelRect intersection(const PixelRect& a, const PixelRect& b) {
   return {std::max(a.x0, b.x0), std::max(a.y0, b.y0), std::min(a.x1, b.x1), std::min(a.y1, b.y1)};
 }
 
-/// `rect` grown by at least `margin` pixels on each side.
+/// Returns `rect` grown by at least `margin` pixels on each side.
 inline PixelRect grown(const PixelRect& rect, double margin) {
   const int by = static_cast<int>(margin) + 1;
   return {rect.x0 - by, rect.y0 - by, rect.x1 + by, rect.y1 + by};
 }
 
-/// The smallest rectangle that contains both; empty ones are ignored.
+/// Returns the smallest rectangle that contains both; empty ones are ignored.
 inline PixelRect united(const PixelRect& a, const PixelRect& b) {
   if (a.empty()) return b;
   if (b.empty()) return a;

@@ -7,18 +7,17 @@
 
 namespace sfumato {
 
-/// Notified at each check of the cancel flag, so that tests can measure how often work checks it.
-/// Called from any thread.
+/// Observes each poll of the cancel flag, so that tests can measure how often work polls it. Called
+/// from any thread.
 class PollWatch {
  public:
   virtual ~PollWatch() = default;
   virtual void polled() = 0;
-  /// Whether RarePoll checks the flag at every call, so that any of them may be the first to see
-  /// it.
+  /// Returns whether RarePoll polls the flag at every call, so that any of them may see it first.
   virtual bool wants_every_turn() const { return false; }
 };
 
-/// Checks the cancel flag once in `kTurns` calls, for loops with short iterations. Once it has seen
+/// Polls the cancel flag once in `kTurns` calls, for loops with short iterations. Once it has seen
 /// the flag it reports it on every later call, so that a second loop does not start.
 template <std::uint32_t kTurns>
 class RarePoll {

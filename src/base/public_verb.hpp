@@ -3,16 +3,17 @@
 #include <utility>
 
 #include "base/no_throw.hpp"
+#include "base/try.hpp"
 #include "sfumato/base/context.hpp"
 
 namespace sfumato {
 
 /// Runs body(), which returns a Status or a Result, as every public verb does: only with a Context
-/// that validate() accepts, and through no_throw.
+/// that validate() accepts, and through no_throw().
 template <class Body>
 auto public_verb(const Context& context, Body&& body) -> decltype(body()) {
   return no_throw([&]() -> decltype(body()) {
-    if (Status status = validate(context); !status) return status;
+    SFUMATO_TRY(validate(context));
     return body();
   });
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "base/try.hpp"
 #include "sfumato/base/box.hpp"
 
 namespace sfumato {
@@ -24,10 +25,9 @@ Status spatial_order(const Context& context, std::span<const Vec2> points, Table
   const int side_bits = std::min(10, static_cast<int>(std::bit_width(points.size()) + 1) / 2);
   TableMemory working("sorting");
   std::vector<std::uint32_t> cell, next;
-  Status status = working.resize(context, cell, points.size());
-  if (status) status = working.resize(context, next, (std::size_t{1} << (2 * side_bits)) + 1);
-  if (status) status = memory.resize(context, order, points.size());
-  if (!status) return status;
+  SFUMATO_TRY(working.resize(context, cell, points.size()));
+  SFUMATO_TRY(working.resize(context, next, (std::size_t{1} << (2 * side_bits)) + 1));
+  SFUMATO_TRY(memory.resize(context, order, points.size()));
   Box box;
   for (Vec2 p : points) box.extend(p);
   const double side = static_cast<double>(1u << side_bits);
@@ -43,7 +43,7 @@ Status spatial_order(const Context& context, std::span<const Vec2> points, Table
   for (std::size_t i = 0; i < points.size(); ++i) {
     order[next[cell[i]]++] = static_cast<std::uint32_t>(i);
   }
-  return status;
+  return ok_status();
 }
 
 }  // namespace sfumato

@@ -11,9 +11,9 @@
 
 namespace sfumato {
 
-/// Indices of the points in an order in which neighbours in the plane are mostly neighbours in the
-/// list: by the cells of a Z-order curve, within a cell as given. `order` takes its room from
-/// `memory`. Errors: limit (memory), cancelled. Cost: O(points).
+/// Orders points so that neighbours in the list are mostly neighbours in the plane: returns their
+/// indices by the cells of a Z-order curve, within a cell in the given order. `order` is allocated
+/// from `memory`. Errors: limit (memory), cancelled. Cost: O(points).
 Status spatial_order(const Context& context, std::span<const Vec2> points, TableMemory& memory,
                      std::vector<std::uint32_t>& order);
 

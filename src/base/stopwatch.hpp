@@ -4,7 +4,7 @@
 
 namespace sfumato {
 
-/// Wall-clock seconds since the start. In WebAssembly the host gives the clock (WASI's
+/// Measures wall-clock seconds since the start. In WebAssembly the host provides the clock (WASI's
 /// clock_time_get).
 class Stopwatch {
  public:

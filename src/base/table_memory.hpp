@@ -13,12 +13,13 @@
 
 #include "base/charge.hpp"
 #include "base/poll.hpp"
+#include "base/try.hpp"
 #include "sfumato/base/context.hpp"
 
 namespace sfumato {
 
-/// Bytes that tables (vectors, strings) have allocated; a short string is stored in the object
-/// itself.
+/// Returns the bytes that tables (vectors, strings) have allocated; a short string is stored in the
+/// object itself.
 template <class... Table>
 std::size_t capacity_bytes(const Table&... tables) {
   const auto bytes = [](const auto& table) {
@@ -34,17 +35,17 @@ std::size_t capacity_bytes(const Table&... tables) {
 /// capacity is charged as it is allocated, to the byte; while a table moves to a larger allocation
 /// both are charged. All charges are released at the end of this object's scope, so keep it beside
 /// its tables and move it with them. A table may grow through a TableMemory other than the one that
-/// made it, if both belong to the same Budget; that one is charged the difference.
+/// made it, if both belong to the same Budget; the other one is then charged the difference.
 ///
 /// Every function that returns a Status may fail with limit (memory) or cancelled; the content of
-/// the table is unspecified then. New memory is first touched in parts, and the cancel flag is
-/// checked between them, since touching takes 0.3 s per GiB, and up to 4 s in a virtual machine. If
+/// the table is then unspecified. New memory is first touched in parts, and the cancel flag is
+/// polled between them, since touching takes 0.3 s per GiB, and up to 4 s in a virtual machine. If
 /// the system has no memory, std::bad_alloc is thrown; see no_throw.
 ///
 /// Belongs to one Budget, like ScopedCharge. Not thread-safe.
 class TableMemory {
  public:
-  /// purpose   what the tables are for, for the error's message: "textures"; a literal
+  /// purpose   the use of the tables, for the error's message: "textures"; a literal
   explicit TableMemory(std::string_view purpose) : purpose_(purpose) {}
   /// Belongs to this Budget from the start.
   TableMemory(std::string_view purpose, Budget& budget) : charge_(budget), purpose_(purpose) {}
@@ -61,15 +62,15 @@ class TableMemory {
     return reserve(context, table, std::max(table.size() + more, 2 * table.size()));
   }
 
-  /// table.push_back(item).
+  /// Does table.push_back(item).
   template <class Table>
   Status push_back(const Context& context, Table& table, typename Table::value_type item) {
-    Status status = make_room(context, table);
-    if (status) table.push_back(std::move(item));
-    return status;
+    SFUMATO_TRY(make_room(context, table));
+    table.push_back(std::move(item));
+    return ok_status();
   }
 
-  /// table.resize(count, value).
+  /// Does table.resize(count, value).
   template <class Table>
   Status resize(const Context& context, Table& table, std::size_t count,
                 const typename Table::value_type& value = {}) {
@@ -77,7 +78,7 @@ class TableMemory {
     return status ? fill(context, table, count, value) : status;
   }
 
-  /// resize() of several tables to the same count.
+  /// Does resize() for several tables with the same count.
   template <class... Table>
   Status resize_all(const Context& context, std::size_t count, Table&... tables) {
     Status status;
@@ -85,7 +86,7 @@ class TableMemory {
     return status;
   }
 
-  /// resize() for a table that grows repeatedly: a new allocation has room for `most` items.
+  /// Does resize() for a table that grows repeatedly: a new allocation has room for `most` items.
   template <class Table>
   Status grow(const Context& context, Table& table, std::size_t count, std::size_t most,
               const typename Table::value_type& value = {}) {
@@ -99,8 +100,8 @@ class TableMemory {
   Status append(const Context& context, std::span<const typename Table::value_type> from,
                 Table& table);
 
-  /// table = from, in the table's own memory where that is large enough; otherwise with room for
-  /// `more` items after them.
+  /// Does table = from, in the table's own memory where that is large enough; otherwise with room
+  /// for `more` items after them.
   template <class Table>
   Status assign(const Context& context, std::span<const typename Table::value_type> from,
                 Table& table, std::size_t more = 0) {
@@ -118,7 +119,7 @@ class TableMemory {
   }
 
   /// Sorts by `less`, not stably: sorts runs, then merges them in pairs into a second table, which
-  /// is charged meanwhile. On failure the order is unspecified.
+  /// is charged meanwhile. After an error the order is unspecified.
   template <class Item, class Less>
   static Status sort(const Context& context, std::vector<Item>& items, Less less);
 
@@ -127,9 +128,9 @@ class TableMemory {
   /// limit (memory).
   Status settle(const Context& context, std::size_t bytes, std::size_t& known) {
     if (bytes <= known) return ok_status();
-    Status status = charge_.add(context, bytes - known, purpose_);
-    if (status) known = bytes;
-    return status;
+    SFUMATO_TRY(charge_.add(context, bytes - known, purpose_));
+    known = bytes;
+    return ok_status();
   }
 
   /// Empties the table and releases its memory.
@@ -166,10 +167,10 @@ Status TableMemory::reserve(const Context& context, Table& table, std::size_t co
   using Item = typename Table::value_type;
   if (count <= table.capacity()) return ok_status();
   constexpr std::size_t kMostItems = std::numeric_limits<std::size_t>::max() / sizeof(Item);
-  Status status = charge_.add(context, sizeof(Item) * std::min(count, kMostItems), purpose_);
-  if (!status) return status;
+  SFUMATO_TRY(charge_.add(context, sizeof(Item) * std::min(count, kMostItems), purpose_));
   Table moved;
   moved.reserve(count);
+  Status status;
   if (const std::size_t bytes = capacity_bytes(moved); bytes > count * sizeof(Item)) {
     status = charge_.add(context, bytes - count * sizeof(Item), purpose_);  // strings round up
     if (!status) {
@@ -198,7 +199,7 @@ Status TableMemory::reserve(const Context& context, Table& table, std::size_t co
 template <class Table>
 Status TableMemory::append(const Context& context, std::span<const typename Table::value_type> from,
                            Table& table) {
-  if (Status status = make_room(context, table, from.size()); !status) return status;
+  SFUMATO_TRY(make_room(context, table, from.size()));
   for (std::size_t i = 0; i < from.size(); i += kPart<Table>) {
     if (context.cancelled()) return context.cancel_status();
     const auto part = from.subspan(i, std::min(kPart<Table>, from.size() - i));
@@ -220,9 +221,8 @@ Status TableMemory::sort(const Context& context, std::vector<Item>& items, Less 
   TableMemory memory("sorting");
   std::vector<Item> merged;
   // The same capacity, since the two tables may be swapped.
-  Status status = memory.reserve(context, merged, items.capacity());
-  if (status) status = memory.resize(context, merged, count);
-  if (!status) return status;
+  SFUMATO_TRY(memory.reserve(context, merged, items.capacity()));
+  SFUMATO_TRY(memory.resize(context, merged, count));
   RarePoll<kRun> poll(context);
   for (std::size_t run = kRun; run < count; run *= 2) {
     std::size_t out = 0;

@@ -6,8 +6,8 @@
 
 namespace sfumato {
 
-/// An allocator for tables that are sized first and then written in parallel: resize(count) leaves
-/// new items of a trivial type unset, and their memory is first touched by whoever writes it.
+/// An allocator for tables that are sized first and then written in parallel. resize(count) leaves
+/// new items of a trivial type unset: the thread that writes an item touches its memory first.
 template <class T>
 struct UnsetAllocator : std::allocator<T> {
   template <class U>

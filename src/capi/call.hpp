@@ -9,10 +9,10 @@
 
 namespace sfumato::capi {
 
-/// How a call of the C interface ended: as the library says, or by a mistake of the caller's.
+/// The result of a call of the C interface: the library's status, or a mistake of the caller.
 struct Outcome {
   Outcome() = default;
-  /// The codes of the library are those of the interface.
+  /// The codes of the library equal the codes of the interface.
   Outcome(Status s) : code(static_cast<std::int32_t>(s.code)), status(std::move(s)) {}
   Outcome(std::int32_t c, Status s) : code(c), status(std::move(s)) {}
 
@@ -22,17 +22,18 @@ struct Outcome {
 
 static_assert(static_cast<int>(StatusCode::internal) == SFUMATO_INTERNAL);
 
-/// SFUMATO_BAD_USAGE with these words.
+/// Returns SFUMATO_BAD_USAGE with this message.
 inline Outcome bad_usage(std::string what) {
   return {SFUMATO_BAD_USAGE, make_error(StatusCode::bad_input, std::move(what))};
 }
-/// The same for what the options of a call get wrong.
+/// Returns SFUMATO_BAD_USAGE for an error in the options of a call.
 inline Outcome bad_usage(Status status) {
   return {SFUMATO_BAD_USAGE, std::move(status)};
 }
 
-/// Runs body(), which returns an Outcome; what it throws becomes one, also what a caller's function
-/// throws through it. Needs no memory for that. WebAssembly is built without exceptions.
+/// Runs body(), which returns an Outcome. Turns its exceptions into an Outcome, also exceptions
+/// that a caller's function throws through it, without needing memory. WebAssembly is built without
+/// exceptions.
 template <class Body>
 Outcome caught(Body&& body) noexcept {
 #if defined(__cpp_exceptions)

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cstring>
 
+#include "base/try.hpp"
 #include "options/option_reader.hpp"
 #include "options/tables.hpp"
 
 namespace sfumato::capi {
 namespace {
 
-/// What sfumato_context_new() makes of its options.
+/// Sets up a context by the options of sfumato_context_new().
 Outcome equip(const char* text, sfumato_context& context) {
   options::Settings settings;
   options::Resources resources;
@@ -24,7 +25,7 @@ Outcome equip(const char* text, sfumato_context& context) {
       std::make_shared<Workshop>(settings.threads, resources.memory_bytes, resources.limits);
   workshop->seconds = resources.seconds;
   workshop->context.simd = own.simd.value_or(workshop->context.simd);
-  if (Status status = validate(workshop->context); !status) return status;
+  SFUMATO_TRY(validate(workshop->context));
   context.workshop = std::move(workshop);
   return {};
 }
@@ -58,7 +59,7 @@ sfumato_context* sfumato_context_new(const char* options) {
 }
 
 void sfumato_context_free(sfumato_context* context) {
-  // What it made may still use the work's context.
+  // Objects made by the call may still use the work's context.
   if (context && context->workshop) context->workshop->context.progress = nullptr;
   delete context;
 }

@@ -6,13 +6,13 @@
 #include <vector>
 
 #include "capi/call.hpp"
-#include "capi/images.hpp"
+#include "capi/pictures/images.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/native/thread_pool.hpp"
 
 namespace sfumato::capi {
 
-/// What the handles that a context made share with it, so that any of them may be freed first.
+/// Holds the state that a context shares with its handles, so that any of them may be freed first.
 struct Workshop {
   Workshop(int threads, std::size_t memory_bytes, const Limits& limits)
       : pool(threads),
@@ -20,10 +20,10 @@ struct Workshop {
 
   ThreadPool pool;
   Context context;
-  std::optional<double> seconds{};  ///< that each call may take
+  std::optional<double> seconds{};  ///< seconds that each call may take
 };
 
-/// Hands reports on to a function of C.
+/// Passes reports on to a function of C.
 struct ToldProgress final : Progress {
   void report(std::string_view stage, double fraction) override;
 
@@ -31,8 +31,8 @@ struct ToldProgress final : Progress {
   void* user = nullptr;
 };
 
-/// Runs body(workshop), which returns an Outcome, as every call with a context does: its error is
-/// kept in the context, and its code returned.
+/// Runs body(workshop), which returns an Outcome, for a call with a context: keeps the error in the
+/// context and returns the code.
 template <class Body>
 std::int32_t call(sfumato_context* context, Body&& body) noexcept;
 
@@ -61,12 +61,12 @@ std::int32_t call(sfumato_context* context, Body&& body) noexcept {
   return context->last.code;
 }
 
-/// The same for calls that hand something out through `out`, which is NULL where they fail.
+/// Does the same for calls that return an object through `out`, which is NULL if they fail.
 template <class Handle, class Body>
 std::int32_t make(sfumato_context* context, Handle** out, Body&& body) noexcept {
   if (out) *out = nullptr;
   return call(context, [&](Workshop& workshop) -> Outcome {
-    if (!out) return bad_usage("NULL given in the place of the result");
+    if (!out) return bad_usage("NULL given for the result; pass a pointer");
     return body(workshop);
   });
 }

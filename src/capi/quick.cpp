@@ -1,9 +1,10 @@
 #include <span>
 #include <utility>
 
-#include "capi/document.hpp"
-#include "capi/picture.hpp"
-#include "capi/stop_change.hpp"
+#include "base/try.hpp"
+#include "capi/documents/document.hpp"
+#include "capi/documents/stop_change.hpp"
+#include "capi/pictures/picture.hpp"
 
 namespace sfumato::capi {
 namespace {
@@ -16,9 +17,9 @@ Status take_hold(sfumato_context& context, CurvePlace place, sfumato_picture& ha
   handle.colored.reset();
   handle.has_moved = false;
   handle.drag_workshop = context.workshop;
-  Status status = handle.solution->begin_drag(context.workshop->context, place.layer, place.curve);
-  if (status) handle.dragged = place;
-  return status;
+  SFUMATO_TRY(handle.solution->begin_drag(context.workshop->context, place.layer, place.curve));
+  handle.dragged = place;
+  return ok_status();
 }
 
 /// After a change of one curve.
@@ -32,18 +33,17 @@ void note_shown(const sfumato_document& document, bool is_same, sfumato_picture&
 /// The picture with one curve where it is now.
 Status drag(sfumato_context& context, CurvePlace place, const sfumato_document& document,
             double seconds, sfumato_picture& handle) {
-  if (Status status = take_hold(context, place, handle); !status) return status;
+  SFUMATO_TRY(take_hold(context, place, handle));
   std::vector<ChangedRows> changed(handle.changed.size());
   const Curve& curve = document.document.layers[place.layer].curves[place.curve];
   DiffuseStats stats;
-  Status status = handle.solution->drag(context.workshop->context, curve, &stats, seconds);
-  if (!status) return status;
+  SFUMATO_TRY(handle.solution->drag(context.workshop->context, curve, &stats, seconds));
   handle.has_moved = true;
   handle.count(stats);
   note_changes(handle.picture(), handle.solution->take_delta(), changed);
   handle.changed = std::move(changed);
   note_shown(document, true, handle);
-  return status;
+  return ok_status();
 }
 
 /// Prepares the stop to be changed; bad_input where its layer has to be solved first.
@@ -71,14 +71,13 @@ void note_stop(const StopPlace& place, bool is_first, sfumato_picture& handle,
 Status set_stop(sfumato_context& context, const StopChange& change, sfumato_picture& handle) {
   const bool is_first = handle.colored != change.place;
   std::vector<ChangedRows> changed(handle.changed.size());
-  Status status = take_stop(context, change.place, handle);
-  if (status) status = handle.solution->color(context.workshop->context, change.value);
-  if (!status) return status;
+  SFUMATO_TRY(take_stop(context, change.place, handle));
+  SFUMATO_TRY(handle.solution->color(context.workshop->context, change.value));
   note_stop(change.place, is_first, handle, changed);
   handle.changed = std::move(changed);
   handle.count({});
   handle.colored = change.place;
-  return status;
+  return ok_status();
 }
 
 /// The picture with one stop as it is now; bad_input where more has changed.
@@ -89,10 +88,9 @@ Status recolor(sfumato_context& context, CurvePlace place, const sfumato_documen
   const Curve& to = document.document.layers[place.layer].curves[place.curve];
   const auto change = find_stop_change(from, to, place, shown.interpolation);
   if (!change) return make_error(StatusCode::bad_input, "more than a stop has changed");
-  Status status = set_stop(context, *change, handle);
-  if (!status) return status;
+  SFUMATO_TRY(set_stop(context, *change, handle));
   note_shown(document, from == to, handle);  // a whole side but for rounding
-  return status;
+  return ok_status();
 }
 
 /// Sides and attributes of C in words of C++; none where there are no such.
@@ -124,7 +122,7 @@ std::optional<StopValue> value_of(const Document& document, const StopPlace& pla
 /// Gives the stop the value that it has: so its tables come into the picture.
 Outcome respond(sfumato_context& context, sfumato_picture* handle,
                 const std::optional<StopPlace>& place, sfumato_view& view) {
-  if (!handle) return bad_usage("NULL given, expected a picture");
+  if (!handle) return bad_usage("NULL given; pass a picture");
   if (!handle->solution) return no_solution();
   if (!place) return bad_usage("an unknown side, or an attribute without a response");
   const std::optional<StopValue> value = value_of(handle->solution->document(), *place);
@@ -157,12 +155,11 @@ Status expect_drag(sfumato_context& context, CurvePlace place, sfumato_picture& 
 Status show_more(sfumato_context& context, double seconds, sfumato_picture& handle) {
   std::vector<ChangedRows> changed(handle.changed.size());
   DiffuseStats stats;
-  Status status = handle.solution->drag_more(context.workshop->context, &stats, seconds);
-  if (!status) return status;
+  SFUMATO_TRY(handle.solution->drag_more(context.workshop->context, &stats, seconds));
   handle.count(stats);
   note_changes(handle.picture(), handle.solution->take_delta(), changed);
   handle.changed = std::move(changed);
-  return status;
+  return ok_status();
 }
 
 }  // namespace sfumato::capi
@@ -170,7 +167,7 @@ Status show_more(sfumato_context& context, double seconds, sfumato_picture& hand
 int32_t sfumato_expect_drag(sfumato_context* context, sfumato_picture* picture, uint32_t layer,
                             uint32_t curve) {
   return sfumato::capi::call(context, [&](sfumato::capi::Workshop&) -> sfumato::capi::Outcome {
-    if (!picture) return sfumato::capi::bad_usage("NULL given, expected a picture");
+    if (!picture) return sfumato::capi::bad_usage("NULL given; pass a picture");
     if (!picture->solution) return sfumato::capi::no_solution();
     return sfumato::capi::expect_drag(*context, {layer, curve}, *picture);
   });
@@ -181,7 +178,7 @@ int32_t sfumato_stop_response(sfumato_context* context, sfumato_picture* picture
                               sfumato_view* response) {
   if (response) *response = {};
   return sfumato::capi::call(context, [&](sfumato::capi::Workshop&) -> sfumato::capi::Outcome {
-    if (!response) return sfumato::capi::bad_usage("NULL given, expected room for a view");
+    if (!response) return sfumato::capi::bad_usage("NULL given; pass room for a view");
     return sfumato::capi::respond(*context, picture,
                                   sfumato::capi::place_of({layer, curve}, side, attribute, index),
                                   *response);

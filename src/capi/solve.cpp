@@ -5,8 +5,9 @@
 #include <utility>
 
 #include "base/charge.hpp"
-#include "capi/document.hpp"
-#include "capi/picture.hpp"
+#include "base/try.hpp"
+#include "capi/documents/document.hpp"
+#include "capi/pictures/picture.hpp"
 #include "options/option_reader.hpp"
 #include "options/tables.hpp"
 #include "output/output_size.hpp"
@@ -80,8 +81,7 @@ Status bring_up(Context& context, Solve solve, sfumato_picture& handle) {
   const DiffuseOptions options = solve_options(handle.settings, document);
   DiffuseStats stats;
   FrameLayers frame;
-  Status status = solve(context, options, stats, frame, *handle.solution);
-  if (!status) return status;
+  SFUMATO_TRY(solve(context, options, stats, frame, *handle.solution));
   handle.count(stats, frame);
   note_changes(handle.picture(), handle.solution->take_delta(), changed);
   handle.changed = std::move(changed);
@@ -93,8 +93,7 @@ Status bring_up(Context& context, Solve solve, sfumato_picture& handle) {
 /// A copy of a document, whose bytes can be had.
 Result<Document> copy_of(const Context& context, const Document& document) {
   ScopedCharge charge;
-  Status status = charge.add(context, bytes_of(document), "a document");
-  if (!status) return status;
+  SFUMATO_TRY(charge.add(context, bytes_of(document), "a document"));
   return document;
 }
 
@@ -104,12 +103,9 @@ Outcome solve(Workshop& workshop, sfumato_context* context, const sfumato_docume
   options::PictureSettings own;
   Outcome read = read_solve_options(text, options::kSolve, settings, &own);
   if (read.code != SFUMATO_OK) return read;
-  Result<Document> copy = copy_of(workshop.context, document.document);
-  if (!copy) return copy.status();
-  Result<Solution> solution = Solution::create(workshop.context, std::move(*copy));
-  if (!solution) return solution.status();
-  auto handle =
-      std::make_unique<sfumato_picture>(context->workshop, std::move(*solution), settings);
+  SFUMATO_TRY_ASSIGN(auto&& copy, copy_of(workshop.context, document.document));
+  SFUMATO_TRY_ASSIGN(auto&& solution, Solution::create(workshop.context, std::move(copy)));
+  auto handle = std::make_unique<sfumato_picture>(context->workshop, std::move(solution), settings);
   if (own.drag_triangles) handle->solution->expect_drags(*own.drag_triangles);
   Status status =
       bring_up(workshop.context, settings.coherent ? solve_frame : solve_exactly, *handle);
@@ -123,24 +119,21 @@ Outcome solve(Workshop& workshop, sfumato_context* context, const sfumato_docume
 Status apply_all(Context& context, std::vector<Change> changes, Solution& solution) {
   ScopedCharge charge;
   for (const Change& change : changes) {
-    Status status = charge.add(context, bytes_of(change), "changes of a document");
-    if (!status) return status;
+    SFUMATO_TRY(charge.add(context, bytes_of(change), "changes of a document"));
   }
   for (Change& change : changes) {
     if (const auto* replace = std::get_if<ReplaceCurve>(&change)) {
       const Layer& layer = solution.document().layers[replace->layer];
       if (layer.curves[replace->curve] == replace->value) continue;
     }
-    const Result<Change> old = solution.apply(context, std::move(change));
-    if (!old) return old.status();
+    SFUMATO_TRY(solution.apply(context, std::move(change)));
   }
   return ok_status();
 }
 
 Status replace_all(Context& context, const Document& document, Solution& solution) {
-  Result<Document> copy = copy_of(context, document);
-  if (!copy) return copy.status();
-  return solution.apply(context, ReplaceDocument{std::move(*copy)}).status();
+  SFUMATO_TRY_ASSIGN(auto&& copy, copy_of(context, document));
+  return solution.apply(context, ReplaceDocument{std::move(copy)}).status();
 }
 
 /// Makes the solution's document what the other one is.
@@ -148,10 +141,10 @@ Status follow(Context& context, const sfumato_document& document, sfumato_pictur
   const auto edits = document.edits.since(handle.applied);
   auto changes = edits ? changes_of(*edits, document.document) : std::nullopt;
   handle.applied = {};  // until all of them are made
-  Status status = changes ? apply_all(context, std::move(*changes), *handle.solution)
-                          : replace_all(context, document.document, *handle.solution);
-  if (status) handle.applied = document.edits.now();
-  return status;
+  SFUMATO_TRY(changes ? apply_all(context, std::move(*changes), *handle.solution)
+                      : replace_all(context, document.document, *handle.solution));
+  handle.applied = document.edits.now();
+  return ok_status();
 }
 
 /// Whatever the document has become.
@@ -163,10 +156,10 @@ Outcome solve_all(Workshop& workshop, const sfumato_document& document, Solve so
   handle.has_moved = false;
   handle.drag_workshop.reset();
   handle.shown = {};  // until it is brought up
-  Status status = follow(workshop.context, document, handle);
-  if (status) status = bring_up(workshop.context, solve, handle);
-  if (status) handle.shown = document.edits.now();
-  return status;
+  SFUMATO_TRY(follow(workshop.context, document, handle));
+  SFUMATO_TRY(bring_up(workshop.context, solve, handle));
+  handle.shown = document.edits.now();
+  return ok_status();
 }
 
 Outcome solve_quickly(sfumato_context& context, const sfumato_document& document, double seconds,
@@ -191,7 +184,7 @@ Outcome solve_quickly(sfumato_context& context, const sfumato_document& document
 }
 
 Outcome no_pair() {
-  return bad_usage("NULL given, expected a document and a picture");
+  return bad_usage("NULL given; pass a document and a picture");
 }
 
 Outcome solve_again(sfumato_context& context, const sfumato_document* document, std::int32_t quick,
@@ -207,7 +200,7 @@ Outcome solve_next(Workshop& workshop, const sfumato_document* document, sfumato
   if (!handle->solution) return no_solution();
   if (!handle->settings.coherent) {
     return bad_usage(
-        "a picture that is no frame of a film, expected one of sfumato_solve() with coherent");
+        "a picture that is not a frame of a film; pass one of sfumato_solve() with coherent");
   }
   return solve_all(workshop, *document, solve_frame, *handle);
 }
@@ -216,7 +209,7 @@ Outcome solve_within(sfumato_context& context, const sfumato_document* document,
                      sfumato_picture* handle) {
   if (!document || !handle) return no_pair();
   if (!handle->solution) return no_solution();
-  if (!(seconds >= 0)) return bad_usage("seconds: expected at least 0");
+  if (!(seconds >= 0)) return bad_usage("seconds: use at least 0");
   return solve_quickly(context, *document, seconds, *handle);
 }
 
@@ -224,7 +217,7 @@ Outcome solve_within(sfumato_context& context, const sfumato_document* document,
 
 Outcome no_solution() {
   return bad_usage(
-      "a picture that was read from a file follows no document, expected one of sfumato_solve()");
+      "a picture that was read from a file follows no document; pass one of sfumato_solve()");
 }
 
 /// All rows of the layers that are new, and none of the others.
@@ -260,13 +253,13 @@ Outcome read_solve_options(const char* text, options::Call call, options::Settin
   if (picture) reader.take(options::picture_options(), *picture);
   if (Status status = reader.read(text ? text : ""); !status) return bad_usage(std::move(status));
   if (settings.size.scale && (settings.size.width || settings.size.height)) {
-    return bad_usage("scale: expected without width and height");
+    return bad_usage("scale: cannot be combined with width and height");
   }
   if (settings.method == options::Method::pixels) {
-    return bad_usage("method: \"pixels\" given, which makes no picture; expected exact or rays");
+    return bad_usage("method: \"pixels\" given, which makes no picture; use exact or rays");
   }
   if (settings.coherent && settings.method != options::Method::exact) {
-    return bad_usage("coherent: expected with method=exact only");
+    return bad_usage("coherent: works with method=exact only");
   }
   return {};
 }
@@ -277,7 +270,7 @@ int32_t sfumato_solve(sfumato_context* context, const sfumato_document* document
                       const char* options, sfumato_picture** picture) {
   using sfumato::capi::Outcome;
   const auto body = [&](sfumato::capi::Workshop& workshop) -> Outcome {
-    if (!document) return sfumato::capi::bad_usage("NULL given, expected a document");
+    if (!document) return sfumato::capi::bad_usage("NULL given; pass a document");
     return sfumato::capi::solve(workshop, context, *document, options, picture);
   };
   return sfumato::capi::make(context, picture, body);

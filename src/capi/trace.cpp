@@ -6,9 +6,10 @@
 #include <vector>
 
 #include "base/table_memory.hpp"
-#include "capi/document.hpp"
-#include "capi/pixels.hpp"
-#include "capi/read_options.hpp"
+#include "base/try.hpp"
+#include "capi/documents/document.hpp"
+#include "capi/documents/read_options.hpp"
+#include "capi/pictures/pixels.hpp"
 #include "options/curve_list.hpp"
 #include "options/tables.hpp"
 
@@ -19,7 +20,7 @@ std::uint32_t counted(std::size_t count) {
   return static_cast<std::uint32_t>(count);
 }
 
-/// Tells a function of C.
+/// Reports to a function of C.
 class ForeignWatch final : public TraceWatch {
  public:
   ForeignWatch(sfumato_context* context, const sfumato_trace_watch& watch)
@@ -38,7 +39,7 @@ class ForeignWatch final : public TraceWatch {
                                    counted(state.curves),
                                    counted(state.control_points),
                                    counted(state.stops)};
-    // Calls that it makes with the context have a time of their own.
+    // Calls that the function makes with the context have their own time.
     const std::optional<Deadline> deadline = work.deadline;
     watch_.reached(watch_.user, &told, &handle);
     work.deadline = deadline;
@@ -49,18 +50,17 @@ class ForeignWatch final : public TraceWatch {
   const sfumato_trace_watch& watch_;
 };
 
-/// The caller's pixels, row behind row. Errors: limit (memory), cancelled.
+/// Copies the caller's pixels, row after row. Errors: limit (memory), cancelled.
 Status copy_rows(const Context& context, const sfumato_image& from, TableMemory& memory,
                  Image& image) {
   const auto height = static_cast<std::size_t>(from.height);
-  Status status = memory.reserve(context, image.bytes, height * image.row_bytes());
-  if (!status) return status;
+  SFUMATO_TRY(memory.reserve(context, image.bytes, height * image.row_bytes()));
   const auto* row = static_cast<const std::uint8_t*>(from.pixels);
   for (std::size_t y = 0; y < height; ++y, row += from.row_bytes) {
     if (context.cancelled()) return context.cancel_status();
     image.bytes.insert(image.bytes.end(), row, row + image.row_bytes());
   }
-  return status;
+  return ok_status();
 }
 
 Outcome read_settings(const char* text, options::Call call, options::TraceSettings& settings) {
@@ -68,24 +68,23 @@ Outcome read_settings(const char* text, options::Call call, options::TraceSettin
       read.code != SFUMATO_OK)
     return read;
   if (!settings.detail) return {};
-  if (settings.trace.points > 0) return bad_usage("detail: expected without points");
+  if (settings.trace.points > 0) return bad_usage("detail: cannot be combined with points");
   settings.trace.points = options::points_of_detail(*settings.detail);
   return {};
 }
 
-/// The curves that alone are fitted.
+/// Reads the list of the only curves to fit.
 Outcome read_choice(const Context& context, const options::TraceSettings& settings,
                     TableMemory& memory, std::vector<CurveOfLayer>& only) {
   if (!settings.only) return {};
-  if (Status status = memory.reserve(context, only, options::most_curves(*settings.only)); !status)
-    return status;
+  SFUMATO_TRY(memory.reserve(context, only, options::most_curves(*settings.only)));
   if (!options::parse_curves(*settings.only, only)) {
-    return bad_usage(std::string("only: expected ") + options::kCurveList);
+    return bad_usage(std::string("only: use ") + options::kCurveList);
   }
   return {};
 }
 
-/// The caller's pixels, and what the options say.
+/// Holds the caller's pixels and the settings.
 struct Wish {
   TableMemory memory{"a picture to trace"};
   Image image{};
@@ -110,14 +109,13 @@ Outcome trace_image(sfumato_context* context, const sfumato_image* given, const 
     return read;
   std::optional<ForeignWatch> told;
   if (watch) wish.settings.trace.watch = &told.emplace(context, *watch);
-  Result<Document> drawing = trace(work, wish.image, wish.settings.trace);
-  if (!drawing) return drawing.status();
-  return hand_out(context, std::move(*drawing), {}, out);
+  SFUMATO_TRY_ASSIGN(auto&& drawing, trace(work, wish.image, wish.settings.trace));
+  return hand_out(context, std::move(drawing), {}, out);
 }
 
 Outcome fit_image(sfumato_context* context, const sfumato_document* handle,
                   const sfumato_image* given, const char* text, sfumato_document** out) {
-  if (!handle) return bad_usage("NULL given, expected a document");
+  if (!handle) return bad_usage("NULL given; pass a document");
   Context& work = context->workshop->context;
   Wish wish;
   if (Outcome read = read_wish(work, given, text, options::kFitColors, wish);
@@ -128,14 +126,12 @@ Outcome fit_image(sfumato_context* context, const sfumato_document* handle,
   if (Outcome read = read_choice(work, wish.settings, only_memory, fit.only);
       read.code != SFUMATO_OK)
     return read;
-  Result<Document> drawing = fit_colors(work, handle->document, wish.image, fit);
-  if (!drawing) return drawing.status();
+  SFUMATO_TRY_ASSIGN(auto&& drawing, fit_colors(work, handle->document, wish.image, fit));
   ScopedCharge charge;
-  Status status = charge.add(work, bytes_of(handle->origin), "a document");
-  if (!status) return status;
+  SFUMATO_TRY(charge.add(work, bytes_of(handle->origin), "a document"));
   Origin origin = handle->origin;
   charge = {};
-  return hand_out(context, std::move(*drawing), std::move(origin), out);
+  return hand_out(context, std::move(drawing), std::move(origin), out);
 }
 
 }  // namespace

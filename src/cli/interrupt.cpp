@@ -7,9 +7,11 @@
 namespace sfumato::cli {
 namespace {
 
-constexpr std::array<int, 3> kSignals{SIGINT, SIGTERM, SIGHUP};
+// SIGXCPU means that the processor time of `ulimit -t` is used up.
+constexpr std::array<int, 4> kSignals{SIGINT, SIGTERM, SIGHUP, SIGXCPU};
 
-// A signal handler has no argument of ours: these two are the only mutable globals of the project.
+// A signal handler takes no argument of ours, so it needs globals. These two are the only mutable
+// globals of the project.
 std::atomic<CancelFlag*> cancel_flag{nullptr};
 volatile std::sig_atomic_t last_signal = 0;
 
@@ -25,17 +27,26 @@ void handle(int signal_number, void (*handler)(int), int flags) {
   sigaction(signal_number, &action, nullptr);
 }
 
+/// Returns whether the caller ignores the signal, as `nohup` does.
+bool is_ignored(int signal_number) {
+  struct sigaction action {};
+  return sigaction(signal_number, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
+}
+
 }  // namespace
 
 CancelOnSignal::CancelOnSignal(CancelFlag& cancel) {
   cancel_flag.store(&cancel);
   for (const int signal_number : kSignals) {
+    if (is_ignored(signal_number)) continue;
     handle(signal_number, set_cancel_flag, static_cast<int>(SA_RESETHAND | SA_RESTART));
   }
 }
 
 CancelOnSignal::~CancelOnSignal() {
-  for (const int signal_number : kSignals) handle(signal_number, SIG_DFL, 0);
+  for (const int signal_number : kSignals) {
+    if (!is_ignored(signal_number)) handle(signal_number, SIG_DFL, 0);
+  }
   cancel_flag.store(nullptr);
 }
 

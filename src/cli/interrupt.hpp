@@ -4,8 +4,9 @@
 
 namespace sfumato::cli {
 
-/// During its lifetime the first SIGINT, SIGTERM or SIGHUP sets `cancel` and the second ends the
-/// process. There may be only one at a time.
+/// During its lifetime the first SIGINT, SIGTERM, SIGHUP or SIGXCPU sets `cancel` and the second
+/// ends the process. A signal that the caller ignores stays ignored. There may be only one at a
+/// time.
 class CancelOnSignal {
  public:
   explicit CancelOnSignal(CancelFlag& cancel);
@@ -18,7 +19,7 @@ class CancelOnSignal {
 /// write and does not end the process. This holds for standard error too.
 void ignore_write_signals();
 
-/// The number of the signal that set a cancel flag; 0 if none has.
+/// Returns the number of the signal that set a cancel flag; 0 if none has.
 int received_signal();
 
 }  // namespace sfumato::cli

@@ -1,25 +1,44 @@
 #include "cli/messages.hpp"
 
+#include <algorithm>
+#include <csignal>
+#include <cstdint>
 #include <cstdio>
+#include <optional>
+#include <string>
 
-#include "base/utf8.hpp"
+#include "base/text/utf8.hpp"
 #include "cli/interrupt.hpp"
+#include "sfumato/base/limits.hpp"
 #include "sfumato/base/native/file.hpp"
 
 namespace sfumato::cli {
 namespace {
 
-/// Names of files are as long as who calls likes.
+/// Names of files may have any length, so messages are cut.
 constexpr std::size_t kMostMessageBytes = std::size_t{16} << 10;
 
-/// What of the command helps against a limit: " (--limit curves=N sets another)".
+/// Returns the largest value of a limit whose default is the largest; otherwise none.
+std::optional<std::uint64_t> highest_if_default(std::string_view limit) {
+  const auto known = std::ranges::find(limit_names(), limit, &LimitName::name);
+  if (known == limit_names().end() || Limits{}.*(known->value) < known->highest) return {};
+  return known->highest;
+}
+
+/// Returns the advice against a limit: "; raise the limit with --limit curves=N".
 std::string limit_advice(std::string_view limit) {
   if (limit.empty()) return {};
-  if (limit == "memory") return " (--max-memory sets another)";
-  if (limit == "time") return " (--max-time sets another)";
-  const std::string advice = " (--limit " + std::string(limit) + "=N sets another";
-  if (limit != "viewer-triangles") return advice + ")";
-  return advice + "; a larger --max-error, a smaller --scale or --viewport makes fewer)";
+  if (limit == "memory") return "; raise the limit with --max-memory MIB";
+  if (limit == "time") return "; raise the limit with --max-time SECONDS";
+  const std::string name(limit);
+  const std::optional<std::uint64_t> highest = highest_if_default(limit);
+  std::string advice = highest ? "; --limit " + name + "=N goes up to " + std::to_string(*highest)
+                               : "; raise the limit with --limit " + name + "=N";
+  if (limit == "image-side") advice += "; use a smaller image";
+  if (limit == "viewer-triangles") {
+    advice += ", or make fewer with a larger --max-error or a smaller --scale or --viewport";
+  }
+  return advice;
 }
 
 std::string formatted(const SourcePlace& where, std::string_view severity,
@@ -29,7 +48,7 @@ std::string formatted(const SourcePlace& where, std::string_view severity,
   text += severity;
   text += ": " + message;
   if (text.size() > kMostMessageBytes) {
-    // The place stands at the beginning, what is wrong at the end.
+    // The place is at the beginning of the message and the fault at the end; both are kept.
     text = text.substr(0, kMostMessageBytes / 2) + "…" +
            text.substr(text.size() - kMostMessageBytes / 2);
   }
@@ -70,9 +89,13 @@ std::string output_line(std::string_view text) {
 }
 
 void report_error(const Status& status) {
-  const bool cancelled = status.code == StatusCode::cancelled;
-  const std::string text = cancelled ? "sfumato: interrupted\n" : format_message(status, "error");
-  std::fputs(text.c_str(), stderr);
+  if (status.code != StatusCode::cancelled) {
+    std::fputs(format_message(status, "error").c_str(), stderr);
+  } else if (received_signal() == SIGXCPU) {
+    std::fputs("sfumato: error: the processor time is used up; raise it with ulimit -t\n", stderr);
+  } else {
+    std::fputs("sfumato: interrupted\n", stderr);
+  }
 }
 
 void report_warning(const Diagnostic& warning) {

@@ -18,19 +18,21 @@ enum ExitCode : int {
   kSignalled = 128  ///< plus the signal's number: 130 for an interrupt
 };
 
-/// The exit code of a failure; `cancelled` gives kSignalled plus the number of the signal.
+/// Returns the exit code of a failure; `cancelled` gives kSignalled plus the number of the signal.
 int exit_code(const Status& status);
 
-/// "file:line:column: error: message" as compilers write it, or "sfumato: error: message" if no
-/// place is known. One line with its newline; controls (base/utf8.hpp) become '?'. If the error
-/// names a limit, the option that changes it is appended.
+/// Returns "file:line:column: error: message" as compilers write it, or "sfumato: error: message"
+/// if no place is known. The text is one line with its newline; control characters
+/// (base/text/utf8.hpp) become '?'. If the error names a limit, the option that changes it is
+/// appended.
 std::string format_message(const Status& status, std::string_view severity);
 std::string format_message(const Diagnostic& diagnostic, std::string_view severity);
 
-/// A line of output with its newline; controls (base/utf8.hpp) become '?'.
+/// Returns a line of output with its newline; control characters (base/text/utf8.hpp) become '?'.
 std::string output_line(std::string_view text);
 
-/// Writes a message to standard error. For `cancelled` it is only "interrupted".
+/// Writes a message to standard error. For `cancelled` it is "interrupted", or for SIGXCPU that the
+/// processor time is used up.
 void report_error(const Status& status);
 void report_warning(const Diagnostic& warning);
 

@@ -10,7 +10,7 @@
 
 namespace sfumato::cli {
 
-/// One line that shows the progress: "gather       [#########           ]  45%".
+/// Returns a line that shows the progress: "gather       [#########           ]  45%".
 std::string progress_line(std::string_view stage, double fraction);
 
 /// Redraws progress_line on one line of a terminal, at most ten times a second, beginning `delay`
@@ -22,11 +22,11 @@ class ProgressBar : public Progress {
 
   void report(std::string_view stage, double fraction) override;
 
-  /// From now on the bar shows how many of `count` jobs are done, at present `index`. If count is 1
-  /// it shows the progress of the stage. Must not be called while another thread reports.
+  /// Makes the bar show how many of `count` jobs are done, at present `index`. If count is 1 it
+  /// shows the progress of the stage. Must not be called while another thread reports.
   void set_job(std::size_t index, std::size_t count);
 
-  /// From now on this stands behind the bar: "27.6 dB". From any thread.
+  /// Sets the text after the bar: "27.6 dB". Any thread may call this.
   void set_note(std::string note);
 
   /// Erases the line until the next report, so that a message can be printed.
@@ -35,7 +35,7 @@ class ProgressBar : public Progress {
  private:
   using Clock = std::chrono::steady_clock;
 
-  std::mutex mutex_;  ///< guards all below; a thread that finds it locked does not wait
+  std::mutex mutex_;  ///< guards all members below; a thread that finds it locked does not wait
   std::FILE* terminal_;
   Clock::time_point next_drawing_;
   std::size_t drawn_length_ = 0;

@@ -9,14 +9,14 @@
 #include <string_view>
 #include <vector>
 
-#include "cli/option_helpers.hpp"
+#include "cli/options/option_helpers.hpp"
 #include "options/limit_option.hpp"
 #include "options/tables.hpp"
 
 namespace sfumato::cli {
 namespace {
 
-/// What is wrong with "NAME=VALUE"; empty: nothing, and the limit is set.
+/// Sets the limit of "NAME=VALUE". Returns what is wrong with the text; empty if the limit is set.
 std::string complaint_about(std::string_view text, Limits& limits) {
   const std::size_t equals = std::min(text.find('='), text.size());
   return options::set_limit(text.substr(0, equals), text.substr(std::min(equals + 1, text.size())),
@@ -27,7 +27,7 @@ void set_limits(const std::vector<std::string>& texts, Limits& limits) {
   for (const std::string& text : texts) {
     const std::string expected = complaint_about(text, limits);
     if (expected.empty()) continue;
-    throw CLI::ValidationError("--limit", "\"" + text + "\" given, expected " + expected);
+    throw CLI::ValidationError("--limit", "invalid value \"" + text + "\"; use " + expected);
   }
 }
 
@@ -35,8 +35,8 @@ void set_limits(const std::vector<std::string>& texts, Limits& limits) {
 constexpr int kMiB = 1 << 20;
 #endif
 
-/// What is freed is taken again by the next table: to fetch it from the system anew, page by page
-/// and in one thread, takes up to a sixth of the time.
+/// Keeps freed memory in the process, because the next table uses it again. Fetching it again from
+/// the system, page by page and in one thread, takes up to a sixth of the time.
 void keep_freed_memory() {
 #if defined(__GLIBC__)
   mallopt(M_MMAP_THRESHOLD, 32 * kMiB);
@@ -44,8 +44,8 @@ void keep_freed_memory() {
 #endif
 }
 
-/// For those who give a bound: freed blocks of a MiB go back to the system, where glibc would keep
-/// them beside what is charged.
+/// Returns freed blocks of a MiB to the system if the user sets a bound; glibc would keep them in
+/// addition to the charged memory.
 void return_freed_memory() {
 #if defined(__GLIBC__)
   mallopt(M_MMAP_THRESHOLD, kMiB);
@@ -66,7 +66,7 @@ void add_resources(CLI::App& app, options::Resources& resources) {
          [&resources](const std::vector<std::string>& texts) {
            set_limits(texts, resources.limits);
          },
-         "Set another limit on the input, as curves=300k; may be\ngiven several times")
+         "Change a limit on the input, such as curves=300k; may be\nrepeated")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false)
       ->group(heading(options::Group::resources));

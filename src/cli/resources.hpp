@@ -8,12 +8,12 @@ class App;  // its header takes seconds to compile, so only files that add optio
 
 namespace sfumato::cli {
 
-/// Those of every command, where nothing else is asked for.
+/// The resources of every command unless options change them.
 inline options::Resources default_resources() {
   return {.seconds = limits::kSeconds};
 }
 
-/// --max-memory, --max-time and --limit.
+/// Adds --max-memory, --max-time and --limit.
 void add_resources(CLI::App& app, options::Resources& resources);
 
 }  // namespace sfumato::cli

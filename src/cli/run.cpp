@@ -2,7 +2,7 @@
 #include <exception>
 #include <new>
 
-#include "cli/commands.hpp"
+#include "cli/commands/commands.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/messages.hpp"
 
@@ -37,8 +37,8 @@ int parse_and_run(int argc, const char* const* argv) {
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {
-    return fail(
-        make_error(StatusCode::internal, std::string("a mistake of ours: ") + error.what()));
+    return fail(make_error(StatusCode::internal,
+                           std::string("internal error, please report it: ") + error.what()));
   }
 }
 

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "base/ascii.hpp"
 #include "base/poll.hpp"
+#include "base/text/ascii.hpp"
+#include "base/try.hpp"
 
 namespace sfumato::codecs {
 namespace {
@@ -24,27 +25,21 @@ bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\n' || c == '\r';
 }
 
-int hex_digit(char c) {
-  if (c >= '0' && c <= '9') return c - '0';
-  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
-  return kNoDigit;
-}
-
 Status bad(std::string message) {
   return make_error(StatusCode::bad_input, std::move(message));
 }
 
-/// The first byte of a text that is not empty: of %41 and the like what it stands for.
+/// Returns the first byte of a text that is not empty, decoded if it begins with a code such as
+/// %41.
 std::uint8_t take_percent_coded(std::string_view& text) {
   const char c = text.front();
-  const int high = c == '%' && text.size() > 2 ? hex_digit(text[1]) : kNoDigit;
-  const int low = high != kNoDigit ? hex_digit(text[2]) : kNoDigit;
-  text.remove_prefix(low != kNoDigit ? 3 : 1);
-  return static_cast<std::uint8_t>(low != kNoDigit ? 16 * high + low : c);
+  const int high = c == '%' && text.size() > 2 ? hex_value(text[1]) : kNoHexDigit;
+  const int low = high != kNoHexDigit ? hex_value(text[2]) : kNoHexDigit;
+  text.remove_prefix(low != kNoHexDigit ? 3 : 1);
+  return static_cast<std::uint8_t>(low != kNoHexDigit ? 16 * high + low : c);
 }
 
-/// Whole threes of bytes, but at the end of all.
+/// Bytes of one part: a multiple of three, except at the end.
 void append_part(std::span<const std::uint8_t> bytes, std::string& text) {
   constexpr std::string_view kDigits =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -57,7 +52,8 @@ void append_part(std::span<const std::uint8_t> bytes, std::string& text) {
   }
 }
 
-/// Calls take(text) for the base64 of part after part, with a look at the cancel flag before each.
+/// Calls take(text) with the base64 of one part after another, and polls the cancel flag before
+/// each.
 template <class Take>
 Status for_each_part(const Context& context, std::span<const std::uint8_t> bytes, Take take) {
   constexpr std::size_t kPart = std::size_t{3} << 14;
@@ -87,21 +83,19 @@ std::string encode_base64(std::span<const std::uint8_t> bytes) {
 void append_base64(const Context& context, std::span<const std::uint8_t> bytes,
                    OutputBuffer& text) {
   const std::size_t length = base64_length(bytes.size());
-  text.reserve(length + length / 8);  // so that what follows need not move all of it
+  text.reserve(length + length / 8);  // so that later bytes need not move all of it
   text.fail(for_each_part(context, bytes, [&](std::string_view part) { text += part; }));
 }
 
 Status append_base64(const Context& context, std::span<const std::uint8_t> bytes,
                      TableMemory& memory, std::string& text) {
-  Status status = memory.make_room(context, text, base64_length(bytes.size()));
-  if (!status) return status;
+  SFUMATO_TRY(memory.make_room(context, text, base64_length(bytes.size())));
   return for_each_part(context, bytes, [&](std::string_view part) { text += part; });
 }
 
 Status decode_base64(const Context& context, std::string_view text, TableMemory& memory,
                      std::vector<std::uint8_t>& bytes) {
-  Status status = memory.reserve(context, bytes, text.size() / 4 * 3 + 3);
-  if (!status) return status;
+  SFUMATO_TRY(memory.reserve(context, bytes, text.size() / 4 * 3 + 3));
   RarePoll<65536> poll(context);
   std::uint32_t bits = 0;
   int bit_count = 0;
@@ -127,7 +121,7 @@ Status decode_base64(const Context& context, std::string_view text, TableMemory&
     }
   }
   if (digit_count % 4 == 1) return bad("the base64 is cut short");
-  return status;
+  return ok_status();
 }
 
 std::vector<std::uint8_t> decode_percent(std::string_view text) {

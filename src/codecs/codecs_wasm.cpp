@@ -1,5 +1,5 @@
-// WebAssembly: the codecs that libraries of the native build bring. Pictures are the host's own
-// affair there.
+// WebAssembly stand-ins for the codecs that the native build takes from libraries. In WebAssembly
+// the host decodes and encodes pictures.
 #include "codecs/gunzip.hpp"
 #include "codecs/image_file.hpp"
 #include "sfumato/codecs/jpeg_encode.hpp"
@@ -9,10 +9,9 @@ namespace sfumato {
 namespace {
 
 Status no_encoder() {
-  return make_error(
-      StatusCode::unavailable,
-      "no JPEG and no WebP is written here; expected \"png\", or pixels for the host's "
-      "own encoders");
+  return make_error(StatusCode::unavailable,
+                    "no JPEG and no WebP is written here; use \"png\", or pixels for the host's "
+                    "own encoders");
 }
 
 }  // namespace
@@ -32,12 +31,12 @@ bool is_gzip(std::string_view bytes) {
 }
 
 Result<std::string> gunzip(Context&, std::string_view, TableMemory&) {
-  return make_error(StatusCode::unavailable, "gzip is not unpacked here; expected the SVG itself");
+  return make_error(StatusCode::unavailable, "gzip is not unpacked here; use the SVG itself");
 }
 
 Result<RgbaImage> decode_image(Context&, std::span<const std::uint8_t>) {
   return make_error(StatusCode::unavailable,
-                    "images are not decoded here; expected their pixels beside the document");
+                    "images are not decoded here; use their pixels beside the document");
 }
 
 }  // namespace codecs

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/charge.hpp"
+#include "base/try.hpp"
 #include "codecs/base64.hpp"
 #include "sfumato/codecs/png.hpp"
 
@@ -24,14 +25,12 @@ Result<std::vector<std::uint8_t>> texture_png(Context& context, const Texture& t
 #if defined(__wasm__)
   static_cast<void>(context);
   static_cast<void>(texture);
-  return make_error(
-      StatusCode::unavailable,
-      "a texture that came from no file cannot be saved here; expected a PNG or JPEG");
+  return make_error(StatusCode::unavailable,
+                    "a texture that came from no file cannot be saved here; use a PNG or JPEG");
 #else
   TableMemory memory("a texture to be saved");
   Image image{texture.width, texture.height, PixelFormat::rgba8, {}};
-  Status status = memory.append(context, texture.rgba, image.bytes);
-  if (!status) return status;
+  SFUMATO_TRY(memory.append(context, texture.rgba, image.bytes));
   return encode_png(context, image);
 #endif
 }
@@ -53,16 +52,12 @@ Result<std::string> data_uri(Context& context, const Texture& texture, TableMemo
   std::vector<std::uint8_t> png;
   ScopedCharge held;
   if (type.empty()) {
-    auto made = texture_png(context, texture);
-    if (!made) return made.status();
-    png = std::move(*made);
+    SFUMATO_TRY_ASSIGN(png, texture_png(context, texture));
     type = "image/png";
-    Status status = held.add(context, capacity_bytes(png), "a texture to be saved");
-    if (!status) return status;
+    SFUMATO_TRY(held.add(context, capacity_bytes(png), "a texture to be saved"));
   }
   std::string text = "data:" + std::string(type) + ";base64,";
-  Status status = append_base64(context, png.empty() ? texture.file : png, memory, text);
-  if (!status) return status;
+  SFUMATO_TRY(append_base64(context, png.empty() ? texture.file : png, memory, text));
   return text;
 }
 

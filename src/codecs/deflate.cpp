@@ -5,20 +5,22 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "base/try.hpp"
+
 namespace sfumato::codecs {
 namespace {
 
 constexpr int kLevel = 9;
 /// zlib's default.
 constexpr int kMemoryLevel = 8;
-/// The largest window, and by 16 more a gzip file.
+/// The largest window; adding 16 makes a gzip file.
 constexpr int kZlibWindow = MAX_WBITS;
 constexpr int kGzipWindow = MAX_WBITS + 16;
 
-/// Bytes by which the result grows at least.
+/// The result grows by at least this many bytes.
 constexpr std::size_t kPiece = std::size_t{64} << 10;
-/// Taken in at once; between them the cancel flag is looked at. Where bytes
-/// have few values, the best level looks at thousands of places before each: microseconds.
+/// Bytes of input between two polls of the cancel flag. If bytes have few values, the best level
+/// searches thousands of earlier places for each byte, which takes microseconds.
 constexpr std::size_t kBytesPerPoll = std::size_t{1} << 10;
 
 /// A deflater that ends with its scope.
@@ -43,7 +45,7 @@ class Deflater {
     stream_.avail_in = static_cast<uInt>(bytes.size());
   }
 
-  /// Writes to `room`, and sets `written`; true at the end of the stream.
+  /// Writes to `room` and sets `written`. Returns true at the end of the stream.
   bool drain(bool is_last, std::span<std::uint8_t> room, std::size_t& written) {
     stream_.next_out = room.data();
     stream_.avail_out = static_cast<uInt>(room.size());
@@ -68,7 +70,7 @@ Result<std::vector<std::uint8_t>> packed_by(const Context& context, int window_b
     if (context.cancelled()) return context.cancel_status();
     if (size == packed.size()) {
       const std::size_t larger = size + std::max(size / 2, kPiece);
-      if (Status status = memory.resize(context, packed, larger); !status) return status;
+      SFUMATO_TRY(memory.resize(context, packed, larger));
     }
     if (deflater.is_hungry()) {
       const std::size_t taken = std::min(kBytesPerPoll, bytes.size() - fed);

@@ -10,13 +10,14 @@
 
 namespace sfumato::codecs {
 
-/// `bytes` in zlib's format (RFC 1950), level 9: PDF calls this FlateDecode, browsers "deflate".
-/// The result is charged to `memory`. Errors: limit (memory), out_of_memory, cancelled.
+/// Packs `bytes` in zlib's format (RFC 1950), level 9. PDF calls this FlateDecode, browsers
+/// "deflate". The result is charged to `memory`. Errors: limit (memory), out_of_memory, cancelled.
 Result<std::vector<std::uint8_t>> deflated(const Context& context,
                                            std::span<const std::uint8_t> bytes,
                                            TableMemory& memory);
 
-/// The same as a gzip file (RFC 1952) without a name and a time: the same bytes for the same input.
+/// Packs bytes as a gzip file (RFC 1952) without a name and a time, so the same input gives the
+/// same bytes.
 Result<std::vector<std::uint8_t>> gzipped(const Context& context,
                                           std::span<const std::uint8_t> bytes, TableMemory& memory);
 

@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "base/limit_error.hpp"
+#include "base/try.hpp"
 #include "sfumato/base/limits.hpp"
 
 namespace sfumato::codecs {
@@ -34,13 +35,13 @@ class Inflater {
 
   bool ready() const { return ready_; }
 
-  /// Whether another gzip stream follows the one that has ended; goes on with it.
+  /// Returns whether another gzip stream follows the finished one, and continues with it.
   bool next_member() {
     const std::string_view rest(reinterpret_cast<const char*>(stream_.next_in), stream_.avail_in);
     return is_gzip(rest) && inflateReset(&stream_) == Z_OK;
   }
 
-  /// Fills `room`; returns zlib's code and how much was written.
+  /// Fills `room`. Returns zlib's code and the number of bytes written.
   int fill(char* room, std::size_t size, std::size_t& written) {
     stream_.next_out = reinterpret_cast<Bytef*>(room);
     stream_.avail_out = static_cast<uInt>(size);
@@ -85,7 +86,7 @@ Result<std::string> gunzip(Context& context, std::string_view bytes, TableMemory
     if (size > most) break;
     if (size == text.size()) {
       const std::size_t next = std::min(std::max(2 * size, kFirstBytes), most + 1);
-      if (Status status = memory.resize(context, text, next); !status) return status;
+      SFUMATO_TRY(memory.resize(context, text, next));
     }
     std::size_t written = 0;
     const std::size_t room = std::min(text.size() - size, kTextBytesPerPoll);

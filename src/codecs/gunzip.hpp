@@ -9,7 +9,7 @@
 
 namespace sfumato::codecs {
 
-/// Whether the bytes begin like a gzip file.
+/// Returns whether the bytes begin like a gzip file.
 bool is_gzip(std::string_view bytes);
 
 /// Unpacks one or several consecutive gzip streams, up to Limits::input_bytes and

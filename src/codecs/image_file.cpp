@@ -1,15 +1,16 @@
 #include "codecs/image_file.hpp"
 
-#include <array>
 #include <cstddef>
-#include <cstring>
+#include <string>
 #include <utility>
 
 #include "base/channel.hpp"
 #include "base/charge.hpp"
 #include "base/poll.hpp"
 #include "base/table_memory.hpp"
-#include "codecs/jpeg_decode.hpp"
+#include "base/try.hpp"
+#include "codecs/file_kind.hpp"
+#include "codecs/jpeg/jpeg_decode.hpp"
 #include "sfumato/base/image.hpp"
 #include "sfumato/base/limits.hpp"
 #include "sfumato/codecs/png.hpp"
@@ -17,17 +18,9 @@
 namespace sfumato::codecs {
 namespace {
 
-constexpr std::array<std::uint8_t, 8> kPngSignature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
-constexpr std::array<std::uint8_t, 3> kJpegSignature{0xFF, 0xD8, 0xFF};
-
-/// Where the header's width and height stand, big end first.
+/// The places of the header's width and height, big-endian.
 constexpr std::size_t kPngWidthAt = 16;
 constexpr std::size_t kPngHeightAt = 20;
-
-template <std::size_t N>
-bool starts_with(std::span<const std::uint8_t> bytes, const std::array<std::uint8_t, N>& begin) {
-  return bytes.size() >= N && std::memcmp(bytes.data(), begin.data(), N) == 0;
-}
 
 std::uint64_t number_at(std::span<const std::uint8_t> bytes, std::size_t at) {
   if (bytes.size() < at + 4) return 0;
@@ -35,14 +28,13 @@ std::uint64_t number_at(std::span<const std::uint8_t> bytes, std::size_t at) {
          std::uint64_t{bytes[at + 2]} << 8 | bytes[at + 3];
 }
 
-/// The bytes of an image of 16 bits become those of one of 8; meanwhile both are charged.
+/// Turns an image of 16 bits into an image of 8 bits. Both are charged meanwhile.
 Status halve_depth(const Context& context, std::vector<std::uint8_t>& bytes) {
   ScopedCharge held;
-  Status status = held.add(context, capacity_bytes(bytes), "a PNG image of 16 bits");
-  if (!status) return status;
+  SFUMATO_TRY(held.add(context, capacity_bytes(bytes), "a PNG image of 16 bits"));
   TableMemory memory("a PNG image of 16 bits");
   std::vector<std::uint8_t> halved;
-  if (status = memory.resize(context, halved, bytes.size() / 2); !status) return status;
+  SFUMATO_TRY(memory.resize(context, halved, bytes.size() / 2));
   RarePoll<65536> poll(context);
   for (std::size_t i = 0; i < halved.size(); ++i) {
     if (poll.cancelled()) return context.cancel_status();
@@ -53,13 +45,12 @@ Status halve_depth(const Context& context, std::vector<std::uint8_t>& bytes) {
 }
 
 Result<RgbaImage> from_png(Context& context, std::span<const std::uint8_t> bytes) {
-  if (Status sized = check_png_size(context.limits, bytes); !sized) return sized;
-  Result<Image> image = decode_png_with_alpha(context, bytes, {});
-  if (!image) return image.status();
-  if (image->format == PixelFormat::rgba16) {
-    if (Status status = halve_depth(context, image->bytes); !status) return status;
+  SFUMATO_TRY(check_png_size(context.limits, bytes));
+  SFUMATO_TRY_ASSIGN(auto&& image, decode_png_with_alpha(context, bytes, {}));
+  if (image.format == PixelFormat::rgba16) {
+    SFUMATO_TRY(halve_depth(context, image.bytes));
   }
-  return RgbaImage{image->width, image->height, std::move(image->bytes)};
+  return RgbaImage{image.width, image.height, std::move(image.bytes)};
 }
 
 }  // namespace
@@ -69,9 +60,12 @@ Status check_png_size(const Limits& limits, std::span<const std::uint8_t> png) {
 }
 
 Result<RgbaImage> decode_image(Context& context, std::span<const std::uint8_t> bytes) {
-  if (starts_with(bytes, kPngSignature)) return from_png(context, bytes);
-  if (starts_with(bytes, kJpegSignature)) return decode_jpeg(context, bytes);
-  return make_error(StatusCode::bad_input, "the image is neither a PNG nor a JPEG");
+  const FileKind kind = file_kind(text_view(bytes));
+  if (kind == FileKind::png) return from_png(context, bytes);
+  if (kind == FileKind::jpeg) return decode_jpeg(context, bytes);
+  std::string message = "the image is neither a PNG nor a JPEG";
+  if (!kind_text(kind).empty()) message += ", but " + std::string(kind_text(kind));
+  return make_error(StatusCode::bad_input, message);
 }
 
 }  // namespace sfumato::codecs

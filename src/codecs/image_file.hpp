@@ -15,10 +15,10 @@ struct RgbaImage {
   std::vector<std::uint8_t> rgba;  ///< row by row, 4 × width × height, not premultiplied
 };
 
-/// Decodes a PNG or a JPEG, whichever its first bytes show. 16 bits are rounded to 8; colour
-/// profiles and orientation tags are not applied. The size is checked against the limits of a side
-/// and of texels, and memory is charged before it is allocated. Errors: bad_input, limit,
-/// cancelled, out_of_memory, without a place.
+/// Decodes a PNG or a JPEG; the first bytes decide which. 16 bits are rounded to 8; colour profiles
+/// and orientation tags are not applied. The size is checked against the limits of a side and of
+/// texels, and memory is charged before it is allocated. Errors: bad_input, limit, cancelled,
+/// out_of_memory, without a place.
 Result<RgbaImage> decode_image(Context& context, std::span<const std::uint8_t> bytes);
 
 /// Checks the size in a PNG's header, before it is read. Errors: limit.

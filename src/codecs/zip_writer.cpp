@@ -15,7 +15,7 @@ constexpr std::uint16_t kVersion = 10;      // 1.0: stored files
 constexpr std::uint16_t kFirstDate = 0x21;  // 1 January 1980
 constexpr std::size_t kMost16 = std::numeric_limits<std::uint16_t>::max();
 constexpr std::size_t kMost32 = std::numeric_limits<std::uint32_t>::max();
-/// Between them the cancel flag is looked at.
+/// Bytes between two polls of the cancel flag.
 constexpr std::size_t kPartBytesPerPoll = std::size_t{1} << 20;
 
 void put16(OutputBuffer& file, std::uint32_t value) {
@@ -46,7 +46,7 @@ std::uint32_t ZipWriter::crc_of(std::span<const std::span<const std::uint8_t>> p
   return static_cast<std::uint32_t>(crc);
 }
 
-/// What the header of an entry and its line in the directory have in common.
+/// Appends the fields that the header of an entry and its line in the directory share.
 void ZipWriter::write_common(const Entry& entry) {
   put16(file_, kVersion);
   put16(file_, 0);  // no flags

@@ -12,14 +12,14 @@
 namespace sfumato::codecs {
 
 /// Writes a ZIP archive whose entries are stored, not packed: PKWARE's APPNOTE 6.3.3, sections 4.3
-/// and 4.4. Every entry bears the first date of the format, so that the same content gives the same
-/// bytes. Failures are those of the OutputBuffer, and limit where the archive or its entries are
-/// too many or too large for the format's 16 and 32 bits.
+/// and 4.4. Every entry has the first date of the format, so that the same content gives the same
+/// bytes. Errors: as the OutputBuffer, and limit if the entries are too many or the archive is too
+/// large for the format's 16 and 32 bits.
 class ZipWriter {
  public:
   ZipWriter(const Context& context, OutputBuffer& file) : context_(context), file_(file) {}
 
-  /// Adds an entry that consists of `parts`, one behind the other.
+  /// Adds an entry that consists of `parts`, one after another.
   void add(std::string_view name, std::span<const std::span<const std::uint8_t>> parts);
 
   /// Writes the directory. Nothing may be added afterwards.

@@ -5,20 +5,21 @@
 #include <utility>
 
 #include "base/limit_error.hpp"
+#include "base/try.hpp"
 #include "curves/stop_parameters.hpp"
 
 namespace sfumato::curves {
 namespace {
 
-/// Where a segment lies among the stops of a list: at fractions of the way from one to the next,
+/// The place of a segment among the stops of a list: at fractions of the way from one to the next,
 /// which are 0 before the first stop and behind the last.
 struct StopInterval {
-  std::size_t index = 0;  ///< of the first of the two
+  std::size_t index = 0;  ///< index of the first of the two
   float start = 0;
   float end = 0;
 };
 
-/// A stop list laid along the flattened curve; asked for segments in ascending order.
+/// A stop list laid along the flattened curve, queried for segments in ascending order.
 template <class Value>
 class StopSampler {
  public:
@@ -31,7 +32,7 @@ class StopSampler {
   /// Precondition of both: the list is not empty.
   StopInterval interval(std::uint32_t segment) {
     const double start = flat_.parameter[segment], end = flat_.parameter[segment + 1];
-    // The middle decides between which stops the segment lies: its ends may stand on a step.
+    // The middle decides which stops the segment lies between: its ends may stand on a step.
     const double middle = 0.5 * (start + end);
     while (next_ < parameters_.size() && parameters_[next_] <= middle) ++next_;
     if (next_ == 0) return {};
@@ -57,7 +58,7 @@ class StopSampler {
     return {next_ - 1, at(start), at(end)};
   }
 
-  /// Lengths along the polyline at the stops, which are vertices of it.
+  /// Measures lengths along the polyline at the stops, which are vertices of it.
   void measure_stops(std::uint32_t curve_index) {
     const auto begin = flat_.parameter.begin() + flat_.curve_begin[curve_index];
     const auto end = flat_.parameter.begin() + flat_.curve_begin[curve_index + 1];
@@ -76,7 +77,7 @@ class StopSampler {
   std::size_t next_ = 0;
 };
 
-/// What a side gets for a segment: what its stops give there.
+/// Gives a side the values of its stops on a segment.
 template <class Value>
 struct GiveValues {
   SegmentValues<FieldValue> operator()(StopSampler<Value>& stops, std::uint32_t segment) const {
@@ -87,7 +88,7 @@ struct GiveValues {
   void end_side(const StopList<Value>&) {}
 };
 
-/// Or where it lies among them: see sample_stop_places().
+/// Gives a side the place of a segment among its stops: see sample_stop_places().
 template <class Value>
 struct GivePlaces {
   std::span<const std::uint32_t> vertex_curve;
@@ -130,11 +131,10 @@ class AttributeSampler {
   Result<SegmentAttributes> run(const Context& context, TableMemory& memory) {
     SegmentAttributes& out = attributes_;
     const std::size_t count = flat_.vertex.size();
-    Status status = memory.resize_all(context, count, out.left, out.right);
-    if (status) status = memory.resize(context, out.weight, count, 1.0f);
-    if (status) status = memory.append(context, flat_.vertex_curve, out.curve);
-    if (status) status = memory.append(context, flat_.vertex, out.vertex);
-    if (!status) return status;
+    SFUMATO_TRY(memory.resize_all(context, count, out.left, out.right));
+    SFUMATO_TRY(memory.resize(context, out.weight, count, 1.0f));
+    SFUMATO_TRY(memory.append(context, flat_.vertex_curve, out.curve));
+    SFUMATO_TRY(memory.append(context, flat_.vertex, out.vertex));
     for (std::uint32_t i = 0; i < flat_.curve_count(); ++i) {
       sample_side(i, curves_[i].left, attributes_.left);
       sample_side(i, curves_[i].right, attributes_.right);
@@ -211,8 +211,8 @@ Result<SegmentAttributes> sample_stop_places(const Context& context, const FlatC
                                              std::span<const Curve> curves, StopAttribute attribute,
                                              TableMemory& memory) {
   if (stop_count(curves, attribute) > kMostStopPlaces || curves.size() > kMostStopPlaces) {
-    return make_limit_error(
-        &Limits::stops, "places are told of at most " + std::to_string(kMostStopPlaces) + " stops");
+    return make_limit_error(&Limits::stops, "places are given for at most " +
+                                                std::to_string(kMostStopPlaces) + " stops");
   }
   const auto sample = [&]<class Value>(const SideShader<Value>& (*shader_of)(const Side&)) {
     return AttributeSampler<Value, GivePlaces<Value>>(flat, curves, shader_of,
@@ -240,13 +240,12 @@ Result<SegmentAttributes> sample_colors_and_opacities(const Context& context,
                                                       std::span<const Curve> curves,
                                                       InterpolationSpace space,
                                                       TableMemory& memory) {
-  Result<SegmentAttributes> colors = sample_colors(context, flat, curves, space, memory);
-  if (!colors) return colors;
-  SegmentAttributes& both = *colors;
+  SFUMATO_TRY_ASSIGN(auto&& colors, sample_colors(context, flat, curves, space, memory));
+  SegmentAttributes& both = colors;
   TableMemory scratch("attributes");
-  const Result<SegmentAttributes> sampled = sample_opacities(context, flat, curves, scratch);
-  if (!sampled) return sampled.status();
-  const SegmentAttributes& opacities = *sampled;
+  SFUMATO_TRY_ASSIGN(const SegmentAttributes& sampled,
+                     sample_opacities(context, flat, curves, scratch));
+  const SegmentAttributes& opacities = sampled;
   const auto join = [](std::vector<SegmentSide>& sides, const std::vector<SegmentSide>& from) {
     for (std::size_t i = 0; i < sides.size(); ++i) {
       sides[i].value.start.channel[3] = from[i].value.start.channel[0];
@@ -256,7 +255,7 @@ Result<SegmentAttributes> sample_colors_and_opacities(const Context& context,
   join(both.left, opacities.left);
   join(both.right, opacities.right);
   both.base_channels = 4;
-  return colors;
+  return std::move(colors);
 }
 
 Status replace_tail(const Context& context, std::size_t first, std::uint32_t curve,
@@ -283,7 +282,7 @@ void remove_blur(SegmentAttributes& attributes) {
 }
 
 void set_fine_blur(SegmentAttributes& attributes, double radius) {
-  // Where a radius grows beyond it, the segment's end is there but for rounding.
+  // Where a radius grows beyond it, the segment ends there, apart from rounding.
   const double most = radius * (1 + 1e-4);
   for (auto* sides : {&attributes.left, &attributes.right}) {
     for (SegmentSide& side : *sides) {

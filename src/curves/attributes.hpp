@@ -41,7 +41,7 @@ struct FieldValue {
   }
 };
 
-/// What one side of one segment does to the rays of one attribute.
+/// The effect of one side of one segment on the rays of one attribute.
 struct SegmentSide {
   ShaderKind kind = ShaderKind::open;
   std::uint32_t shader = 0;            ///< index into SegmentAttributes::shader
@@ -53,7 +53,7 @@ struct SegmentSide {
 /// One attribute on every segment of `flat` (index = segment = its first vertex; the entries of
 /// vertices that begin no segment are open).
 struct SegmentAttributes {
-  int base_channels = 3;  ///< 3 for a colour, 1 for an opacity, 4 for both; and a response
+  int base_channels = 3;  ///< 3 for a colour, 1 for an opacity, 4 for both; plus one for a response
   InterpolationSpace space = InterpolationSpace::srgb;  ///< of colours
   std::vector<SegmentSide> left;
   std::vector<SegmentSide> right;
@@ -63,34 +63,35 @@ struct SegmentAttributes {
   /// The image-domain shaders on sides, as indices into Document::shaders in the order of their
   /// first use.
   std::vector<std::uint32_t> shader;
-  bool has_response = false;  ///< the last base channel is one (curves/response.hpp)
+  bool has_response = false;  ///< the last base channel is a response (curves/response.hpp)
 
   int channel_count() const { return base_channels + static_cast<int>(shader.size()); }
 };
 
-/// Colours on the sides of the curves, interpolated between stops and given in `space`, in tables
-/// allocated from `memory`. Errors: limit (memory), cancelled.
+/// Samples the colours on the sides of the curves, interpolated between stops and given in `space`,
+/// in tables allocated from `memory`. Errors: limit (memory), cancelled.
 Result<SegmentAttributes> sample_colors(const Context& context, const FlatCurves& flat,
                                         std::span<const Curve> curves, InterpolationSpace space,
                                         TableMemory& memory);
 
-/// The same for opacities.
+/// Does the same for opacities.
 Result<SegmentAttributes> sample_opacities(const Context& context, const FlatCurves& flat,
                                            std::span<const Curve> curves, TableMemory& memory);
 
-/// How many stops the sides of the curves have of one attribute: those of a side that is not
-/// curve_domain do not count.
+/// Returns the number of stops of one attribute on the sides of the curves, without sides that are
+/// not curve_domain.
 std::size_t stop_count(std::span<const Curve> curves, StopAttribute attribute);
 
-/// So many stops, and curves, have a number that is exact in a float.
+/// The largest number of stops, and of curves, whose indices are exact in a float.
 inline constexpr std::size_t kMostStopPlaces = std::size_t{1} << 24;
 
-/// In place of values: where each segment lies among the stops of an attribute. Channels:
+/// Samples places instead of values: where each segment lies among the stops of an attribute.
+/// Channels:
 ///
 ///   0   the fraction of the way from a stop to the next one of its side; a segment lies between
 ///       two. 0 before the first stop and behind the last.
-///   1   the column of that stop: its index among those that stop_count() counts, curve by curve,
-///       on the left then the right, stop by stop
+///   1   the column of that stop: its index among the stops that stop_count() counts, curve by
+///       curve, on the left then the right, stop by stop
 ///   2   the index of the curve, also on sides without stops
 ///
 /// Errors: limit (memory, kMostStopPlaces), cancelled.
@@ -98,23 +99,23 @@ Result<SegmentAttributes> sample_stop_places(const Context& context, const FlatC
                                              std::span<const Curve> curves, StopAttribute attribute,
                                              TableMemory& memory);
 
-/// Whether a side of the curve is not open to opacity.
+/// Returns whether a side of the curve is not open to opacity.
 bool bears_opacity(const Curve& curve);
 
-/// Whether each side of each curve has a colour where it has an opacity, none of them
-/// image-domain: the rays of both attributes are the same then.
+/// Returns whether each side of each curve has a colour where it has an opacity, none of them
+/// image-domain: the rays of both attributes are then the same.
 bool opacity_goes_with_color(std::span<const Curve> curves);
 
-/// Both at once. Precondition: opacity_goes_with_color.
+/// Samples both at once. Precondition: opacity_goes_with_color.
 Result<SegmentAttributes> sample_colors_and_opacities(const Context& context,
                                                       const FlatCurves& flat,
                                                       std::span<const Curve> curves,
                                                       InterpolationSpace space,
                                                       TableMemory& memory);
 
-/// Makes the entries from `first` on those of `tail`, which was sampled for one curve by itself and
-/// has no shaders: its index is now `curve`. The tables belong to `memory`. Errors: limit (memory),
-/// cancelled; `attributes` is unusable then.
+/// Replaces the entries from `first` on by `tail`, which was sampled for one curve alone and has no
+/// shaders: its index is now `curve`. The tables belong to `memory`. Errors: limit (memory),
+/// cancelled; `attributes` is then unusable.
 Status replace_tail(const Context& context, std::size_t first, std::uint32_t curve,
                     const SegmentAttributes& tail, TableMemory& memory,
                     SegmentAttributes& attributes);

@@ -6,8 +6,8 @@
 namespace sfumato::curves {
 namespace {
 
-/// Largest |3t(1-t)((1-t)a + tb)| over [0, 1]: the part of the deviation along one axis, where a
-/// and b are the offsets of the inner control points from the thirds of the chord.
+/// Returns the largest |3t(1-t)((1-t)a + tb)| over [0, 1]: the part of the deviation along one
+/// axis, where a and b are the offsets of the inner control points from the thirds of the chord.
 double largest_bulge(double a, double b) {
   const auto bulge = [&](double t) { return std::fabs(3 * t * (1 - t) * ((1 - t) * a + t * b)); };
   // Zeros of the derivative: (3a - 3b) t² + (2b - 4a) t + a.
@@ -23,7 +23,7 @@ double largest_bulge(double a, double b) {
   return largest;
 }
 
-/// Five-point Gauss–Legendre quadrature of the speed.
+/// Integrates the speed by five-point Gauss–Legendre quadrature.
 double quadrature(const Cubic& cubic, double t0, double t1) {
   static constexpr double kNode[3] = {0.0, 0.5384693101056831, 0.9061798459386640};
   static constexpr double kWeight[3] = {0.5688888888888889, 0.4786286704993665, 0.2369268850561891};
@@ -116,7 +116,8 @@ double parameter_at_length(const Cubic& cubic, double wanted) {
     } else {
       high = t;
     }
-    // Where the speed is nearly 0, Newton's steps lead out of what is left, or hardly shorten it.
+    // Where the speed is nearly 0, Newton's steps leave the remaining interval, or hardly shorten
+    // it.
     t += step;
     constexpr int kHalvedEach = 4;
     if (!(t > low && t < high) || i % kHalvedEach == 0) t = 0.5 * (low + high);

@@ -23,7 +23,7 @@ bool has_value(const SideShader<Value>& side) {
   return side.kind == ShaderKind::curve_domain || side.kind == ShaderKind::image_domain;
 }
 
-/// How far values of one side may be from values of the other: 1 where an image decides.
+/// Returns the largest difference between values of the two sides: 1 where an image decides.
 template <class Value>
 double largest_step(const SideShader<Value>& left, const SideShader<Value>& right) {
   if (!has_value(left) || !has_value(right)) return 0;

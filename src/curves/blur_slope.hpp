@@ -13,8 +13,8 @@ class BlurSlope {
   /// Radii below `sharp_radius` count as 0.
   BlurSlope(const Curve& curve, double sharp_radius);
 
-  /// The slope in the middle of a range of the curve's parameter, code values (0 to 255) per user
-  /// unit; 0 where the curve is sharp.
+  /// Returns the slope in the middle of a range of the curve's parameter, code values (0 to 255)
+  /// per user unit; 0 where the curve is sharp.
   double between(double from, double to) const;
 
  private:
@@ -25,7 +25,7 @@ class BlurSlope {
 
   static double radius_at(const std::vector<RadiusStop>& stops, double parameter);
 
-  std::vector<std::vector<RadiusStop>> radii_;  ///< of the sides that blur
+  std::vector<std::vector<RadiusStop>> radii_;  ///< of the sides with blur
   double sharp_radius_;
   double step_ = 0;  ///< the largest difference between the sides, code values
 };

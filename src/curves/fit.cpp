@@ -11,16 +11,16 @@
 namespace sfumato::curves {
 namespace {
 
-/// Turns of Newton's method that improve the parameters of points.
+/// Iterations of Newton's method that improve the parameters of points.
 constexpr int kReparametrizations = 5;
-/// A curve that misses by so many tolerances is split at once.
+/// A curve with an error of this many tolerances is split at once.
 constexpr double kHopeless = 4;
-/// Points over which the direction at an end is taken.
+/// The number of points that determine the direction at an end.
 constexpr std::size_t kEndReach = 3;
-/// Handles longer than so many chords belong to a curve that runs wild.
+/// Handles longer than this many chords belong to a curve that overshoots.
 constexpr double kLongestHandle = 3;
-/// Runs are split where they miss by most, but from so many splits in one another on in their
-/// middle: a chain that is all corners would else lose one point at each.
+/// Runs are split at the point with the largest error, and after this many nested splits in their
+/// middle: a chain of corners would otherwise lose one point at each split.
 constexpr int kDeepest = 24;
 
 using Points = std::span<const Vec2>;
@@ -30,7 +30,7 @@ Vec2 unit(Vec2 v) {
   return norm > 0 ? v / norm : v;
 }
 
-/// Fractions of the polyline's length.
+/// Computes fractions of the polyline's length.
 void chord_parameters(Points points, std::vector<double>& parameter) {
   parameter.assign(points.size(), 0.0);
   for (std::size_t i = 1; i < points.size(); ++i) {
@@ -42,12 +42,12 @@ void chord_parameters(Points points, std::vector<double>& parameter) {
   }
 }
 
-/// The two ends' directions, into the curve.
+/// The directions at both ends, into the curve.
 struct EndDirections {
   Vec2 first, last;
 };
 
-/// The cubic with these directions at its ends that is nearest to the points in the mean.
+/// Returns the least-squares cubic through the points with these directions at its ends.
 Cubic least_squares(Points points, const std::vector<double>& parameter, EndDirections direction) {
   const Vec2 from = points.front(), to = points.back();
   double c00 = 0, c01 = 0, c11 = 0, x0 = 0, x1 = 0;
@@ -87,7 +87,7 @@ Miss largest_miss(const Cubic& cubic, Points points, const std::vector<double>& 
   return miss;
 }
 
-/// One step of Newton's method for the nearest point on the cubic.
+/// Does one step of Newton's method for the nearest point on the cubic.
 double nearer_parameter(const Cubic& cubic, Vec2 point, double t) {
   const Vec2 off = point_at(cubic, t) - point;
   const Vec2 first = derivative_at(cubic, t);
@@ -100,7 +100,7 @@ double nearer_parameter(const Cubic& cubic, Vec2 point, double t) {
 
 class Fitter {
  public:
-  /// Control points are added to a table that is empty.
+  /// Adds control points to an empty table.
   Fitter(double tolerance, std::vector<Vec2>& control_points)
       : tolerance_(tolerance), control_points_(control_points) {}
 
@@ -141,7 +141,7 @@ class Fitter {
   }
 
   double tolerance_;
-  std::vector<double> parameter_;  ///< per point of the run that is looked at
+  std::vector<double> parameter_;  ///< per point of the current run
   std::vector<Vec2>& control_points_;
 };
 
@@ -154,7 +154,7 @@ class CornerFinder {
         reach_(static_cast<std::size_t>(std::max(options.corner_reach, 1))),
         least_turn_(options.corner_deg * std::numbers::pi / 180) {}
 
-  /// Ascending indices of points; of a loop index 0 may be one.
+  /// Returns ascending indices of points; on a loop index 0 may be one.
   std::vector<std::size_t> run() const {
     std::vector<Corner> corners;
     const std::size_t count = is_loop_ ? points_.size() - 1 : points_.size();
@@ -212,7 +212,7 @@ EndDirections directions_of(Points run) {
   return {unit(run[reach] - run[0]), unit(run[run.size() - 1 - reach] - run[run.size() - 1])};
 }
 
-/// The loop from another of its points on.
+/// Returns the loop from another start point.
 std::vector<Vec2> rotated(Points loop, std::size_t first) {
   std::vector<Vec2> points(loop.begin() + static_cast<std::ptrdiff_t>(first), loop.end() - 1);
   points.insert(points.end(), loop.begin(), loop.begin() + static_cast<std::ptrdiff_t>(first) + 1);

@@ -5,38 +5,40 @@
 #include <limits>
 #include <utility>
 
+#include "base/try.hpp"
 #include "curves/bezier.hpp"
 #include "curves/blur_slope.hpp"
 #include "curves/junctions.hpp"
 #include "curves/polyline_builder.hpp"
 #include "curves/stop_parameters.hpp"
+#include "curves/tips.hpp"
 
 namespace sfumato::curves {
 namespace {
 
-/// A stretch that lies this much less beside its chord than its neighbour is straight beside it.
+/// A part that lies this much less beside its chord than its neighbour is straight in comparison.
 constexpr double kStraight = 1.0 / 16;
 
-/// A chord may slip along its curve by more than it strays across: that moves a colour along the
-/// curve, where it changes slowly.
+/// A chord may shift along its curve by this factor more than across it: that moves a colour along
+/// the curve, where it changes slowly.
 constexpr double kAlongPerAcross = 4;
 
-/// No stretch is cut more often than this, whatever the control points say.
+/// No part is cut more often than this, for any control points.
 constexpr int kMaxCuts = 16;
 
-/// A chord in the middle of its arc strays by two thirds of what it would beside it, the first of a
+/// A chord in the middle of its arc deviates by two thirds as much as one beside it, the first of a
 /// curve by 0.7.
 constexpr double kCentered = 1.4;
 
-/// Where a curve is blurred its chords may be so much beside it that colours are wrong by this,
-/// code values, but for a third that the middle takes off…
+/// Where a curve is blurred, its chords may lie so far beside it that colours are wrong by this,
+/// code values, before centering removes a third…
 constexpr double kBlurStray = 1.6;
 /// …if the tolerance need not be made finer by more than this.
 constexpr double kFinestBlur = 8;
 
-/// What lies far outside of what is looked at shows there by its direction alone: chords may stray
-/// by this share of their distance. Colours change by less than 0.25 code values there, where many
-/// stops lie in a line of sight, too.
+/// Curves far outside the visible box only matter there by their direction: chords may deviate by
+/// this share of their distance. Colours then change by less than 0.25 code values, also where many
+/// stops lie in a line of sight.
 constexpr double kStrayPerDistance = 1.0 / 16384;
 
 /// A vertex where the tangent turns by more than this, its sine, is a corner.
@@ -48,13 +50,13 @@ Box bounds(const Cubic& cubic) {
   return box;
 }
 
-/// From one box to the other; 0 where they meet.
+/// Returns the distance between the boxes; 0 where they meet.
 double distance(const Box& a, const Box& b) {
   return length({std::max({0.0, a.min.x - b.max.x, b.min.x - a.max.x}),
                  std::max({0.0, a.min.y - b.max.y, b.min.y - a.max.y})});
 }
 
-/// The first step: the vertices that the shapes of the curves ask for, on the curves.
+/// The first step: the vertices that the shapes of the curves require, on the curves.
 class Divider {
  public:
   Divider(const FlattenOptions& options, PolylineBuilder& out) : options_(options), out_(out) {}
@@ -93,15 +95,15 @@ class Divider {
     return is_seen && slope > 0 ? std::clamp(kBlurStray / slope, most / kFinestBlur, most) : most;
   }
 
-  /// In how many parts a stretch is to be cut: 1 where it is flat.
+  /// Returns the number of parts to cut a stretch into: 1 where it is flat.
   int parts_of(const Cubic& cubic, const Part& part, double slope) const {
-    // A whole piece may stand between corners, which do not move.
+    // A whole piece may lie between corners, which do not move.
     const double centered = part.cuts > 0 ? kCentered : 1;
     const double tolerance = centered * tolerance_of(cubic, slope);
     const ChordDeviation deviation = chord_deviation(cubic);
     const double stray = std::max(deviation.across, deviation.along / kAlongPerAcross);
     if (stray <= tolerance || part.cuts == kMaxCuts) return 1;
-    // One of n equal parts strays n² times less.
+    // Each of n equal parts deviates n² times less.
     const double of_parts = kCentered / centered * tolerance;
     return stray > 4 * of_parts && stray <= 9 * of_parts ? 3 : 2;
   }
@@ -133,7 +135,18 @@ class Divider {
   PolylineBuilder& out_;
 };
 
-/// A list with stops where the value passes `value`.
+bool is_of_one_paint(const Side& side) {
+  return side.color.stops.stops.size() <= 1 && side.opacity.stops.stops.size() <= 1;
+}
+
+/// Returns whether a curve is the outline of a shape: it closes, and each side has one paint all
+/// around. Pixels of one side that show on the other are then wrong.
+bool is_outline(const Curve& curve) {
+  return curve.control_points.front() == curve.control_points.back() &&
+         is_of_one_paint(curve.left) && is_of_one_paint(curve.right);
+}
+
+/// Returns a list with stops where the value passes `value`.
 ScalarStops split_at(const ScalarStops& list, double value) {
   ScalarStops split{list.space, {}};
   for (const auto& stop : list.stops) {
@@ -149,19 +162,20 @@ ScalarStops split_at(const ScalarStops& list, double value) {
   return split;
 }
 
-/// The second step: the vertices of the first and the junctions, led to where chords lie in the
-/// middle of their arcs, and stops on the chords.
+/// The second step: moves the vertices of the first step and the junctions until chords lie in the
+/// middle of their arcs, and puts stops on the chords.
 class Finisher {
  public:
   Finisher(const FlatCurves& divided, const Junctions& junctions, const FlattenOptions& options,
            PolylineBuilder& out)
       : divided_(divided), junctions_(junctions), options_(options), out_(out) {}
 
-  /// Call for all curves in their order.
+  /// Adds a curve. Call it for all curves in their order.
   void add_curve(const Curve& curve, std::uint32_t index) {
     collect_knots(index);
     collect_stretches(curve);
     center_chords();
+    if (is_outline(curve) && clear_tips(knots_, options_.reach)) collect_stretches(curve);
     collect_stops(curve);
     out_.begin_curve();
     std::size_t next_stop = 0;
@@ -178,12 +192,6 @@ class Finisher {
   }
 
  private:
-  struct Knot {
-    double parameter;
-    Vec2 point;
-    bool pinned;
-  };
-
   void collect_knots(std::uint32_t index) {
     knots_.clear();
     const auto& junction = junctions_.junction;
@@ -193,15 +201,16 @@ class Finisher {
              junction[next_junction_].parameter < parameter;
            ++next_junction_) {
         const Junction& at = junction[next_junction_];
-        // Vertices of several curves may lie on each other.
+        // Vertices of several curves may coincide.
         if (length(at.point - knots_.back().point) <= options_.reach) continue;
-        knots_.push_back({at.parameter, at.point, true});
+        knots_.push_back({at.parameter, at.point, true, true});
       }
-      knots_.push_back({parameter, divided_.vertex[v], junctions_.pinned[v] != 0});
+      knots_.push_back({parameter, divided_.vertex[v], junctions_.pinned[v] != 0, false});
     }
   }
 
-  /// The stretch of curve from each knot to the next.
+  /// Collects the stretch of curve from each knot to the next; unusable where it has parts of two
+  /// pieces.
   void collect_stretches(const Curve& curve) {
     stretches_.clear();
     for (std::size_t k = 0; k + 1 < knots_.size(); ++k) {
@@ -211,8 +220,8 @@ class Finisher {
     }
   }
 
-  /// With every smooth knot moved by the mean of what its two chords lie inside their arcs, chords
-  /// of one depth lie in the middle.
+  /// Moves every smooth knot by the mean distance of its two chords inside their arcs: chords of
+  /// equal depth then lie in the middle.
   void center_chords() {
     const std::size_t last = knots_.size() - 1;
     const bool closed = knots_.front().point == knots_.back().point;
@@ -229,11 +238,11 @@ class Finisher {
   static Vec2 shift_between(const Cubic& before, const Cubic& after) {
     const Vec2 in = before[3] - before[2], out = after[1] - after[0];
     const double turn = std::fabs(cross(in, out)), ahead = dot(in, out);
-    // Not so where the curve stands still, either.
+    // Does not move it where the curve's speed is 0, either.
     if (!(ahead > 0 && turn <= kCornerSine * ahead)) return {};
     const Vec2 shift_in = mean_deviation(before), shift_out = mean_deviation(after);
     const auto [least, most] = std::minmax({length_squared(shift_in), length_squared(shift_out)});
-    // A straight edge stays where it is: of a frame on pixel borders no pixel beyond is to be cut.
+    // A straight edge stays in place: a frame on pixel borders must not cut pixels beyond.
     if (least < kStraight * kStraight * most) return {};
     return 0.5 * (shift_in + shift_out);
   }
@@ -255,15 +264,16 @@ class Finisher {
     stops_.erase(std::unique(stops_.begin(), stops_.end()), stops_.end());
   }
 
-  /// The point of chord k nearest to the curve's at the parameter; `share` is how far along the
-  /// chord the last one lay, and then this one.
+  /// Returns the point of chord k nearest to the curve's at the parameter. `share` is the position
+  /// of the last point along the chord, and then of this one.
   Vec2 on_chord(std::size_t k, double parameter, double& share) const {
     const Knot &from = knots_[k], &to = knots_[k + 1];
     const Vec2 chord = to.point - from.point;
     const double chord_squared = length_squared(chord);
     const double local = (parameter - from.parameter) / (to.parameter - from.parameter);
     const double along = dot(point_at(stretches_[k], local) - from.point, chord);
-    const double wanted = chord_squared > 0 ? along / chord_squared : local;
+    const bool is_of_one_piece = to.parameter <= std::floor(from.parameter) + 1;
+    const double wanted = chord_squared > 0 && is_of_one_piece ? along / chord_squared : local;
     share = std::clamp(wanted, share, 1.0);
     return from.point + chord * share;
   }
@@ -273,7 +283,7 @@ class Finisher {
   const FlattenOptions& options_;
   PolylineBuilder& out_;
   std::size_t next_junction_ = 0;
-  std::vector<Knot> knots_;  ///< of the curve at hand, and what follows too
+  std::vector<Knot> knots_;  ///< for the current curve, as are the tables below
   std::vector<Cubic> stretches_;
   std::vector<double> stops_;
 };
@@ -287,11 +297,10 @@ Result<FlatCurves> flatten(Context& context, std::span<const Curve> curves,
   for (const Curve& curve : curves) divider.add_curve(curve);
   divided.end_last_curve();
   if (!divided.status()) return divided.status();
-  const Result<Junctions> junctions =
-      find_junctions(context, curves, divided.flat(), options.reach);
-  if (!junctions) return junctions.status();
+  SFUMATO_TRY_ASSIGN(const Junctions& junctions,
+                     find_junctions(context, curves, divided.flat(), options.reach));
   PolylineBuilder finished(context);
-  Finisher finisher(divided.flat(), *junctions, options, finished);
+  Finisher finisher(divided.flat(), junctions, options, finished);
   for (std::uint32_t i = 0; i < curves.size() && finished.status().ok(); ++i) {
     finisher.add_curve(curves[i], i);
   }

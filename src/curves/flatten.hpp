@@ -11,10 +11,10 @@
 
 namespace sfumato::curves {
 
-/// Allowed distances between chord and curve, user units, above 0, for a box that is shown. Outside
-/// the box (grown by a tenth) the allowed distance is the coarser `outside_tolerance` or, if that
-/// is larger, 1/16384 of the distance from the box: this changes colours in the box by less than
-/// 0.25 code values.
+/// Allowed distances between chord and curve, user units, above 0, for a visible box. Outside the
+/// box (grown by a tenth) the allowed distance is the coarser `outside_tolerance` or, if that is
+/// larger, 1/16384 of the distance from the box: this changes colours in the box by less than 0.25
+/// code values.
 struct FlattenFocus {
   Box box;
   double tolerance = 0.1;
@@ -36,11 +36,11 @@ struct FlattenOptions {
 
 /// Curves as polylines that keep the curve parameter. Segment s joins vertex s and vertex s + 1;
 /// the last vertex of a curve begins no segment. Every stop of a stop list is a vertex, so that
-/// attributes are linear on each segment; it lies on the chord that exists without it, so that
-/// curves of one shape have one polyline, whatever their stops. Chords lie in the middle of their
+/// attributes are linear on each segment. The vertex lies on the chord that exists without it, so
+/// that curves of one shape have one polyline for any stops. Chords lie in the middle of their
 /// arcs: at ends, corners and where other curves pass, vertices lie on the curve. Elsewhere they
-/// lie outside the curve by the mean distance by which chords between points of the curve would lie
-/// inside.
+/// lie outside the curve, by the mean distance by which chords between points of the curve would
+/// lie inside.
 struct FlatCurves {
   std::vector<Vec2> vertex;        ///< layer frame
   std::vector<double> parameter;   ///< per vertex: Bézier piece + t
@@ -55,15 +55,15 @@ struct FlatCurves {
   std::size_t segment_count() const { return vertex.size() - curve_count(); }
 };
 
-/// Bytes of memory that a polyline occupies.
+/// Returns the bytes of memory of a polyline.
 inline std::size_t bytes_of(const FlatCurves& flat) {
   return flat.vertex.capacity() * sizeof(Vec2) +
          (flat.parameter.capacity() + flat.arc_length.capacity()) * sizeof(double) +
          (flat.vertex_curve.capacity() + flat.curve_begin.capacity()) * sizeof(std::uint32_t);
 }
 
-/// Flattens every curve. Errors: limit (segments, memory), cancelled.
-/// Cost: O(vertices), in the calling thread (0.1 µs a vertex: less than handing it out).
+/// Flattens every curve. Errors: limit (segments, memory), cancelled. Cost: O(vertices), in the
+/// calling thread (0.1 µs a vertex: less than passing it to another thread).
 Result<FlatCurves> flatten(Context& context, std::span<const Curve> curves,
                            const FlattenOptions& options);
 

@@ -9,14 +9,15 @@
 #include "base/poll.hpp"
 #include "base/spatial_order.hpp"
 #include "base/table_memory.hpp"
+#include "base/try.hpp"
 #include "curves/bezier.hpp"
 #include "sfumato/base/box.hpp"
 
 namespace sfumato::curves {
 namespace {
 
-/// Boxes of the tree that one vertex looks at, at most: where more passages lie on each other than
-/// that their chords may differ, but time stays in proportion to the vertices.
+/// The most boxes of the tree that one vertex visits. Where more passages lie on each other their
+/// chords may differ, but time stays proportional to the vertices.
 constexpr int kPatience = 200;
 
 constexpr std::uint32_t kLeafSegments = 4;
@@ -32,14 +33,14 @@ Cubic piece_of(const Curve& curve, double parameter_of_start) {
 /// All segments of the polylines, in a binary tree of the boxes of their stretches of curve.
 class SegmentTree {
  public:
-  /// Comes first. Errors: limit, cancelled; nothing else can be asked then.
+  /// Builds the tree; call it first. Errors: limit, cancelled; no other function may then be
+  /// called.
   Status build(Context& context, const FlatCurves& flat, std::span<const Curve> curves,
                double reach) {
-    if (Status status = order_segments(context, flat); !status) return status;
+    SFUMATO_TRY(order_segments(context, flat));
     leaf_count_ = (static_cast<std::uint32_t>(segment_.size()) + kLeafSegments - 1) / kLeafSegments;
     while (first_leaf_ < leaf_count_) first_leaf_ *= 2;
-    Status status = memory_.resize(context, box_, std::size_t{2} * first_leaf_);
-    if (!status) return status;
+    SFUMATO_TRY(memory_.resize(context, box_, std::size_t{2} * first_leaf_));
     RarePoll<4096> poll(context);
     for (std::size_t i = 0; i < segment_.size(); ++i) {
       if (poll.cancelled()) return context.cancel_status();
@@ -53,7 +54,7 @@ class SegmentTree {
     return ok_status();
   }
 
-  /// Calls visit(segment) for those whose box, or that of a neighbour, holds the point.
+  /// Calls visit(segment) for the segments whose box, or a neighbour's box, contains the point.
   template <class Visit>
   void visit(Vec2 point, Visit visit) const {
     int patience = kPatience;
@@ -79,9 +80,8 @@ class SegmentTree {
     TableMemory working("flattening");
     std::vector<Vec2> middle;
     std::vector<std::uint32_t> segment, order;
-    Status status = working.reserve(context, middle, flat.segment_count());
-    if (status) status = working.reserve(context, segment, flat.segment_count());
-    if (!status) return status;
+    SFUMATO_TRY(working.reserve(context, middle, flat.segment_count()));
+    SFUMATO_TRY(working.reserve(context, segment, flat.segment_count()));
     RarePoll<4096> poll(context);
     for (std::uint32_t v = 0; v < flat.vertex.size(); ++v) {
       if (poll.cancelled()) return context.cancel_status();
@@ -89,9 +89,8 @@ class SegmentTree {
       segment.push_back(v);
       middle.push_back(lerp(flat.vertex[v], flat.vertex[v + 1], 0.5));
     }
-    status = spatial_order(context, middle, working, order);
-    if (status) status = memory_.reserve(context, segment_, segment.size());
-    if (!status) return status;
+    SFUMATO_TRY(spatial_order(context, middle, working, order));
+    SFUMATO_TRY(memory_.reserve(context, segment_, segment.size()));
     for (const std::uint32_t i : order) segment_.push_back(segment[i]);
     return ok_status();
   }
@@ -113,15 +112,15 @@ class SegmentTree {
   TableMemory memory_{"flattening"};
 };
 
-/// Vertices that lie on each other: each knows the first of its place.
+/// Vertices at the same position: each is mapped to the first of its place.
 class Places {
  public:
-  /// Comes first. Errors: limit, cancelled; nothing else can be asked then.
+  /// Builds the table; call it first. Errors: limit, cancelled; no other function may then be
+  /// called.
   Status build(Context& context, std::span<const Vec2> vertex) {
     const std::size_t slots = std::bit_ceil(2 * vertex.size() + 1);
-    Status status = memory_.resize(context, first_, vertex.size());
-    if (status) status = memory_.resize(context, table_, slots, kNobody);
-    if (!status) return status;
+    SFUMATO_TRY(memory_.resize(context, first_, vertex.size()));
+    SFUMATO_TRY(memory_.resize(context, table_, slots, kNobody));
     RarePoll<4096> poll(context);
     for (std::uint32_t v = 0; v < vertex.size(); ++v) {
       if (poll.cancelled()) return context.cancel_status();
@@ -139,7 +138,7 @@ class Places {
 
  private:
   static std::size_t hash(Vec2 p) {
-    // With 0 added both zeros are one.
+    // Adding 0 makes both zeros one.
     std::uint64_t mixed = std::bit_cast<std::uint64_t>(p.x + 0.0) * 0x9e3779b97f4a7c15u;
     mixed = (std::rotl(mixed, 31) ^ std::bit_cast<std::uint64_t>(p.y + 0.0)) * 0xbf58476d1ce4e5b9u;
     return static_cast<std::size_t>(mixed ^ mixed >> 29);
@@ -158,16 +157,16 @@ class JunctionFinder {
     status_ = found_.memory.resize(context, found_.pinned, flat.vertex.size());
   }
 
-  /// limit, cancelled: nothing else can be asked.
+  /// Returns limit or cancelled: no other function may then be called.
   const Status& status() const { return status_; }
 
-  /// Notes that v lies on `first`, which is looked at for both.
+  /// Records that v lies on `first`, which is searched for both.
   void meet(std::uint32_t v, std::uint32_t first) {
     // The joint of a closed curve is one vertex, not two that meet.
     if (!is_own_end(v, first)) found_.pinned[first] = 1;
   }
 
-  /// Notes where vertex v lies on segment s, of which it is no end.
+  /// Records where vertex v lies on segment s, unless it is an end of s.
   void look(std::uint32_t v, std::uint32_t s) {
     if (v == s || v == s + 1) return;
     const Vec2 p = flat_.vertex[v];
@@ -189,7 +188,7 @@ class JunctionFinder {
     note({flat_.vertex_curve[s], parameter, p});
   }
 
-  /// Call once, last.
+  /// Returns the result. Call it once, last.
   Result<Junctions> take(const Places& places) {
     for (std::uint32_t v = 0; v < found_.pinned.size(); ++v) {
       found_.pinned[v] = found_.pinned[places.first(v)];
@@ -197,9 +196,8 @@ class JunctionFinder {
     TableMemory working("flattening");
     std::vector<std::size_t> next;
     std::vector<Junction> sorted;
-    Status status = working.resize(context_, next, curves_.size() + 1);
-    if (status) status = found_.memory.resize(context_, sorted, found_.junction.size());
-    if (!status) return status;
+    SFUMATO_TRY(working.resize(context_, next, curves_.size() + 1));
+    SFUMATO_TRY(found_.memory.resize(context_, sorted, found_.junction.size()));
     for (const Junction& at : found_.junction) ++next[at.curve + 1];
     for (std::size_t c = 1; c < next.size(); ++c) next[c] += next[c - 1];
     for (const Junction& at : found_.junction) sorted[next[at.curve]++] = at;
@@ -229,7 +227,7 @@ class JunctionFinder {
 
   bool near(Vec2 p, Vec2 q) const { return length_squared(p - q) <= reach_squared_; }
 
-  /// Both are vertices of one curve, its first and its last.
+  /// Returns whether both are the first and the last vertex of one curve.
   bool is_own_end(std::uint32_t v, std::uint32_t w) const {
     const std::uint32_t curve = flat_.vertex_curve[v];
     if (flat_.vertex_curve[w] != curve) return false;
@@ -252,9 +250,8 @@ Result<Junctions> find_junctions(Context& context, std::span<const Curve> curves
   const std::size_t vertices = flat.vertex.size();
   SegmentTree tree;
   Places places;
-  Status status = tree.build(context, flat, curves, reach);
-  if (status) status = places.build(context, flat.vertex);
-  if (!status) return status;
+  SFUMATO_TRY(tree.build(context, flat, curves, reach));
+  SFUMATO_TRY(places.build(context, flat.vertex));
   JunctionFinder finder(context, curves, flat, reach);
   RarePoll<1024> poll(context);
   for (std::uint32_t v = 0; v < vertices && finder.status().ok(); ++v) {

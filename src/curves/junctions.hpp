@@ -27,8 +27,8 @@ struct Junctions {
 /// Finds the vertices of `flat` (which lie on their curves) that are within `reach` of another
 /// curve or of another passage of their own. If both passages have every such vertex, curves that
 /// overlap have the same chords, however they are cut into pieces, and an end that touches a curve
-/// touches its chords. A vertex that is near hundreds of others may be missed.
-/// Errors: limit, cancelled. Cost: O(vertices log vertices).
+/// touches its chords. A vertex that is near hundreds of others may be missed. Errors: limit,
+/// cancelled. Cost: O(vertices log vertices).
 Result<Junctions> find_junctions(Context& context, std::span<const Curve> curves,
                                  const FlatCurves& flat, double reach);
 

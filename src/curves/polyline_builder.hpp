@@ -16,7 +16,7 @@ class PolylineBuilder {
  public:
   explicit PolylineBuilder(Context& context) : context_(context), poll_(context) {}
 
-  /// After limit or cancelled nothing more is appended.
+  /// Returns the status. After limit or cancelled nothing more is appended.
   const Status& status() const { return status_; }
   Context& context() const { return context_; }
 
@@ -25,7 +25,7 @@ class PolylineBuilder {
   void end_last_curve();
 
   const FlatCurves& flat() const { return flat_; }
-  /// Call once, last. The result is no longer charged.
+  /// Returns the result, which is no longer charged. Call it once, last.
   FlatCurves take() { return std::move(flat_); }
 
  private:

@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include "base/try.hpp"
+
 namespace sfumato::curves {
 namespace {
 
@@ -16,7 +18,7 @@ bool has_stop(const SideShader<Value>& shader, const StopPlace& place) {
          place.index.value_or(0) < shader.stops.stops.size();
 }
 
-/// 1 at the stop, or at all of them, and 0 at the others.
+/// Returns 1 at the stop, or at all of them, and 0 at the others.
 template <class Value>
 ScalarStops weights_of(const StopList<Value>& list, const StopPlace& place) {
   ScalarStops weights{list.space, {}};
@@ -28,7 +30,7 @@ ScalarStops weights_of(const StopList<Value>& list, const StopPlace& place) {
   return weights;
 }
 
-/// The curve with these weights as the opacities of the side, and nothing else.
+/// Returns the curve with only these weights as the opacities of the side.
 Curve weighted(std::span<const Curve> curves, const StopPlace& place) {
   const Side& side = side_of(curves, place);
   Curve curve;
@@ -63,16 +65,15 @@ Status add_response(const Context& context, const FlatCurves& flat, std::span<co
                     const StopPlace& place, SegmentAttributes& attributes) {
   TableMemory scratch("attributes");
   std::vector<Curve> weights;
-  Status status = scratch.resize(context, weights, curves.size());
-  if (!status) return status;
+  SFUMATO_TRY(scratch.resize(context, weights, curves.size()));
   weights[place.curve] = weighted(curves, place);
-  const Result<SegmentAttributes> sampled = sample_opacities(context, flat, weights, scratch);
-  if (!sampled) return sampled.status();
+  SFUMATO_TRY_ASSIGN(const SegmentAttributes& sampled,
+                     sample_opacities(context, flat, weights, scratch));
   const int channel = attributes.base_channels++;
-  add_channel(sampled->left, channel, attributes.left);
-  add_channel(sampled->right, channel, attributes.right);
+  add_channel(sampled.left, channel, attributes.left);
+  add_channel(sampled.right, channel, attributes.right);
   attributes.has_response = true;
-  return status;
+  return ok_status();
 }
 
 }  // namespace sfumato::curves

@@ -12,16 +12,18 @@
 
 namespace sfumato::curves {
 
-/// Whether the place is there: a side with stops, and one of them.
+/// Returns whether the place exists: a side with stops, and one of them.
 bool has_stop(std::span<const Curve> curves, const StopPlace& place);
 
-/// Adds a base channel: by how much the field's value grows where that of the stop, or those of all
-/// stops of the side, grow by 1, in the space of the values. It is gathered as these are, and so is
-/// the response of the whole field, for all that the gather does with values is linear in them.
+/// Adds a base channel: the growth of the field's value where the value of the stop, or of all
+/// stops of the side, grows by 1, in the space of the values. The channel is gathered like the
+/// values, and the result is the response of the whole field, because the gather is linear in the
+/// values.
 ///
 /// attributes   of place.attribute, on `flat`
-/// Precondition: has_stop, and that the attributes have no more than three base channels.
-/// Errors       limit (memory), cancelled
+///
+/// Precondition: has_stop, and the attributes have no more than three base channels.
+/// Errors: limit (memory), cancelled.
 Status add_response(const Context& context, const FlatCurves& flat, std::span<const Curve> curves,
                     const StopPlace& place, SegmentAttributes& attributes);
 

@@ -3,12 +3,13 @@
 #include <algorithm>
 
 #include "base/poll.hpp"
+#include "base/try.hpp"
 #include "curves/bezier.hpp"
 
 namespace sfumato::curves {
 namespace {
 
-/// The next entry: the length up to the end of piece i.
+/// Returns the next entry: the length up to the end of piece i.
 double next_length(const std::vector<double>& cumulative, std::span<const Vec2> control_points,
                    std::size_t i) {
   return cumulative.back() + arc_length(piece(control_points, i), 0, 1);
@@ -31,7 +32,7 @@ Result<std::vector<double>> cumulative_length(const Context& context,
                                               TableMemory& memory) {
   const std::size_t piece_count = (control_points.size() - 1) / 3;
   std::vector<double> cumulative;
-  if (Status status = memory.reserve(context, cumulative, piece_count + 1); !status) return status;
+  SFUMATO_TRY(memory.reserve(context, cumulative, piece_count + 1));
   RarePoll<16> poll(context);
   cumulative.push_back(0);
   for (std::size_t i = 0; i < piece_count; ++i) {

@@ -13,22 +13,22 @@
 
 namespace sfumato::curves {
 
-/// Cumulative lengths of a curve's Bézier pieces: entry i is the length before piece i, the last
-/// entry the whole length. One entry more than pieces.
+/// Returns the cumulative lengths of a curve's Bézier pieces: entry i is the length before piece i,
+/// the last entry the whole length. There is one entry more than pieces.
 std::vector<double> cumulative_length(std::span<const Vec2> control_points);
 
-/// The same, for long chains; the lengths are allocated from `memory`.
-/// Errors: limit (memory), cancelled.
+/// Does the same for long chains; the lengths are allocated from `memory`. Errors: limit (memory),
+/// cancelled.
 Result<std::vector<double>> cumulative_length(const Context& context,
                                               std::span<const Vec2> control_points,
                                               TableMemory& memory);
 
-/// The curve parameter (piece + t) at a fraction 0 to 1 of the curve's length.
+/// Returns the curve parameter (piece + t) at a fraction 0 to 1 of the curve's length.
 double parameter_at_fraction(std::span<const Vec2> control_points,
                              std::span<const double> cumulative, double fraction);
 
-/// Colour stops with their values converted to the coordinates of `space`, in which they are
-/// interpolated.
+/// Returns colour stops with their values converted to the coordinates of `space`, for
+/// interpolation there.
 ColorStops in_space(ColorStops list, InterpolationSpace space);
 inline const ScalarStops& in_space(const ScalarStops& list, InterpolationSpace) {
   return list;
@@ -53,7 +53,7 @@ void append_stop_parameters(std::span<const Vec2> control_points,
   }
 }
 
-/// The same, in a new list.
+/// Does the same, in a new list.
 template <class Value>
 std::vector<double> stop_parameters(std::span<const Vec2> control_points,
                                     const StopList<Value>& list) {

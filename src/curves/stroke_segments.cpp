@@ -7,47 +7,48 @@
 
 #include "base/limit_error.hpp"
 #include "base/table_memory.hpp"
+#include "base/try.hpp"
 #include "curves/bezier.hpp"
 #include "curves/stop_parameters.hpp"
 
 namespace sfumato::curves {
 namespace {
 
-/// No stretch is halved more often than this, whatever the control points say.
+/// No stretch is halved more often than this, for any control points.
 constexpr int kMaxHalvings = 48;
 
-/// How far the tangent may change from one node to the next, as a part of its mean length.
+/// The largest change of the tangent from one node to the next, as a part of its mean length.
 constexpr double kBendPerNode = 0.15;
 
-/// Nodes of a stretch that is shorter than the distance allowed between nodes.
+/// The number of nodes of a stretch that is shorter than the distance allowed between nodes.
 constexpr double kShortNodes = 4;
 
-/// Attributes are linear in the arc length but are taken to be linear in the segment's parameter:
-/// how far off they may be, code values or parts of the influence radius.
+/// Attributes are linear in the arc length but are treated as linear in the segment's parameter.
+/// This is the largest allowed error, code values or parts of the influence radius.
 constexpr double kLargestSlip = 0.0005;
 
-/// Radii are cut to this, pixels: their squares stay within single precision.
+/// Radii are limited to this, pixels: their squares stay within single precision.
 constexpr double kLargestRadius = 1e15;
 
-/// Where a stretch lies on its curve: both ends by parameter and by fraction of the length.
+/// The place of a stretch on its curve: both ends by parameter and by fraction of the length.
 struct Stretch {
   double parameter[2];
   double fraction[2];
 };
 
-/// A stop list along the curve, asked for stretches that hold no stop, in ascending order but for
-/// parts of one asked before.
+/// A stop list along the curve, queried for stretches that contain no stop, in ascending order,
+/// except that parts of an earlier stretch may follow.
 template <class Value>
 class StopCursor {
  public:
   explicit StopCursor(const StopList<Value>& list) : list_(list) {}
 
-  /// Comes first. Errors: limit (memory), cancelled.
+  /// Prepares the cursor; call it first. Errors: limit (memory), cancelled.
   Status prepare(Context& context, std::span<const Vec2> control_points,
                  std::span<const double> cumulative, TableMemory& memory) {
-    Status status = memory.reserve(context, parameters_, list_.stops.size());
-    if (status) append_stop_parameters(control_points, cumulative, list_, parameters_);
-    return status;
+    SFUMATO_TRY(memory.reserve(context, parameters_, list_.stops.size()));
+    append_stop_parameters(control_points, cumulative, list_, parameters_);
+    return ok_status();
   }
 
   const std::vector<double>& parameters() const { return parameters_; }
@@ -118,7 +119,8 @@ class SegmentMaker {
   }
 
  private:
-  /// What of the curve the segments are made of, scaled and in the space of interpolation.
+  /// Copies the parts of the curve that the segments are made of, scaled and in the interpolation
+  /// space.
   Status copy(const LocalCurve& curve) {
     Status status = memory_.append(context_, std::span(curve.control_points), points_);
     const auto copy_stops = [&](const auto& from, auto& to) {
@@ -131,15 +133,14 @@ class SegmentMaker {
     copy_stops(curve.influence_radius, influence_);
     if (!status) return status;
     for (Vec2& p : points_) p = p * options_.scale;
-    const auto lengths = cumulative_length(context_, points_, memory_);
-    if (!lengths) return lengths.status();
-    total_length_ = lengths->back();
+    SFUMATO_TRY_ASSIGN(const auto& lengths, cumulative_length(context_, points_, memory_));
+    total_length_ = lengths.back();
     left_ = in_space(std::move(left_), options_.interpolation);
     right_ = in_space(std::move(right_), options_.interpolation);
     scale(blur_);
     scale(influence_);
     const auto prepare = [&](auto& cursor) {
-      if (status) status = cursor.prepare(context_, points_, *lengths, memory_);
+      if (status) status = cursor.prepare(context_, points_, lengths, memory_);
     };
     prepare(left_cursor_);
     prepare(right_cursor_);
@@ -159,7 +160,7 @@ class SegmentMaker {
     const std::size_t count = left_cursor_.parameters().size() + right_cursor_.parameters().size() +
                               blur_cursor_.parameters().size() +
                               influence_cursor_.parameters().size();
-    if (Status status = memory_.reserve(context_, cuts, count); !status) return status;
+    SFUMATO_TRY(memory_.reserve(context_, cuts, count));
     const auto collect = [&](const std::vector<double>& parameters) {
       cuts.insert(cuts.end(), parameters.begin(), parameters.end());
     };
@@ -221,7 +222,8 @@ class SegmentMaker {
     return box;
   }
 
-  /// Nodes that a stretch needs: close enough for its radius, and for its bends.
+  /// Returns the number of nodes that a stretch needs: close enough for its radius, and for its
+  /// bends.
   double nodes_of(const Cubic& c, double part_length, const SegmentValues<float>& influence) const {
     const Vec2 leg[3] = {c[1] - c[0], c[2] - c[1], c[3] - c[2]};
     double speed = 0, bend = 0, mean = 0;
@@ -239,7 +241,8 @@ class SegmentMaker {
                     part_length <= apart ? std::min(for_bends, kShortNodes) : for_bends);
   }
 
-  /// The share of the length differs from u by at most an eighth of the speed's relative change.
+  /// Bounds the slip: the share of the length differs from u by at most an eighth of the speed's
+  /// relative change.
   double slip_of(const Cubic& c, const Stretch& stretch, const SegmentValues<float>& influence) {
     const double leg[3] = {length(c[1] - c[0]), length(c[2] - c[1]), length(c[3] - c[2])};
     const double slowest = std::min({leg[0], leg[1], leg[2]});
@@ -254,7 +257,7 @@ class SegmentMaker {
 
   Status append(const Cubic& c, double part_length, const Stretch& stretch,
                 const SegmentValues<float>& influence, int node_count, const Box& reach) {
-    if (Status status = reserve(); !status) return status;
+    SFUMATO_TRY(reserve());
     StrokeSegment segment;
     segment.start = c[0];
     const Vec2 coefficient[3] = {3 * (c[1] - c[0]), 3 * (c[2] - 2 * c[1] + c[0]),
@@ -282,7 +285,7 @@ class SegmentMaker {
     return ok_status();
   }
 
-  /// Room for one more segment.
+  /// Reserves room for one more segment.
   Status reserve() {
     const std::size_t capacity = out_.segment.capacity();
     if (out_.segment.size() < capacity) return ok_status();
@@ -299,7 +302,7 @@ class SegmentMaker {
   Context& context_;
   const StrokeOptions& options_;
   StrokeSegments& out_;
-  TableMemory memory_{"a local curve"};  ///< of what is copied of the curve
+  TableMemory memory_{"a local curve"};  ///< for the copied parts of the curve
   std::vector<Vec2> points_;
   double total_length_ = 0;
   ColorStops left_, right_;
@@ -322,7 +325,7 @@ Result<StrokeSegments> stroke_segments(Context& context, const LocalCurve& curve
                                        const StrokeOptions& options) {
   StrokeSegments segments;
   SegmentMaker maker(context, options, segments);
-  if (Status status = maker.run(curve); !status) return status;
+  SFUMATO_TRY(maker.run(curve));
   return segments;
 }
 

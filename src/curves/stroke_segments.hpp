@@ -49,11 +49,12 @@ struct StrokeSegments {
   TableMemory memory{"a local curve"};
 };
 
-/// Whether the sides of a local curve differ. A side without colours takes the other side's.
+/// Returns whether the sides of a local curve differ. A side without colours takes the other
+/// side's.
 bool is_two_sided(const LocalCurve& curve);
 
-/// Cuts a local curve into segments: at every stop, and until nodes are close enough and turn
-/// little from one to the next. A side without colours takes the other side's.
+/// Cuts a local curve into segments: at every stop, and until nodes are close enough and the curve
+/// turns little from one to the next. A side without colours takes the other side's.
 ///
 /// Precondition: the curve was validated; one side has colours.
 /// Errors: limit (segments, memory), cancelled. Cost: O(pieces + segments).

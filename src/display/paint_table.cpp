@@ -6,8 +6,9 @@
 #include <variant>
 
 #include "base/table_memory.hpp"
-#include "raster/gradient.hpp"
-#include "raster/texture_pyramid.hpp"
+#include "base/try.hpp"
+#include "raster/shaders/gradient.hpp"
+#include "raster/shaders/texture_pyramid.hpp"
 
 namespace sfumato::display {
 namespace {
@@ -26,7 +27,7 @@ class TableMaker {
     return add(index, std::get<Texture>(shader.paint));
   }
 
-  /// Once all are added: the table keeps what its texels took.
+  /// Ends the table. Call it once all texels are added: the table keeps their charge.
   void finish() { table_.memory.take(std::move(texel_memory_)); }
 
  private:
@@ -35,24 +36,23 @@ class TableMaker {
   }
   void put(std::span<const double, 4> v) { put(v[0], v[1], v[2], v[3]); }
 
-  /// Room for `texels` more values.
+  /// Reserves room for `texels` more values.
   Status reserve(std::size_t texels) {
     return table_.memory.make_room(context_, table_.values, 4 * texels);
   }
 
   Status add(std::uint32_t index, const GradientFill& fill) {
-    const Result<raster::Gradient> gradient = raster::Gradient::create(context_, fill);
-    if (!gradient) return gradient.status();
-    const std::vector<raster::GradientSegment>& segments = gradient->segments();
-    if (Status status = reserve(5 + 4 * segments.size()); !status) return status;
-    table_.paint_from_layer[index] = gradient->frame_from_layer();
-    const Vec2 e = gradient->center_from_focus();
-    put(gradient->is_radial() ? 1 : 0, static_cast<int>(gradient->spread()),
+    SFUMATO_TRY_ASSIGN(const raster::Gradient& gradient, raster::Gradient::create(context_, fill));
+    const std::vector<raster::GradientSegment>& segments = gradient.segments();
+    SFUMATO_TRY(reserve(5 + 4 * segments.size()));
+    table_.paint_from_layer[index] = gradient.frame_from_layer();
+    const Vec2 e = gradient.center_from_focus();
+    put(gradient.is_radial() ? 1 : 0, static_cast<int>(gradient.spread()),
         static_cast<double>(segments.size()), 0);
-    put(e.x, e.y, 0, 0);
-    put(gradient->first());
-    put(gradient->last());
-    put(gradient->total());
+    put(e.x, e.y, gradient.focal_radius(), gradient.is_cone() ? 1 : 0);
+    put(gradient.first());
+    put(gradient.last());
+    put(gradient.total());
     for (const raster::GradientSegment& segment : segments) {
       put(segment.begin, segment.end, 0, 0);
       put(segment.value);
@@ -63,23 +63,22 @@ class TableMaker {
   }
 
   Status add(std::uint32_t index, const Texture& texture) {
-    const Result<raster::TexturePyramid> pyramid =
-        raster::TexturePyramid::create(context_, texture);
-    if (!pyramid) return pyramid.status();
-    const std::vector<raster::TextureLevel>& levels = pyramid->levels();
+    SFUMATO_TRY_ASSIGN(const raster::TexturePyramid& pyramid,
+                       raster::TexturePyramid::create(context_, texture));
+    const std::vector<raster::TextureLevel>& levels = pyramid.levels();
     const std::size_t base = table_.texel_count;
     table_.texel_count += levels.back().offset + 1;
-    if (Status status = reserve(1 + 2 * levels.size()); !status) return status;
-    table_.paint_from_layer[index] = pyramid->texture_from_layer();
-    put(kTextureKind, pyramid->repeats() ? 1 : 0, static_cast<double>(levels.size()),
-        pyramid->opaque() ? 1 : 0);
+    SFUMATO_TRY(reserve(1 + 2 * levels.size()));
+    table_.paint_from_layer[index] = pyramid.texture_from_layer();
+    put(kTextureKind, pyramid.repeats() ? 1 : 0, static_cast<double>(levels.size()),
+        pyramid.opaque() ? 1 : 0);
     for (const raster::TextureLevel& level : levels) {
       const std::size_t first = base + level.offset;
       put(level.width, level.height, static_cast<double>(first % kTableWidth),
           static_cast<double>(first / kTableWidth));
       put(level.level_from_texture.x, level.level_from_texture.y, level.period.x, level.period.y);
     }
-    return texels_ == PaintTexels::kept ? add_texels(*pyramid) : ok_status();
+    return texels_ == PaintTexels::kept ? add_texels(pyramid) : ok_status();
   }
 
   Status add_texels(const raster::TexturePyramid& pyramid) {

@@ -12,8 +12,8 @@
 
 namespace sfumato::display {
 
-/// The gradients and textures of a picture as the shaders of web/viewer/shaders read them
-/// (docs/gpu.md, "The table of paints").
+/// The gradients and textures of a picture in the layout that the shaders of web/viewer/shaders
+/// read (docs/gpu.md, "The table of paints").
 struct PaintTable {
   std::vector<float> values;               ///< four to a texel of `paint_table`
   std::size_t texel_count = 0;             ///< of `paint_texels`
@@ -27,7 +27,7 @@ struct PaintTable {
 /// makes the texels from the textures' files.
 enum class PaintTexels : bool { counted, kept };
 
-/// Includes the shaders that some layer names; the others have no values.
+/// Makes the table of the shaders that a layer uses; the others have no values.
 ///
 /// Precondition: picture::check_picture() has accepted the picture.
 /// Errors: limit (memory), cancelled. Cost: O(stops + texels).

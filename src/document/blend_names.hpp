@@ -7,7 +7,7 @@
 
 namespace sfumato {
 
-/// The modes of BlendMode in its order, as CSS's mix-blend-mode names them.
+/// The names of BlendMode's modes in CSS's mix-blend-mode, in the order of the enumeration.
 inline constexpr std::array<std::string_view, 16> kBlendNames{
     "normal",      "multiply",   "screen",     "overlay",    "darken",     "lighten",
     "color-dodge", "color-burn", "hard-light", "soft-light", "difference", "exclusion",

@@ -4,31 +4,32 @@
 #include <utility>
 
 #include "base/public_verb.hpp"
+#include "base/try.hpp"
 #include "document/curve_change.hpp"
 
 namespace sfumato {
 namespace {
 
-/// Makes changes without asking whether the document stays valid.
+/// Makes changes without checking whether the document stays valid.
 class Changer {
  public:
   explicit Changer(Document& document) : document_(document) {}
 
   Result<Change> operator()(ReplaceCurve& change) {
-    if (Status status = check(change.layer, change.curve, 0); !status) return status;
+    SFUMATO_TRY(check(change.layer, change.curve, 0));
     std::swap(curves(change.layer)[change.curve], change.value);
     return Change(std::move(change));
   }
 
   Result<Change> operator()(InsertCurve& change) {
-    if (Status status = check(change.layer, change.curve, 1); !status) return status;
+    SFUMATO_TRY(check(change.layer, change.curve, 1));
     std::vector<Curve>& list = curves(change.layer);
     list.insert(list.begin() + change.curve, std::move(change.value));
     return Change(RemoveCurve{change.layer, change.curve});
   }
 
   Result<Change> operator()(RemoveCurve& change) {
-    if (Status status = check(change.layer, change.curve, 0); !status) return status;
+    SFUMATO_TRY(check(change.layer, change.curve, 0));
     std::vector<Curve>& list = curves(change.layer);
     const auto place = list.begin() + change.curve;
     InsertCurve inverse{change.layer, change.curve, std::move(*place)};
@@ -49,7 +50,7 @@ class Changer {
  private:
   std::vector<Curve>& curves(std::uint32_t layer) { return document_.layers[layer].curves; }
 
-  /// Whether there is the curve; `beyond` more than the last may be named.
+  /// Checks that the curve exists; `beyond` more than the last may be named.
   Status check(std::uint32_t layer, std::uint32_t curve, std::size_t beyond) const {
     if (layer >= document_.layers.size()) {
       return make_error(StatusCode::bad_input, "there is no layer " + std::to_string(layer));
@@ -62,7 +63,7 @@ class Changer {
   Document& document_;
 };
 
-/// Whether a document that was valid before is so after a change with this inverse.
+/// Checks a document that was valid before a change with this inverse.
 Status validate_change(const Context& context, const Document& document, const Change& inverse) {
   if (const auto* replaced = std::get_if<ReplaceCurve>(&inverse)) {
     const Curve& curve = document.layers[replaced->layer].curves[replaced->curve];
@@ -78,13 +79,12 @@ Status validate_change(const Context& context, const Document& document, const C
   return validate(context, document);
 }
 
-/// The way back allocates nothing: the room of a curve that was taken out is still there.
+/// Undoes the change on an error. That allocates nothing: the room of a removed curve still exists.
 Result<Change> change_or_leave(const Context& context, Document& document, Change& change) {
-  Result<Change> inverse = std::visit(Changer(document), change);
-  if (!inverse) return inverse;
-  Status valid = validate_change(context, document, *inverse);
-  if (valid) return inverse;
-  const Result<Change> undone = std::visit(Changer(document), *inverse);
+  SFUMATO_TRY_ASSIGN(auto&& inverse, std::visit(Changer(document), change));
+  Status valid = validate_change(context, document, inverse);
+  if (valid) return std::move(inverse);
+  const Result<Change> undone = std::visit(Changer(document), inverse);
   return undone ? valid : undone.status();
 }
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/limit_error.hpp"
+#include "base/try.hpp"
 #include "sfumato/base/limits.hpp"
 
 namespace sfumato::rules {
@@ -60,7 +61,7 @@ Status inside(const std::string& place, Status status) {
 }
 
 Status StackChecker::operator()(const GroupBegin& group) {
-  if (Status status = check_compositing(group.opacity, group.blend); !status) return status;
+  SFUMATO_TRY(check_compositing(group.opacity, group.blend));
   if (++open_groups_ <= context_.limits.group_depth) return ok_status();
   return limit_error(context_.limits, &Limits::group_depth, "groups within each other");
 }

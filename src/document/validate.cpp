@@ -6,6 +6,7 @@
 
 #include "base/limit_error.hpp"
 #include "base/public_verb.hpp"
+#include "base/try.hpp"
 #include "document/curve_change.hpp"
 #include "document/rules.hpp"
 #include "sfumato/base/limits.hpp"
@@ -35,7 +36,7 @@ bool is_length(float value) {
   return value >= 0 && is_coordinate(value);
 }
 
-/// Sums that are held against limits over the whole document.
+/// Sums over the whole document that have limits.
 struct Totals {
   std::size_t curves = 0;
   std::size_t control_points = 0;
@@ -43,16 +44,14 @@ struct Totals {
 };
 
 Status check_totals(const Context& context, const Totals& totals) {
-  Status status = at_most(context, totals.curves, &Limits::curves, "curves");
-  if (status)
-    status = at_most(context, totals.control_points, &Limits::control_points, "control points");
-  if (status) status = at_most(context, totals.stops, &Limits::stops, "stops");
-  return status;
+  SFUMATO_TRY(at_most(context, totals.curves, &Limits::curves, "curves"));
+  SFUMATO_TRY(at_most(context, totals.control_points, &Limits::control_points, "control points"));
+  return at_most(context, totals.stops, &Limits::stops, "stops");
 }
 
 Status check_control_points(const std::vector<Vec2>& points) {
   if (points.size() < 4 || points.size() % 3 != 1) {
-    return bad(std::to_string(points.size()) + " control points; expected 3n+1 (4, 7, 10, …)");
+    return bad(std::to_string(points.size()) + " control points; use 3n+1 (4, 7, 10, …)");
   }
   const auto bad_point = std::ranges::find_if_not(points, [](Vec2 p) { return is_coordinate(p); });
   if (bad_point == points.end()) return ok_status();
@@ -60,7 +59,7 @@ Status check_control_points(const std::vector<Vec2>& points) {
              " is not finite or beyond the largest coordinate");
 }
 
-/// Offsets in range and never falling; values as is_value says.
+/// Checks that offsets are in range and never fall, and that is_value accepts the values.
 template <class Value, class IsValue>
 Status check_stops(const Context& context, const StopList<Value>& list, std::size_t piece_count,
                    IsValue is_value) {
@@ -112,19 +111,15 @@ Status check_side(const Context& context, const Side& side, std::size_t piece_co
 }
 
 Status check_curve(const Context& context, const Curve& curve, std::size_t shader_count) {
-  Status status = check_control_points(curve.control_points);
-  if (status) {
-    status =
-        inside("left side", check_side(context, curve.left, curve.piece_count(), shader_count));
+  SFUMATO_TRY(check_control_points(curve.control_points));
+  SFUMATO_TRY(
+      inside("left side", check_side(context, curve.left, curve.piece_count(), shader_count)));
+  SFUMATO_TRY(
+      inside("right side", check_side(context, curve.right, curve.piece_count(), shader_count)));
+  if (!(curve.weight > 0 && curve.weight <= limits::kCoordinate)) {
+    SFUMATO_TRY(bad("the weight is not above 0 and finite"));
   }
-  if (status) {
-    status =
-        inside("right side", check_side(context, curve.right, curve.piece_count(), shader_count));
-  }
-  if (status && !(curve.weight > 0 && curve.weight <= limits::kCoordinate)) {
-    status = bad("the weight is not above 0 and finite");
-  }
-  return status;
+  return ok_status();
 }
 
 void note_shader(ShaderKind kind, std::uint32_t shader, std::size_t most,
@@ -135,7 +130,7 @@ void note_shader(ShaderKind kind, std::uint32_t shader, std::size_t most,
   }
 }
 
-/// Adds the shaders that a curve uses and `used` does not hold yet, while it has at most `most`.
+/// Adds the shaders of a curve that `used` does not contain yet, while it has at most `most`.
 void note_shaders(const Curve& curve, std::size_t most, std::vector<std::uint32_t>& used) {
   for (const Side* side : {&curve.left, &curve.right}) {
     note_shader(side->color.kind, side->color.shader, most, used);
@@ -157,7 +152,7 @@ Status check_curve_of(const Context& context, const Document& document, const La
 Status check_curves(const Context& context, const Document& document, const Layer& layer) {
   for (std::size_t i = 0; i < layer.curves.size(); ++i) {
     if (context.cancelled()) return context.cancel_status();
-    if (Status status = check_curve_of(context, document, layer, i); !status) return status;
+    SFUMATO_TRY(check_curve_of(context, document, layer, i));
   }
   return ok_status();
 }
@@ -175,7 +170,7 @@ Status check_sums(const Context& context, const Layer& layer, Totals& totals) {
   return at_most(context, used_shaders.size(), &Limits::shaders_per_layer, "shaders");
 }
 
-/// `status` of a layer with its place.
+/// Returns `status` of a layer with its place.
 Status in_layer(const Context& context, const Document& document, std::size_t layer,
                 Status status) {
   if (status) return status;
@@ -198,18 +193,12 @@ Status check_stroke(const Context& context, const LocalStroke& stroke) {
   const LocalCurve& curve = stroke.curve;
   const std::size_t pieces =
       curve.control_points.empty() ? 0 : (curve.control_points.size() - 1) / 3;
-  Status status = check_control_points(curve.control_points);
-  if (status)
-    status = inside("left colour", check_stops(context, curve.left_color, pieces, is_color));
-  if (status)
-    status = inside("right colour", check_stops(context, curve.right_color, pieces, is_color));
-  if (status)
-    status = inside("blur radius", check_stops(context, curve.blur_radius, pieces, is_length));
-  if (status) {
-    status =
-        inside("influence radius", check_stops(context, curve.influence_radius, pieces, is_length));
-  }
-  if (!status) return status;
+  SFUMATO_TRY(check_control_points(curve.control_points));
+  SFUMATO_TRY(inside("left colour", check_stops(context, curve.left_color, pieces, is_color)));
+  SFUMATO_TRY(inside("right colour", check_stops(context, curve.right_color, pieces, is_color)));
+  SFUMATO_TRY(inside("blur radius", check_stops(context, curve.blur_radius, pieces, is_length)));
+  SFUMATO_TRY(
+      inside("influence radius", check_stops(context, curve.influence_radius, pieces, is_length)));
   const auto is_wide = [](const Stop<float>& stop) { return stop.value > 0; };
   if (std::ranges::none_of(curve.influence_radius.stops, is_wide)) {
     return bad("the influence radius is nowhere above 0");
@@ -238,7 +227,7 @@ bool is_shape(const LinearGradient& shape) {
 
 bool is_shape(const RadialGradient& shape) {
   return is_coordinate(shape.center) && is_coordinate(shape.focus) && is_coordinate(shape.radius) &&
-         shape.radius > 0 && length(shape.focus - shape.center) <= shape.radius;
+         shape.radius > 0 && is_coordinate(shape.focal_radius) && shape.focal_radius >= 0;
 }
 
 Status check_paint(const Context& context, const GradientFill& fill) {
@@ -291,7 +280,7 @@ Status check_textures(const Context& context, const std::vector<Shader>& shaders
 }
 
 Status check_shaders(const Context& context, const std::vector<Shader>& shaders) {
-  if (Status status = check_textures(context, shaders); !status) return status;
+  SFUMATO_TRY(check_textures(context, shaders));
   for (std::size_t i = 0; i < shaders.size(); ++i) {
     Status status = std::visit([&](const auto& paint) { return check_paint(context, paint); },
                                shaders[i].paint);
@@ -311,13 +300,12 @@ Status check_document(const Context& context, const Document& document) {
       !(document.size_px->x > 0 && document.size_px->y > 0 && is_finite(*document.size_px))) {
     return bad("the picture's size is not above 0");
   }
-  if (Status status = rules::check_interpolation(document.interpolation); !status) return status;
-  if (Status status = rules::check_background(document.background); !status) return status;
+  SFUMATO_TRY(rules::check_interpolation(document.interpolation));
+  SFUMATO_TRY(rules::check_background(document.background));
   Totals totals;
-  Status status = check_shaders(context, document.shaders);
-  if (status) status = check_layers(context, document, totals);
-  if (status) status = rules::check_stack(context, document.stack, document.layers.size());
-  if (!status) return status;
+  SFUMATO_TRY(check_shaders(context, document.shaders));
+  SFUMATO_TRY(check_layers(context, document, totals));
+  SFUMATO_TRY(rules::check_stack(context, document.stack, document.layers.size()));
   add_strokes(document, totals);
   return check_totals(context, totals);
 }
@@ -347,11 +335,9 @@ Status validate_curve(const Context& context, const Document& document, std::uin
 
 Status validate_sums(const Context& context, const Document& document) {
   Totals totals;
-  Status status;
-  for (std::size_t i = 0; status && i < document.layers.size(); ++i) {
-    status = in_layer(context, document, i, check_sums(context, document.layers[i], totals));
+  for (std::size_t i = 0; i < document.layers.size(); ++i) {
+    SFUMATO_TRY(in_layer(context, document, i, check_sums(context, document.layers[i], totals)));
   }
-  if (!status) return status;
   add_strokes(document, totals);
   return check_totals(context, totals);
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/poll.hpp"
+#include "base/try.hpp"
 #include "export/poll_interval.hpp"
 
 namespace sfumato::outputs {
@@ -26,18 +27,16 @@ Result<NodePairs> pair_nodes(Context& context, const PatchField& color, const Pa
   TableMemory scratch("colours and opacity of a layer");
   std::vector<std::uint32_t> order;
   NodePairs pairs;
-  Status status = scratch.resize(context, order, slots);
-  if (status) status = memory.resize(context, pairs.triangle_node, slots);
-  if (!status) return status;
+  SFUMATO_TRY(scratch.resize(context, order, slots));
+  SFUMATO_TRY(memory.resize(context, pairs.triangle_node, slots));
   std::iota(order.begin(), order.end(), 0u);
   const auto is_before = [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); };
-  if (status = TableMemory::sort(context, order, is_before); !status) return status;
+  SFUMATO_TRY(TableMemory::sort(context, order, is_before));
   RarePoll<kTurnsPerPoll> poll(context);
   for (const std::uint32_t slot : order) {
     if (poll.cancelled()) return context.cancel_status();
     if (pairs.node.empty() || pairs.node.back() != key(slot)) {
-      status = memory.push_back(context, pairs.node, key(slot));
-      if (!status) return status;
+      SFUMATO_TRY(memory.push_back(context, pairs.node, key(slot)));
     }
     pairs.triangle_node[slot] = static_cast<std::uint32_t>(pairs.node.size() - 1);
   }
@@ -57,22 +56,19 @@ Result<PatchField> joined_field(Context& context, const PatchField& color,
   RarePoll<kTurnsPerPoll> poll(context);
   if (opacity.channel_count == 0) {
     const std::size_t values = color.node_value.size() / channels * 4;
-    Status status = memory.append(context, color.triangle_node, both.triangle_node);
-    if (status) status = memory.reserve(context, both.node_value, values);
-    if (!status) return status;
+    SFUMATO_TRY(memory.append(context, color.triangle_node, both.triangle_node));
+    SFUMATO_TRY(memory.reserve(context, both.node_value, values));
     for (std::size_t i = 0; i * channels < color.node_value.size(); ++i) {
       if (poll.cancelled()) return context.cancel_status();
       add(i, 1);
     }
     return both;
   }
-  Result<NodePairs> pairs = pair_nodes(context, color, opacity, memory);
-  if (!pairs) return pairs.status();
-  both.triangle_node = std::move(pairs->triangle_node);
-  Status status = memory.reserve(context, both.node_value, 4 * pairs->node.size());
-  if (!status) return status;
+  SFUMATO_TRY_ASSIGN(auto&& pairs, pair_nodes(context, color, opacity, memory));
+  both.triangle_node = std::move(pairs.triangle_node);
+  SFUMATO_TRY(memory.reserve(context, both.node_value, 4 * pairs.node.size()));
   const auto stride = static_cast<std::size_t>(opacity.channel_count);
-  for (const auto& [c, o] : pairs->node) {
+  for (const auto& [c, o] : pairs.node) {
     if (poll.cancelled()) return context.cancel_status();
     add(c, opacity.node_value[stride * o]);
   }

@@ -16,11 +16,19 @@ struct Page {
   Affine page_from_artboard;
 };
 
-/// Whether it is finite and above 0.
+/// Returns whether it is finite and above 0.
 bool is_positive(double value);
 
 /// Error: bad_input, if the viewport is empty or beyond the range of coordinates.
 Status check_viewport(const Box& viewport);
+
+/// Error: bad_input, if the page of a viewport, which is not empty, has a side of more than 10^7
+/// points.
+Status check_page(const Box& viewport, double points_per_unit);
+
+/// Returns by how much an instance enlarges its layer: the largest stretch, as the solver takes it.
+/// For a similarity that is the root of the determinant, to the bit; 0 for a map that flattens.
+double instance_scale(const Affine& artboard_from_layer);
 
 /// Points (1/72 inch) per user unit on a page of that width; without a width 3/4, as in CSS.
 double points_per_unit(const std::optional<double>& page_width_pt, const Box& viewport);

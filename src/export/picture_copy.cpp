@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "base/table_memory.hpp"
+#include "base/try.hpp"
 
 namespace sfumato::outputs {
 namespace {
@@ -45,8 +46,7 @@ Status copy_shaders(const Context& context, std::span<const Shader> shaders, Tab
     Shader& copy = to->emplace_back();
     copy.id = shader.id;
     if (const auto* texture = std::get_if<Texture>(&shader.paint)) {
-      Status status = copy_texture(context, *texture, memory, copy.paint.emplace<Texture>());
-      if (!status) return status;
+      SFUMATO_TRY(copy_texture(context, *texture, memory, copy.paint.emplace<Texture>()));
     } else {
       copy.paint = shader.paint;
     }

@@ -7,9 +7,10 @@
 
 #include "base/charge.hpp"
 #include "base/poll.hpp"
+#include "base/try.hpp"
 #include "export/picture_copy.hpp"
 #include "export/poll_interval.hpp"
-#include "raster/local_stroke.hpp"
+#include "raster/layers/local_stroke.hpp"
 #include "sfumato/raster/rasterize.hpp"
 
 namespace sfumato::outputs {
@@ -39,15 +40,12 @@ Result<PixelPart> painted(Context& context, const Picture& picture, const Box& b
   options.height = size.height;
   options.viewport = box;
   options.format = format;
-  Result<Image> image = rasterize(context, picture, options);
-  if (!image) return image.status();
-  part.image = std::move(*image);
-  Status status = part.charge.add(context, capacity_bytes(part.image.bytes), "pixels");
-  if (!status) return status;
+  SFUMATO_TRY_ASSIGN(part.image, rasterize(context, picture, options));
+  SFUMATO_TRY(part.charge.add(context, capacity_bytes(part.image.bytes), "pixels"));
   return part;
 }
 
-/// Two triangles over a box, every node of which has the first value of its field.
+/// Two triangles over a box; every node has the first value of its field.
 PatchLayer box_layer(const Box& box) {
   PatchLayer layer;
   layer.frame = box;
@@ -59,7 +57,7 @@ PatchLayer box_layer(const Box& box) {
   return layer;
 }
 
-/// The means of three or four channels, 0 to 1; the fourth is 0 where there is none.
+/// Returns the means of three or four channels, 0 to 1; the fourth is 0 where there is none.
 Result<std::array<float, 4>> channel_means(const Context& context, const Image& image) {
   const auto stride = static_cast<std::size_t>(channel_count(image.format));
   const std::size_t pixels = image.bytes.size() / stride;
@@ -112,8 +110,7 @@ Result<PixelPart> shader_pixels(Context& context, const Shader& shader, bool as_
   TableMemory copy("a texture");
   Picture picture;
   picture.artboard = picture.viewport = box;
-  Status status = copy_shaders(context, {&shader, 1}, copy, &picture.shaders);
-  if (!status) return status;
+  SFUMATO_TRY(copy_shaders(context, {&shader, 1}, copy, &picture.shaders));
   PatchLayer layer = box_layer(box);
   if (as_opacity) {
     layer.color.node_value = {1, 1, 1};
@@ -128,15 +125,13 @@ Result<PixelPart> shader_pixels(Context& context, const Shader& shader, bool as_
 }
 
 Result<Rgb> mean_color(const Context& context, const PixelPart& part) {
-  const auto means = channel_means(context, part.image);
-  if (!means) return means.status();
-  return Rgb{(*means)[0], (*means)[1], (*means)[2]};
+  SFUMATO_TRY_ASSIGN(const auto& means, channel_means(context, part.image));
+  return Rgb{means[0], means[1], means[2]};
 }
 
 Result<Rgb> mean_opacity(const Context& context, const PixelPart& part) {
-  const auto means = channel_means(context, part.image);
-  if (!means) return means.status();
-  const float mean = (*means)[3];
+  SFUMATO_TRY_ASSIGN(const auto& means, channel_means(context, part.image));
+  const float mean = means[3];
   return Rgb{mean, mean, mean};
 }
 
@@ -146,9 +141,8 @@ Result<PixelPart> layer_pixels(Context& context, const Picture& picture, std::ui
   Picture alone;
   alone.artboard = alone.viewport = box;
   alone.interpolation = picture.interpolation;
-  Status status = copy_shaders(context, picture.shaders, copy, &alone.shaders);
-  if (status) status = copy_layer(context, picture.layers[layer], copy, &alone.layers);
-  if (!status) return status;
+  SFUMATO_TRY(copy_shaders(context, picture.shaders, copy, &alone.shaders));
+  SFUMATO_TRY(copy_layer(context, picture.layers[layer], copy, &alone.layers));
   alone.stack.push_back(PatchInstance{});
   return painted(context, alone, box, size_of(box, pixels_per_unit), PixelFormat::rgba8);
 }
@@ -187,10 +181,9 @@ Result<PixelPart> stroke_pixels(Context& context, std::span<const PictureItem> s
   picture.stack.reserve(strokes.size());
   for (const PictureItem& item : strokes) {
     const auto& stroke = std::get<LocalStroke>(item);
-    const Result<raster::StrokePainter> painter =
-        raster::StrokePainter::create(context, stroke, pixels_from_artboard, space);
-    if (!painter) return painter.status();
-    if (!painter->bounds_px().empty()) bounds = united(bounds, painter->bounds_px());
+    SFUMATO_TRY_ASSIGN(const raster::StrokePainter& painter,
+                       raster::StrokePainter::create(context, stroke, pixels_from_artboard, space));
+    if (!painter.bounds_px().empty()) bounds = united(bounds, painter.bounds_px());
     picture.stack.push_back(stroke);
   }
   // Whole pixels of the viewport's own grid.
@@ -202,12 +195,12 @@ Result<PixelPart> stroke_pixels(Context& context, std::span<const PictureItem> s
   const Affine artboard_from_pixels = inverse(pixels_from_artboard);
   const Box box{artboard_from_pixels(pixels.min), artboard_from_pixels(pixels.max)};
   picture.artboard = picture.viewport = box;
-  Result<PixelPart> part = painted(
-      context, picture, box, {static_cast<int>(pixels.width()), static_cast<int>(pixels.height())},
-      PixelFormat::rgba8);
-  if (!part) return part;
-  if (Status status = bleed(context, &part->image); !status) return status;
-  return part;
+  SFUMATO_TRY_ASSIGN(auto&& part,
+                     painted(context, picture, box,
+                             {static_cast<int>(pixels.width()), static_cast<int>(pixels.height())},
+                             PixelFormat::rgba8));
+  SFUMATO_TRY(bleed(context, &part.image));
+  return std::move(part);
 }
 
 }  // namespace sfumato::outputs

@@ -18,25 +18,26 @@ struct PixelPart {
 };
 
 /// Most pixels of one part; a part that would have more gets fewer pixels per unit.
-inline constexpr double kMostPartPixels = 64e6;
+inline constexpr double kMostPartPixels = 40e6;
 
-/// The colours of an image-domain shader over a box of the layer frame, rgb8, or its contribution
-/// to opacity, in the alpha of rgba8. Colours in sRGB code values.
-/// Errors: limit (memory), cancelled.
+/// Returns the colours of an image-domain shader over a box of the layer frame, rgb8, or its
+/// contribution to opacity, in the alpha of rgba8. Colours in sRGB code values. Errors: limit
+/// (memory), cancelled.
 Result<PixelPart> shader_pixels(Context& context, const Shader& shader, bool as_opacity,
                                 const Box& box, double pixels_per_unit);
 
-/// The mean of a part's colours. Error: cancelled.
+/// Returns the mean of a part's colours. Error: cancelled.
 Result<Rgb> mean_color(const Context& context, const PixelPart& part);
 
-/// The mean of the alpha of an rgba8 part, as grey. Error: cancelled.
+/// Returns the mean of the alpha of an rgba8 part, as grey. Error: cancelled.
 Result<Rgb> mean_opacity(const Context& context, const PixelPart& part);
 
-/// A whole layer in its own frame, rgba8. Errors: limit (memory), cancelled.
+/// Returns a whole layer in its own frame, rgba8. Errors: limit (memory), cancelled.
 Result<PixelPart> layer_pixels(Context& context, const Picture& picture, std::uint32_t layer,
                                const Box& box, double pixels_per_unit);
 
-/// All of a picture's viewport on its background or white, rgb8. Errors: limit (memory), cancelled.
+/// Returns all of a picture's viewport on its background or white, rgb8. Errors: limit (memory),
+/// cancelled.
 Result<PixelPart> picture_pixels(Context& context, const Picture& picture, double pixels_per_unit);
 
 /// Local curves painted one over the other, rgba8, in as much of `viewport` as they need. Artboard

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/charge.hpp"
+#include "base/try.hpp"
 #include "export/picture_copy.hpp"
 #include "export/pixel_part.hpp"
 #include "sfumato/codecs/png.hpp"
@@ -59,7 +60,7 @@ class PartPicture {
     return add(std::get<PatchInstance>(item));
   }
 
-  /// The picture, on the box of pixels that its items can touch.
+  /// Returns the picture, on the box of pixels that its items can touch.
   Picture& on(const Box& box) {
     part_.artboard = part_.viewport = box;
     return part_;
@@ -73,11 +74,10 @@ class PartPicture {
     const auto known = std::ranges::find(copied_, instance.layer);
     const auto index = static_cast<std::uint32_t>(known - copied_.begin());
     if (known == copied_.end()) {
-      Status status = copy_layer(context_, layer, memory_, &part_.layers);
-      if (status && part_.shaders.empty()) {
-        status = copy_shaders(context_, whole_.shaders, memory_, &part_.shaders);
+      SFUMATO_TRY(copy_layer(context_, layer, memory_, &part_.layers));
+      if (part_.shaders.empty()) {
+        SFUMATO_TRY(copy_shaders(context_, whole_.shaders, memory_, &part_.shaders));
       }
-      if (!status) return status;
       copied_.push_back(instance.layer);
     }
     box_ = united(box_, reach(instance, layer));
@@ -128,7 +128,7 @@ Result<PixelRun> paint_run(Context& context, const Picture& picture, std::size_t
                            std::size_t last, double pixels_per_unit) {
   PartPicture part(context, picture);
   for (std::size_t i = first; i < last; ++i) {
-    if (Status status = part.add(picture.stack[i]); !status) return status;
+    SFUMATO_TRY(part.add(picture.stack[i]));
   }
   // Strokes thinner than a pixel reach as far as one of a pixel does.
   const Box seen = intersected(part.box().grown_by(2 / pixels_per_unit), picture.viewport);
@@ -149,17 +149,12 @@ Result<PixelRun> paint_run(Context& context, const Picture& picture, std::size_t
   options.width = result.width;
   options.height = result.height;
   options.format = PixelFormat::rgba8;
-  Result<Image> image = rasterize(context, part.on(result.box), options);
-  if (!image) return image.status();
+  SFUMATO_TRY_ASSIGN(auto&& image, rasterize(context, part.on(result.box), options));
   ScopedCharge held;
-  Status status = held.add(context, capacity_bytes(image->bytes), "pixels");
-  if (status) status = bleed(context, &*image);
-  if (!status) return status;
-  Result<std::vector<std::uint8_t>> png = encode_png(context, *image);
-  if (!png) return png.status();
-  result.png = std::move(*png);
-  status = result.charge.add(context, capacity_bytes(result.png), "pixels as PNG");
-  if (!status) return status;
+  SFUMATO_TRY(held.add(context, capacity_bytes(image.bytes), "pixels"));
+  SFUMATO_TRY(bleed(context, &image));
+  SFUMATO_TRY_ASSIGN(result.png, encode_png(context, image));
+  SFUMATO_TRY(result.charge.add(context, capacity_bytes(result.png), "pixels as PNG"));
   return result;
 }
 

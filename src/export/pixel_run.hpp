@@ -20,12 +20,12 @@ struct PixelRun {
   ScopedCharge charge;            ///< for the file
 };
 
-/// Whether an item cannot be shown by meshes of colours: a local curve, or a layer filled by
-/// image-domain shaders.
+/// Returns whether an item cannot be shown by meshes of colours: a local curve, or a layer filled
+/// by image-domain shaders.
 bool needs_pixels(const Picture& picture, const PictureItem& item);
 
-/// The end of the run of items from `first` on that one image can replace; the item `first` needs
-/// pixels. An item with a blend mode other than normal is a run of its own.
+/// Returns the end of the run of items from `first` on that one image can replace; the item `first`
+/// needs pixels. An item with a blend mode other than normal is a run of its own.
 std::size_t pixel_run_end(const Picture& picture, std::size_t first);
 
 /// The blend mode with which the image of a run is to be painted.

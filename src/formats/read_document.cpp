@@ -6,6 +6,8 @@
 
 #include "base/public_verb.hpp"
 #include "base/table_memory.hpp"
+#include "base/try.hpp"
+#include "codecs/file_kind.hpp"
 #include "codecs/gunzip.hpp"
 #include "formats/text/xml_source.hpp"
 #include "sfumato/base/limits.hpp"
@@ -42,7 +44,7 @@ std::string_view behind_doctype(std::string_view text) {
   return {};
 }
 
-/// The name of the first element, without its prefix; nothing where none is found.
+/// Returns the name of the first element, without its prefix; nothing if there is none.
 std::string_view root_name(std::string_view text) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   for (;;) {
@@ -68,7 +70,7 @@ struct Root {
   SourcePlace place;
 };
 
-/// What the tree says of a text that a glance could not read: not quite XML, or in UTF-16.
+/// Parses a text that the fast check could not read: slightly invalid XML, or UTF-16.
 Result<Root> parsed_root(Context& context, std::string_view text, const std::string& file) {
   text::XmlSource source(text, file);
   Status status = source.parse(context);
@@ -80,32 +82,22 @@ Result<Root> parsed_root(Context& context, std::string_view text, const std::str
   return Root{name.substr(name.find(':') + 1), source.place(source.root())};
 }
 
-/// Where the tag stands that holds the name at `offset`.
-SourcePlace place_of_tag(std::string_view text, std::size_t offset, const std::string& file) {
-  const std::string_view before = text.substr(0, text.rfind('<', offset));
-  const auto line = static_cast<int>(std::ranges::count(before, '\n')) + 1;
-  const std::size_t newline = before.rfind('\n');
-  const std::size_t line_begin = newline == std::string_view::npos ? 0 : newline + 1;
-  return {file, line, static_cast<int>(before.size() - line_begin) + 1};
-}
-
 Result<Root> find_root(Context& context, std::string_view text, const std::string& file) {
   const std::string_view name = root_name(text);
   if (name.empty()) return parsed_root(context, text, file);
   const auto offset = static_cast<std::size_t>(name.data() - text.data());
-  return Root{std::string(name), place_of_tag(text, offset, file)};
+  return Root{std::string(name), text::place_in(text, file, text.rfind('<', offset))};
 }
 
 Result<ReadDocument> read_drawing_text(Context& context, std::string_view text,
                                        const std::string& file, const ResourceLoader* loader) {
-  const Result<Root> root = find_root(context, text, file);
-  if (!root) return root.status();
-  if (root->name == "svg") return read_svg(context, text, file, loader);
-  if (root->name == "curve_set" || root->name == "scene") return read_orzan(context, text, file);
+  SFUMATO_TRY_ASSIGN(const Root& root, find_root(context, text, file));
+  if (root.name == "svg") return read_svg(context, text, file, loader);
+  if (root.name == "curve_set" || root.name == "scene") return read_orzan(context, text, file);
   return make_error(StatusCode::bad_input,
-                    "the document is a <" + root->name.substr(0, 64) +
-                        ">; expected <svg>, or Orzan's <curve_set> or <scene>",
-                    root->place);
+                    "the document is a <" + root.name.substr(0, 64) +
+                        ">; use <svg>, or Orzan's <curve_set> or <scene>",
+                    root.place);
 }
 
 Result<ReadDocument> read_bytes(Context& context, std::string_view bytes, const std::string& file,
@@ -113,6 +105,10 @@ Result<ReadDocument> read_bytes(Context& context, std::string_view bytes, const 
   if (!codecs::is_gzip(bytes)) return read_drawing_text(context, bytes, file, loader);
   TableMemory memory("unpacked gzip");
   Result<std::string> text = codecs::gunzip(context, bytes, memory);
+  if (text && codecs::file_kind(*text) == codecs::FileKind::solved) {
+    return make_error(StatusCode::bad_input,
+                      "is a solved picture that is packed by gzip; unpack it first", {file});
+  }
   if (text) {
     Result<ReadDocument> read = read_drawing_text(context, *text, file, loader);
     if (read) read->curve_sources.clear();  // they say where in the text, not in the file

@@ -2,13 +2,14 @@
 
 #include <optional>
 
-#include "base/ascii.hpp"
 #include "base/poll.hpp"
 #include "base/public_verb.hpp"
 #include "base/table_memory.hpp"
+#include "base/text/ascii.hpp"
+#include "base/try.hpp"
 #include "codecs/gunzip.hpp"
-#include "formats/svg/namespaces.hpp"
-#include "formats/svg/texture_files.hpp"
+#include "formats/svg/paint/texture_files.hpp"
+#include "formats/svg/read/namespaces.hpp"
 #include "formats/text/xml_source.hpp"
 
 namespace sfumato::formats {
@@ -42,9 +43,8 @@ class NameWalker final : public pugi::xml_tree_walker {
 Status visit_in_text(Context& context, std::string_view text, const std::string& file,
                      const std::function<void(const std::string&)>& visit) {
   text::XmlSource xml(text, file);
-  Status status = xml.parse(context);
-  if (status) status = svg::resolve_namespaces(context, xml);
-  if (!status) return status;
+  SFUMATO_TRY(xml.parse(context));
+  SFUMATO_TRY(svg::resolve_namespaces(context, xml));
   NameWalker walker(context, visit);
   xml.root().traverse(walker);
   return walker.status() ? context.check() : walker.status();

@@ -4,18 +4,19 @@
 #include <vector>
 
 #include "base/parallel.hpp"
+#include "base/try.hpp"
 #include "gather/gather.hpp"
 #include "gather/kernels/kernel_entry.hpp"
 #include "gather/packet_stack.hpp"
-#include "gather/weight_class.hpp"
+#include "gather/rows/weight_class.hpp"
 
 namespace sfumato::gather {
 namespace {
 
 constexpr std::size_t kPacketsPerTask = 16;
 
-/// A packet may walk through every triangle of the mesh, in some 30 ns each: as many between two
-/// looks at the cancel flag.
+/// A packet may walk through every triangle of the mesh, in some 30 ns each: this many between two
+/// polls of the cancel flag.
 constexpr std::size_t kTrianglesPerPoll = 500'000;
 
 /// One shader's weights of a packet, on a register's boundary.
@@ -69,7 +70,7 @@ class ExactGather {
 
   Status walk(const PacketBatch& batch, GrowingStack& stack) {
     while (!kernel_(scene_, batch, stack.view())) {
-      if (Status status = stack.grow(); !status) return status;
+      SFUMATO_TRY(stack.grow());
     }
     return ok_status();
   }

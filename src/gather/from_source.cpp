@@ -4,12 +4,13 @@
 #include <vector>
 
 #include "base/parallel.hpp"
-#include "gather/weight_class.hpp"
+#include "base/try.hpp"
+#include "gather/rows/weight_class.hpp"
 
 namespace sfumato::gather {
 namespace {
 
-/// What the sums take of the points that a source is asked for at once, but for a single point.
+/// The memory for sums of the points of one request to a source; a single point may need more.
 constexpr std::size_t kSumBytes = std::size_t{16} << 20;
 
 constexpr std::size_t kSumsPerTask = 4096;
@@ -51,8 +52,7 @@ class SourceGather {
                   static_cast<std::int32_t>(located_.triangle[point[i]])};
     }
     const std::span<float> sums = std::span(sums_).first(point.size() * stride_);
-    Status status = source_.sum(context_, scene_, std::span(walk_).first(point.size()), sums);
-    if (!status) return status;
+    SFUMATO_TRY(source_.sum(context_, scene_, std::span(walk_).first(point.size()), sums));
     return parallel_for(context_, point.size(), kSumsPerTask,
                         [&](std::size_t begin, std::size_t end) {
                           for (std::size_t i = begin; i < end; ++i)
@@ -60,7 +60,7 @@ class SourceGather {
                         });
   }
 
-  /// Z / W of eq. 6 with the terms of free ends.
+  /// Stores Z / W of eq. 6 with the terms of free ends.
   void store(const WalkPoint& at, std::uint32_t point, const float* sums) {
     if (!(sums[0] >= 0)) return;
     is_done_[point] = 1;
@@ -76,20 +76,18 @@ class SourceGather {
     output_.hit[slot] = output_.weighs ? weight_class(weight) : weight > 0;
   }
 
-  /// The packets in which a point is not done.
+  /// Gathers the packets with points that are not done.
   Status gather_rest() {
     Packing rest;
     for (const Packet& packet : packing_.packet) {
       bool is_done = true;
       for_each_point(packing_, packet, [&](int, std::uint32_t p) { is_done &= is_done_[p] != 0; });
       if (is_done) continue;
-      if (Status status = rest.memory.push_back(context_, rest.packet, packet); !status)
-        return status;
+      SFUMATO_TRY(rest.memory.push_back(context_, rest.packet, packet));
     }
     if (rest.packet.empty()) return context_.check();
-    Status status = rest.memory.resize(context_, rest.point, packing_.point.size());
-    if (status) status = rest.memory.resize(context_, rest.triangle, packing_.triangle.size());
-    if (!status) return status;
+    SFUMATO_TRY(rest.memory.resize(context_, rest.point, packing_.point.size()));
+    SFUMATO_TRY(rest.memory.resize(context_, rest.triangle, packing_.triangle.size()));
     std::ranges::copy(packing_.point, rest.point.begin());
     std::ranges::copy(packing_.triangle, rest.triangle.begin());
     return gather_exact(context_, scene_, ends_, points_, located_, rest, output_);

@@ -5,8 +5,8 @@
 
 namespace sfumato::gather {
 
-/// gather_exact() by a source of sums. What the source cannot gather, the packets do. Errors: limit
-/// (memory), cancelled.
+/// Does gather_exact() by a source of sums. The packets gather the points that the source cannot.
+/// Errors: limit (memory), cancelled.
 Status gather_from(Context& context, PointSource& source, const Scene& scene, const FreeEnds& ends,
                    const PointList& points, const LocatedPoints& located, const Packing& packing,
                    const GatherOutput& output);

@@ -12,7 +12,7 @@
 namespace sfumato::gather {
 
 /// Windows that wait during a walk: a few dozen on drawings, hundreds among thousands of short
-/// curves, as many as a ray crosses triangles on adversarial input.
+/// curves, and as many as the triangles that a ray crosses on adversarial input.
 class GrowingStack {
  public:
   explicit GrowingStack(const Context& context) : context_(context) {}
@@ -22,8 +22,8 @@ class GrowingStack {
     return {own_, kPacketStackLeast};
   }
 
-  /// How far it gets depends on the threads: the error does not say it. Errors: limit (memory),
-  /// cancelled.
+  /// Grows the stack. The size that it reaches depends on the threads, so the error does not
+  /// contain it. Errors: limit (memory), cancelled.
   Status grow() {
     const std::size_t capacity = 4 * static_cast<std::size_t>(view().capacity);
     memory_.free(heap_);

@@ -9,8 +9,8 @@
 
 namespace sfumato::gather {
 
-/// Points to gather at: all of a table, or those of a list of its indices. Tables of results have a
-/// slot for each point of the table; those of points that are not listed stay as they are.
+/// Points to gather at: all points of a table, or the points at some of its indices. Tables of
+/// results have a slot for each point of the table; slots of unlisted points stay unchanged.
 class PointList {
  public:
   PointList(std::span<const Vec2> all) : table_(all) {}                               // NOLINT
@@ -18,11 +18,11 @@ class PointList {
   PointList(std::span<const Vec2> table, std::span<const std::uint32_t> chosen)
       : table_(table), chosen_(chosen), is_chosen_(true) {}
 
-  /// Those of the same table at these indices.
+  /// Returns the points of the same table at these indices.
   PointList among(std::span<const std::uint32_t> chosen) const { return {table_, chosen}; }
 
   std::size_t size() const { return is_chosen_ ? chosen_.size() : table_.size(); }
-  /// The index in the table of the i-th of them.
+  /// Returns the index in the table of the i-th listed point.
   std::size_t slot(std::size_t i) const { return is_chosen_ ? chosen_[i] : i; }
   Vec2 operator[](std::size_t i) const { return table_[slot(i)]; }
 

@@ -38,7 +38,7 @@ void PointTerms::store(float negligible, std::vector<RowTerm>& out) const {
   const double least = negligible * all;
   for (const OfEdge& e : edge_) kept += e.part.weight >= least ? e.part.weight : 0;
   for (const OfEnd& e : end_) kept += e.share.weight >= least ? e.share.weight : 0;
-  // Of a crowd of small ones all stay.
+  // All terms of a crowd of small ones stay.
   const double bound = kept > 0 ? least : 0, unit = 1 / (kept > 0 ? kept : all);
   for (const auto& [source, part] : edge_) {
     if (part.weight < bound) continue;

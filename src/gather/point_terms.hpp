@@ -5,14 +5,14 @@
 #include <vector>
 
 #include "base/table_memory.hpp"
-#include "gather/row_blur.hpp"
-#include "gather/row_sources.hpp"
-#include "gather/rows.hpp"
+#include "gather/rows/row_blur.hpp"
+#include "gather/rows/row_sources.hpp"
+#include "gather/rows/rows.hpp"
 #include "sfumato/base/vec2.hpp"
 
 namespace sfumato::gather {
 
-/// The terms of one point, as they are found.
+/// The terms of one point, in the order of discovery.
 class PointTerms {
  public:
   explicit PointTerms(const RowSources& sources) : sources_(&sources) {}
@@ -23,8 +23,8 @@ class PointTerms {
     end_.clear();
   }
 
-  /// What is seen of an edge with one radius. Parts of it that are seen beside a vertex in front
-  /// of it, one after the other, are one term.
+  /// Adds the visible part of an edge with one radius. Parts of it that are seen beside a vertex in
+  /// front of it, one after the other, are one term.
   void add(std::uint32_t source, const PartMoment& part) {
     if (!(part.weight > 0)) return;
     if (!edge_.empty() && edge_.back().source == source) {
@@ -35,17 +35,18 @@ class PointTerms {
     }
   }
 
-  /// The same where the radius varies: the fractions of the way that are seen. k is the weight of
-  /// the curve, `part` as for add().
+  /// Adds a part of an edge whose radius varies, given by the fractions of its ends. k is the
+  /// weight of the curve, `part` as in add().
   void add_varied(std::uint32_t source, double k, double from, double to, const PartMoment& part);
 
-  /// Those of the free ends that reach the point.
+  /// Adds the terms of the free ends that reach the point.
   void add_ends();
 
-  /// Appends all but what weighs less than the share `negligible`, in shares of what is left.
+  /// Appends all terms except those below the share `negligible`, as shares of the remaining
+  /// weight.
   void store(float negligible, std::vector<RowTerm>& out) const;
 
-  /// Of its tables.
+  /// Returns the bytes of its tables.
   std::size_t capacity_bytes() const { return sfumato::capacity_bytes(edge_, end_); }
 
  private:

@@ -1,25 +1,26 @@
 // The exact gather of one point by one thread: windows of directions are walked outward through the
 // visibility mesh (triangular expansion), narrowed at every edge that rays pass, and integrated in
-// closed form at every edge that stops them. What kernels/packet_walk.hpp, edge_views.hpp and
-// integrator.hpp do for a packet of points, but for far fields and free ends.
+// closed form at every edge that stops them. kernels/packet_walk.hpp, edge_views.hpp and
+// integrator.hpp do the same for a packet of points, and also handle far fields and free ends.
 //
 // One text, read as GLSL ES 3.10 (compute), GLSL ES 3.00 (fragment, WebGL 2), C++ (the twin,
 // point_walk_twin.hpp) and CUDA. It has no division, square root or transcendental function of the
 // hardware, whose last bits differ: where P is `precise`, all readers give the same bits.
 //
-// Who includes it defines
-//   FN           what stands before a function
+// The file that includes it defines
+//   FN           the specifiers before a function
 //   P            `precise`, or nothing
 //   STACK        how many windows may wait, a power of two
-//   BLEND        1 where SceneView::blend is there, else 0
+//   BLEND        1 where SceneView::blend exists, else 0
 //   beyond_at, hit_at, blend_at, triangle_at
 //                texel i of a table, 16 bytes as an ivec4: EdgeBeyond has 2 texels, HitEdge and
 //                HitBlend 4, SceneTriangle 3 (kernels/scene_layout.hpp)
 //   add_share(shader, weight)
 //                adds to W_s of an image-domain shader; called where BLEND is 1
 //
-// The windows that wait are a ring, which never overflows: the oldest is forgotten, and when all
-// others are done the walk begins again at the point's triangle, right of what was finished.
+// The windows that wait are in a ring buffer, which never overflows: the oldest is dropped, and
+// when all others are done the walk begins again at the point's triangle, right of the finished
+// windows.
 
 vec2 point;
 float weight;   // W
@@ -99,7 +100,7 @@ FN void add_value(float w, float lean, vec4 middle, vec4 half_change) {
   value = vec4(sum_x, sum_y, sum_z, sum_a);
 }
 
-// Where the line through a along e is parallel to a ray, as a share of e.
+// Returns where the line through a along e is parallel to a ray, as a share of e.
 FN float cut(vec2 a, vec2 e, vec2 ray) {
   P float across = a.y * ray.x - a.x * ray.y;
   P float slope = e.x * ray.y - e.y * ray.x;
@@ -112,7 +113,7 @@ FN float cut(vec2 a, vec2 e, vec2 ray) {
 float back_weight;  // what of a part's weight goes to the side behind it: eq. 11
 float back_lean;
 
-// The radius is about the same all along: kernels/integrator.hpp, back_of_even().
+// Uses one radius for the whole part: kernels/integrator.hpp, back_of_even().
 FN void set_back_of_even(float w, float lean, float radius_middle, float radius_change,
                          float distance) {
   P float quotient = lean * reciprocal(w);
@@ -140,7 +141,7 @@ FN vec2 blur_node(int i) {
                   : vec2(0.867219212f, 0.165539679f);
 }
 
-// Means over a part of 1 - beta, and of (1 - beta) T, as back_means() there.
+// Computes means over a part of 1 - beta, and of (1 - beta) T, like back_means() there.
 FN vec2 back_means(float near_length, float far_length, float cosine, float near_radius,
                    float far_radius, float distance) {
   float c = min(max(cosine, -1.0f), 1.0f);
@@ -173,7 +174,8 @@ FN vec2 back_means(float near_length, float far_length, float cosine, float near
   return vec2(mean_share, mean_moment);
 }
 
-// The radius varies along the part from t1 to t2: kernels/integrator.hpp, back_of_growing().
+// Integrates where the radius varies along the part from t1 to t2: kernels/integrator.hpp,
+// back_of_growing().
 FN void set_back_of_growing(vec2 a, vec2 b, vec2 e, float area, float length_squared, float part1,
                             float part2, float radius_middle, float radius_change,
                             float distance) {
@@ -229,7 +231,8 @@ FN void add_side(int shader, float w, float lean, float k, vec4 middle, vec4 hal
 
 #endif
 
-// Adds what is seen of a HitEdge between two rays. whole_right: its right end is seen, not cut off.
+// Adds the part of a HitEdge that is seen between two rays. whole_right: its right end is seen, not
+// cut off.
 FN void integrate(int hit, vec2 right, vec2 left, bool whole_right, bool whole_left) {
   ivec4 ends = hit_at(4 * hit);
   ivec4 line = hit_at(4 * hit + 1);
@@ -295,8 +298,8 @@ FN void integrate(int hit, vec2 right, vec2 left, bool whole_right, bool whole_l
 #endif
 }
 
-// Whether what is seen through an edge weighs less than `least`: nothing behind it is nearer than
-// the edge's line, at distance d, so that an angle D weighs at most D / d^2.
+// Returns whether the part seen through an edge weighs less than `least`: nothing behind it is
+// nearer than the edge's line, at distance d, so that an angle D weighs at most D / d^2.
 FN bool is_negligible(ivec4 line, vec2 right, vec2 left, float least) {
   P float d = number(line.x) * point.x + (number(line.y) * point.y + number(line.z));
   P float sine = right.x * left.y - right.y * left.x;
@@ -314,7 +317,7 @@ FN void gather(vec2 at, int triangle, float negligible, int step_limit) {
   weight = 0.0f;
   value = vec4(0.0f, 0.0f, 0.0f, 0.0f);
   steps = 0;
-  // Windows that wait are what lies left of an apex: their right rays point to it.
+  // The waiting windows lie left of an apex: their right rays point to it.
   vec4 ring_rays[STACK];  // right, left
   int ring_edge[STACK];   // 2 edge + (1 if the left end of the edge is seen)
   ring_edge[0] = 0;       // compilers cannot see that none is read before it is set
@@ -435,7 +438,7 @@ FN void gather(vec2 at, int triangle, float negligible, int step_limit) {
       whole_left = turns_left;
       edge = beyond.z;
     } else if (goes_left) {
-      // What was forgotten began at this very apex; or the walk keeps to the right of it.
+      // The dropped windows began at this very apex; or the walk keeps to the right of it.
       bool is_there = apex.x == right.x && apex.y == right.y;
       catches_up = catches_up && !is_there && !turns_right;
       right = right_of_left;
@@ -445,7 +448,7 @@ FN void gather(vec2 at, int triangle, float negligible, int step_limit) {
       has_window = false;
     }
   }
-  // Told by where it stands, since drivers may end a loop without a word (Mesa's llvmpipe after 65,535
-  // rounds).
+  // Decided by the final state, since drivers may end a loop without an error (Mesa's llvmpipe
+  // after 65,535 rounds).
   failed = steps > step_limit || has_window || has_forgotten || ring_size > 0 || corner < 3;
 }

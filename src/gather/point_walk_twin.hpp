@@ -6,8 +6,8 @@
 
 #include "gather/kernels/scene_layout.hpp"
 
-/// point_walk.glsl as C++: what a device that keeps to `precise` computes, bit for bit. The witness
-/// of devices in tests and benchmarks.
+/// point_walk.glsl as C++: the result of a device that respects `precise`, bit for bit. The
+/// reference for devices in tests and benchmarks.
 namespace sfumato::gather::glsl {
 
 struct vec2 {
@@ -50,7 +50,7 @@ inline float abs(float a) {
   return std::fabs(a);
 }
 
-/// What the walk reads and adds to.
+/// The tables that the walk reads and adds to.
 class WalkTables {
  public:
   /// shares   scene.shader_count numbers, or null where there are none; the walk adds to them
@@ -82,7 +82,7 @@ class WalkTables {
 #define P
 #define STACK kStack
 
-/// Without SceneView::blend. kStack: windows that may wait, a power of two.
+/// The walk without SceneView::blend. kStack: windows that may wait, a power of two.
 template <int kStack>
 class SharpPointWalk : private WalkTables {
  public:
@@ -92,7 +92,7 @@ class SharpPointWalk : private WalkTables {
 #undef BLEND
 };
 
-/// With SceneView::blend.
+/// The walk with SceneView::blend.
 template <int kStack>
 class BlendedPointWalk : private WalkTables {
  public:

@@ -8,15 +8,16 @@
 #include <vector>
 
 #include "base/parallel.hpp"
+#include "base/try.hpp"
 #include "curves/front_share.hpp"
-#include "gather/ray_grid.hpp"
+#include "gather/scene/ray_grid.hpp"
 
 namespace sfumato::gather {
 namespace {
 
 constexpr std::size_t kRayPointsPerTask = 64;
 
-/// The output function of SplitMix64 (Steele, Lea, Flood 2014).
+/// Computes the output function of SplitMix64 (Steele, Lea, Flood 2014).
 std::uint64_t mix(std::uint64_t z) {
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
   z = (z ^ (z >> 27)) * 0x94d049bb133111ebull;
@@ -27,8 +28,8 @@ struct UnitVector {
   float x, y;
 };
 
-/// The direction `turns` of a circle from the x axis. Our own polynomials: the same bits on every
-/// machine. Precondition: 0 <= turns <= 1.
+/// Returns the direction `turns` of a circle from the x axis, by polynomials of this project: the
+/// same bits on every machine. Precondition: 0 <= turns <= 1.
 UnitVector unit_vector(float turns) {
   const int quarter = static_cast<int>(turns * 4 + 0.5f);
   const float a = (turns * 4 - static_cast<float>(quarter)) * 1.57079633f;
@@ -51,7 +52,7 @@ UnitVector unit_vector(float turns) {
 /// The estimate of one point.
 class PointSums {
  public:
-  /// share  scratch, scene.shader_count of them.
+  /// share  workspace, scene.shader_count of them.
   PointSums(const Scene& scene, std::span<float> share) : scene_(scene), share_(share) {
     std::ranges::fill(share_, 0.0f);
   }
@@ -133,8 +134,7 @@ Status gather_rays(Context& context, const Scene& scene, const FreeEnds& ends,
     return make_error(StatusCode::limit,
                       "rays per node: expected 1 to " + std::to_string(limits::kRays));
   }
-  const Result<RayGrid> grid = RayGrid::create(context, scene);
-  if (!grid) return grid.status();
+  SFUMATO_TRY_ASSIGN(const RayGrid& grid, RayGrid::create(context, scene));
   const auto channel_count = static_cast<std::size_t>(scene.channel_count());
   const float per_ray =
       static_cast<float>(2 * std::numbers::pi) / static_cast<float>(options.rays_per_node);
@@ -144,7 +144,7 @@ Status gather_rays(Context& context, const Scene& scene, const FreeEnds& ends,
                         for (std::size_t i = begin; i < end; ++i) {
                           const auto x = static_cast<float>(points[i].x - scene.origin.x);
                           const auto y = static_cast<float>(points[i].y - scene.origin.y);
-                          const PointSums sums = sample(scene, *grid, x, y, options, shares);
+                          const PointSums sums = sample(scene, grid, x, y, options, shares);
                           const std::size_t slot = points.slot(i);
                           const auto value = out.subspan(slot * channel_count, channel_count);
                           sums.store(value.data());

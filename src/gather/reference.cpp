@@ -5,17 +5,17 @@
 #include <numbers>
 #include <vector>
 
-#include "gather/scene.hpp"
+#include "gather/scene/scene.hpp"
 
 namespace sfumato::gather {
 namespace {
 
 using mesh::TriangleMesh;
 
-/// Where the radius varies along an edge, what is seen of it is taken in so many parts.
+/// The number of parts of an edge whose radius varies.
 constexpr int kBlurParts = 512;
 
-/// (D - sin D cos D) / (2 sin³ D): the closed form, and its series where that would cancel.
+/// Returns (D - sin D cos D) / (2 sin³ D): the closed form, and its series where that would cancel.
 double h1(double angle) {
   const double s = std::sin(angle);
   if (angle > 0.25) return (angle - s * std::cos(angle)) / (2 * s * s * s);
@@ -54,7 +54,7 @@ class ReferenceGather {
   }
 
  private:
-  /// The term of docs/mathematics.md, by the angle itself.
+  /// Adds the term of docs/mathematics.md, by the angle itself.
   void add_end(const FreeEnd& end) {
     const Vec2 d = p_ - end.position;
     const double r = length(d), x = r * r / (end.reach * end.reach);
@@ -105,7 +105,7 @@ class ReferenceGather {
     const Facing back = back_side(mesh_, attributes_, window.half_edge);
     const bool varies = back.has_value() && facing.blur_from != facing.blur_to;
     if (!varies) return integrate_part({a, b, t1, t2}, facing, back);
-    // In parts of one angle each, on which the radius hardly varies.
+    // In parts of one angle each, where the radius hardly varies.
     const Vec2 right = lerp(a, b, t1), left = lerp(a, b, t2);
     const double angle = std::atan2(cross(right, left), dot(right, left));
     double from = t1;
@@ -118,7 +118,7 @@ class ReferenceGather {
     }
   }
 
-  /// What is seen of the edge from a to b.
+  /// The visible part of the edge from a to b.
   struct Part {
     Vec2 a, b;
     double from, to;  ///< fractions of the way
@@ -138,7 +138,7 @@ class ReferenceGather {
     if (front < 1) add_side(back, (1 - front) * weight, (1 - front) * moment);
   }
 
-  /// β of eq. 8, written down once more: a witness for curves::front_share.
+  /// Returns β of eq. 8, written a second time to test curves::front_share.
   static double front_share(double distance, double radius) {
     if (!(radius > distance)) return 1;
     const double x = std::clamp((distance + radius) / (2 * radius), 0.0, 1.0);
@@ -156,7 +156,7 @@ class ReferenceGather {
     }
   }
 
-  /// Where the ray cuts the edge, as a fraction from a to b.
+  /// Returns where the ray cuts the edge, as a fraction from a to b.
   static double cut(Vec2 a, Vec2 b, Vec2 ray) {
     const double along = cross(ray, b - a);
     if (along == 0) return 0;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "curves/attributes.hpp"
-#include "gather/free_ends.hpp"
+#include "gather/ends/free_ends.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "sfumato/base/vec2.hpp"
 
@@ -18,29 +18,32 @@ struct ReferenceSums {
   std::array<double, 3> color{};
   std::vector<double> shader_weight;  ///< W_s of each image-domain shader
 
-  /// Σ w z / W; 0 where nothing is hit.
+  /// Returns Σ w z / W; 0 where nothing is hit.
   std::array<double, 3> value() const;
-  /// W_s / W; 0 where nothing is hit.
+  /// Returns W_s / W; 0 where nothing is hit.
   std::vector<double> shares() const;
 };
 
-/// w₁ and w₂ (docs/mathematics.md) in double precision, from D = atan2: the visible part from q1
-/// (right end) to q2 (left end), relative to the point, with k = 1. Both are 0 where cross(q1, q2)
-/// <= 0.
+/// Computes w₁ and w₂ (docs/mathematics.md) in double precision, from D = atan2: the visible part
+/// from q1 (right end) to q2 (left end), relative to the point, with k = 1. Both are 0 where
+/// cross(q1, q2) <= 0.
 struct ReferenceWeights {
   double right = 0;
   double left = 0;
 };
 ReferenceWeights reference_weights(Vec2 q1, Vec2 q2);
 
-/// The slow, readable gather: one point, double precision, directly on the mesh. Every fast path is
-/// compared with it. Precondition: p lies in triangle `triangle`, not on a vertex.
-/// ends   their terms are added. Cost: O(triangles that the windows cross + ends)
+/// Gathers slowly and readably: one point, double precision, directly on the mesh. Every fast path
+/// is compared with it. Precondition: p lies in triangle `triangle`, not on a vertex.
+///
+/// ends   their terms are added.
+///
+/// Cost: O(triangles that the windows cross + ends).
 ReferenceSums gather_reference(const mesh::TriangleMesh& mesh,
                                const curves::SegmentAttributes& attributes, Vec2 p,
                                std::uint32_t triangle, std::span<const FreeEnd> ends = {});
 
-/// A triangle that p lies in (its edges included), or mesh::kNone. Cost: O(triangles).
+/// Returns a triangle that contains p (its edges included), or mesh::kNone. Cost: O(triangles).
 std::int32_t find_triangle(const mesh::TriangleMesh& mesh, Vec2 p);
 
 }  // namespace sfumato::gather

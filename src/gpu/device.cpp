@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/try.hpp"
+
 namespace sfumato::gpu {
 namespace {
 
@@ -58,7 +60,8 @@ Function extension(const EglFunctions& egl, const char* name) {
   return reinterpret_cast<Function>(egl.GetProcAddress(name));
 }
 
-/// Displays to try, best first: devices but for software, Mesa without a surface, software.
+/// Returns the displays to try, best first: hardware devices, Mesa without a surface, software
+/// devices.
 std::vector<EGLDisplay> find_displays(const EglFunctions& egl) {
   std::vector<EGLDisplay> hardware, software;
   const char* client = egl.QueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
@@ -90,9 +93,9 @@ std::vector<EGLDisplay> find_displays(const EglFunctions& egl) {
 
 }  // namespace
 
-/// The libraries, the context, and what was current before.
+/// The libraries, the context, and the context that was current before.
 ///
-/// Displays are the process's: they are not terminated, since others may use them too.
+/// Displays belong to the process: they are not terminated, since other code may use them too.
 struct Device::Egl {
   EglFunctions call;
   void* gles = nullptr;
@@ -136,7 +139,7 @@ Status Device::Egl::load_functions(Gl* gl, DeviceUse use) const {
 bool Device::Egl::make_context(EGLDisplay on, DeviceUse use) {
   if (!call.Initialize(on, nullptr, nullptr)) return false;
   if (!lists(call.QueryString(on, EGL_EXTENSIONS), "EGL_KHR_surfaceless_context")) return false;
-  // No surface is made; 0 says that the kind of one does not matter.
+  // No surface is made; 0 accepts every kind of surface.
   const EGLint wanted[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_ES3_BIT, EGL_SURFACE_TYPE, 0, EGL_NONE};
   EGLConfig config;
   EGLint count = 0;
@@ -182,13 +185,11 @@ Device::~Device() = default;
 
 Result<std::unique_ptr<Device>> Device::create(DeviceUse use) {
   std::unique_ptr<Device> device(new Device);
-  Status status = device->egl_->load();
-  if (status) status = device->egl_->load_functions(&device->gl_, use);
-  if (status) status = device->egl_->make_current(use);
-  if (!status) return status;
+  SFUMATO_TRY(device->egl_->load());
+  SFUMATO_TRY(device->egl_->load_functions(&device->gl_, use));
+  SFUMATO_TRY(device->egl_->make_current(use));
   device->read_name();
-  if (use == DeviceUse::draw) status = device->read_limits();
-  if (!status) return status;
+  if (use == DeviceUse::draw) SFUMATO_TRY(device->read_limits());
   return device;
 }
 

@@ -8,7 +8,7 @@
 
 namespace sfumato::gpu {
 
-/// What a device is for, and so what its context has to have.
+/// The use of a device, which determines the features that its context needs.
 enum class DeviceUse { draw, compute };
 
 /// A context of OpenGL ES 3 without a window, by EGL, current in the calling thread until this is
@@ -23,13 +23,13 @@ class Device {
   Device& operator=(const Device&) = delete;
 
   const Gl& gl() const { return gl_; }
-  /// The driver's name for the device ("llvmpipe (LLVM 15.0.6, 256 bits)").
+  /// Returns the driver's name for the device ("llvmpipe (LLVM 15.0.6, 256 bits)").
   const std::string& name() const { return name_; }
-  /// Largest width and height of textures and of render targets.
+  /// Returns the largest width and height of textures and of render targets.
   int largest_side() const { return largest_side_; }
-  /// Whether shaders know `precise`: a sum is then what the text says, to the last bit.
+  /// Returns whether shaders support `precise`: a sum then follows the text, to the last bit.
   bool has_precise() const { return has_precise_; }
-  /// Whether 32-bit float targets can be drawn to, and blended.
+  /// Returns whether 32-bit float targets can be drawn to, and blended.
   bool blends_floats() const { return blends_floats_; }
 
  private:

@@ -4,16 +4,17 @@
 #include <cmath>
 #include <utility>
 
-#include "raster/local_stroke.hpp"
-#include "raster/overlay.hpp"
-#include "raster/triangle_blocks.hpp"
+#include "base/try.hpp"
+#include "raster/coverage/triangle_blocks.hpp"
+#include "raster/layers/local_stroke.hpp"
+#include "raster/layers/overlay.hpp"
 
 namespace sfumato::gpu {
 namespace {
 
 constexpr std::size_t kSegmentTexels = 7;
 
-/// docs/gpu.md, "stroke".
+/// Appends a segment (docs/gpu.md, "stroke").
 void append_segment(const curves::StrokeSegment& s, Vec2 origin, std::vector<float>* values) {
   const Vec2 start = s.start - origin;
   const auto& c = s.coefficient;
@@ -91,7 +92,7 @@ class DrawList::Builder {
   bool needs_paints_ = false;
 };
 
-/// What stands in a group counts for it.
+/// Adds an item. A group includes the items in it.
 void DrawList::Builder::add_item(const DrawItem& item) {
   if (!open_groups_.empty()) {
     PixelRect& group = list_.items_[open_groups_.back()].rect;
@@ -131,25 +132,25 @@ Status DrawList::Builder::upload(const DrawItem& item) {
 }
 
 Status DrawList::Builder::add(const LocalStroke& stroke) {
-  const Result<raster::PreparedStroke> prepared =
-      raster::prepare_stroke(context_, stroke, image_from_artboard_, list_.picture_->interpolation);
-  if (!prepared) return prepared.status();
-  const std::vector<curves::StrokeSegment>& segments = prepared->segments.segment;
+  SFUMATO_TRY_ASSIGN(const raster::PreparedStroke& prepared,
+                     raster::prepare_stroke(context_, stroke, image_from_artboard_,
+                                            list_.picture_->interpolation));
+  const std::vector<curves::StrokeSegment>& segments = prepared.segments.segment;
   DrawItem item;
   item.kind = DrawItem::Kind::stroke;
   item.index = static_cast<std::uint32_t>(list_.strokes_.size());
-  item.rect = raster::pixels_in(prepared->bounds_px, image_);
+  item.rect = raster::pixels_in(prepared.bounds_px, image_);
   if (segments.empty() || item.rect.empty()) return ok_status();
   Status status =
       segment_memory_.make_room(context_, segment_values_, segments.size() * 4 * kSegmentTexels);
   if (!status) return status;
   const Vec2 middle{0.5 * (item.rect.x0 + item.rect.x1), 0.5 * (item.rect.y0 + item.rect.y1)};
-  const Vec2 origin = inverse(prepared->image_from_frame)(middle);
+  const Vec2 origin = inverse(prepared.image_from_frame)(middle);
   DrawStroke placed;
   placed.first_segment = static_cast<int>(segment_values_.size() / (4 * kSegmentTexels));
   placed.segment_count = static_cast<int>(segments.size());
-  placed.frame = prepared->frame;
-  placed.image_from_segments = prepared->image_from_frame * Affine{1, 0, 0, 1, origin.x, origin.y};
+  placed.frame = prepared.frame;
+  placed.image_from_segments = prepared.image_from_frame * Affine{1, 0, 0, 1, origin.x, origin.y};
   for (const curves::StrokeSegment& segment : segments)
     append_segment(segment, origin, &segment_values_);
   list_.strokes_.push_back(placed);
@@ -178,48 +179,44 @@ Status DrawList::Builder::add(const GroupEnd&) {
 
 Status DrawList::Builder::upload_segments() {
   const std::size_t texels = segment_values_.size() / 4;
-  Result<Table> table = Table::create(context_, device_, kColorTable, texels, "local curves");
-  if (!table) return table.status();
-  list_.segments_ = std::move(*table);
+  SFUMATO_TRY_ASSIGN(list_.segments_,
+                     Table::create(context_, device_, kColorTable, texels, "local curves"));
   list_.segments_.upload(0, texels, segment_values_.data());
   return ok_status();
 }
 
 Status DrawList::Builder::upload_paints() {
-  Result<display::PaintTable> made =
-      display::make_paint_table(context_, *list_.picture_, display::PaintTexels::kept);
-  if (!made) return made.status();
-  const std::size_t value_count = made->values.size() / 4, texel_count = made->texel_count;
-  Result<Table> values = Table::create(context_, device_, kColorTable, value_count, "gradients");
-  if (!values) return values.status();
-  values->upload(0, value_count, made->values.data());
-  Result<Table> texels = Table::create(context_, device_, kTexelTable, texel_count, "textures");
-  if (!texels) return texels.status();
-  texels->upload(0, texel_count, made->texels.data());
-  made->memory.free(made->texels);
-  list_.paints_.emplace(PaintTables{std::move(*made), std::move(*values), std::move(*texels)});
+  SFUMATO_TRY_ASSIGN(auto&& made, display::make_paint_table(context_, *list_.picture_,
+                                                            display::PaintTexels::kept));
+  const std::size_t value_count = made.values.size() / 4, texel_count = made.texel_count;
+  SFUMATO_TRY_ASSIGN(auto&& values,
+                     Table::create(context_, device_, kColorTable, value_count, "gradients"));
+  values.upload(0, value_count, made.values.data());
+  SFUMATO_TRY_ASSIGN(auto&& texels,
+                     Table::create(context_, device_, kTexelTable, texel_count, "textures"));
+  texels.upload(0, texel_count, made.texels.data());
+  made.memory.free(made.texels);
+  list_.paints_.emplace(PaintTables{std::move(made), std::move(values), std::move(texels)});
   return ok_status();
 }
 
 Status DrawList::Builder::build() {
   const Picture& picture = *list_.picture_;
   TableMemory& memory = list_.memory_;
-  Status status = memory.reserve(context_, list_.items_, picture.stack.size());
-  if (status) status = memory.reserve(context_, list_.strokes_, picture.stack.size());
-  if (status) status = memory.reserve(context_, list_.layers_, picture.layers.size());
-  if (status) status = memory_.resize(context_, bounds_, picture.layers.size());
-  if (!status) return status;
+  SFUMATO_TRY(memory.reserve(context_, list_.items_, picture.stack.size()));
+  SFUMATO_TRY(memory.reserve(context_, list_.strokes_, picture.stack.size()));
+  SFUMATO_TRY(memory.reserve(context_, list_.layers_, picture.layers.size()));
+  SFUMATO_TRY(memory_.resize(context_, bounds_, picture.layers.size()));
   list_.layers_.resize(picture.layers.size());
   for (std::size_t i = 0; i < bounds_.size(); ++i)
     for (Vec2 p : picture.layers[i].vertex_position) bounds_[i].extend(p);
   for (const PictureItem& item : picture.stack) {
     if (context_.cancelled()) return context_.cancel_status();
-    status = std::visit([&](const auto& x) { return add(x); }, item);
-    if (!status) return status;
+    SFUMATO_TRY(std::visit([&](const auto& x) { return add(x); }, item));
   }
-  if (status && list_.has_strokes()) status = upload_segments();
-  if (status && needs_paints_) status = upload_paints();
-  return status;
+  if (list_.has_strokes()) SFUMATO_TRY(upload_segments());
+  if (needs_paints_) SFUMATO_TRY(upload_paints());
+  return ok_status();
 }
 
 Result<DrawList> DrawList::create(Context& context, const Device& device, const Picture& picture,

@@ -16,9 +16,10 @@ struct DrawItem {
   enum class Kind : std::uint8_t { instance, stroke, group_begin, group_end };
 
   Kind kind = Kind::instance;
-  BlendMode blend = BlendMode::normal;  ///< of a group at its end
+  BlendMode blend = BlendMode::normal;  ///< at the end of a group
   float opacity = 1;
-  PixelRect rect;           ///< that it may touch; for a group: that its content may touch
+  PixelRect
+      rect;  ///< the pixels that it may touch; for a group: the pixels that its content may touch
   std::uint32_t index = 0;  ///< layer, or stroke
   Affine image_from_layer;
 };
@@ -40,8 +41,8 @@ struct PaintTables {
 /// The input for painting a tile; large data is on the device.
 class DrawList {
  public:
-  /// The picture was checked and must outlive this.
-  /// Errors: limit, cancelled. Cost: O(picture); items outside the image are left out.
+  /// Makes a list. The picture was checked and must outlive this. Errors: limit, cancelled. Cost:
+  /// O(picture); items outside the image are left out.
   static Result<DrawList> create(Context& context, const Device& device, const Picture& picture,
                                  const Affine& image_from_artboard, const PixelRect& image,
                                  bool with_overlay);
@@ -49,7 +50,7 @@ class DrawList {
   const Picture& picture() const { return *picture_; }
   const std::vector<DrawItem>& items() const { return items_; }
   int group_depth() const { return group_depth_; }
-  /// The tables of a layer that an item shows.
+  /// Returns the tables of a layer that an item shows.
   const LayerTables& layer(std::uint32_t index) const { return *layers_[index]; }
   const DrawStroke& stroke(std::uint32_t index) const { return strokes_[index]; }
   bool has_strokes() const { return !strokes_.empty(); }

@@ -4,15 +4,15 @@
 #include <utility>
 
 #include "base/no_throw.hpp"
+#include "base/try.hpp"
 #include "gpu/gather_device.hpp"
 
 namespace sfumato {
 
 Result<GpuGather> GpuGather::create() {
   return no_throw([]() -> Result<GpuGather> {
-    Result<std::unique_ptr<gpu::GatherDevice>> device = gpu::GatherDevice::create();
-    if (!device) return device.status();
-    return GpuGather(device->release());
+    SFUMATO_TRY_ASSIGN(auto&& device, gpu::GatherDevice::create());
+    return GpuGather(device.release());
   });
 }
 

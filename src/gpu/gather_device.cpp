@@ -4,12 +4,13 @@
 #include <utility>
 
 #include "base/no_throw.hpp"
+#include "base/try.hpp"
 #include "gpu/walker.hpp"
 
 namespace sfumato::gpu {
 namespace {
 
-/// A trip to the device takes as long as the packets take for about so many points.
+/// A round trip to the device takes as long as the CPU's packets take for about this many points.
 constexpr std::size_t kLeastPoints = 1000;
 
 }  // namespace
@@ -23,9 +24,7 @@ Result<std::unique_ptr<GatherDevice>> GatherDevice::create(const WalkShape& shap
     return make_error(StatusCode::unavailable, "no GPU can be used: no thread can be started");
   }
   Status status = device->do_there([&]() -> Status {
-    Result<std::unique_ptr<Walker>> walker = Walker::create(shape, faults.limits);
-    if (!walker) return walker.status();
-    device->walker_ = std::move(*walker);
+    SFUMATO_TRY_ASSIGN(device->walker_, Walker::create(shape, faults.limits));
     device->name_ = device->walker_->device_name();
     return ok_status();
   });

@@ -16,17 +16,17 @@ namespace sfumato::gpu {
 
 class Walker;
 
-/// What tests may have go wrong.
+/// Faults that tests inject.
 struct GatherFaults {
-  int lost_after = std::numeric_limits<int>::max();  ///< calls of sum() that are answered
+  int lost_after = std::numeric_limits<int>::max();  ///< calls of sum() that succeed
   WalkLimits limits{};
 };
 
-/// Gathers by compute shaders. A thread of its own has the context, since a context is of one
-/// thread, and points are asked for by several. They take turns.
+/// Gathers by compute shaders. A separate thread owns the context, since a context belongs to one
+/// thread and several threads request points. They take turns.
 class GatherDevice final : public PointSource {
  public:
-  /// Errors: unavailable, in words; out_of_memory.
+  /// Opens the device. Errors: unavailable, in words; out_of_memory.
   static Result<std::unique_ptr<GatherDevice>> create(const WalkShape& shape = {},
                                                       const GatherFaults& faults = {});
   ~GatherDevice() override;
@@ -34,7 +34,7 @@ class GatherDevice final : public PointSource {
   GatherDevice& operator=(const GatherDevice&) = delete;
 
   const std::string& name() const { return name_; }
-  /// Whether it answers no more.
+  /// Returns whether the device no longer responds.
   bool is_lost() const { return is_lost_; }
 
   std::size_t least_points() const override;
@@ -44,15 +44,15 @@ class GatherDevice final : public PointSource {
  private:
   explicit GatherDevice(const GatherFaults& faults);
   void serve();
-  /// Has the thread call `job`, and waits for it.
+  /// Makes the thread call `job`, and waits for it.
   Status do_there(const std::function<Status()>& job);
 
   GatherFaults faults_;
   std::string name_;
-  std::unique_ptr<Walker> walker_;  ///< of the thread
+  std::unique_ptr<Walker> walker_;  ///< owned by the thread
   std::atomic<bool> is_lost_ = false;
 
-  std::mutex turn_;  ///< held by who waits for a job
+  std::mutex turn_;  ///< held by the caller that waits for a job
   std::mutex mutex_;
   std::condition_variable changed_;
   const std::function<Status()>* job_ = nullptr;  ///< null: there is none

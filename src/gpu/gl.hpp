@@ -72,7 +72,7 @@ namespace sfumato::gpu {
   F(UseProgram)                 \
   F(Viewport)
 
-/// What of OpenGL ES 3.1 computes.
+/// The functions of OpenGL ES 3.1 for compute shaders.
 #define SFUMATO_GL_COMPUTE_FUNCTIONS(F) \
   F(BufferSubData)                      \
   F(DispatchCompute)                    \
@@ -82,8 +82,8 @@ namespace sfumato::gpu {
   F(MemoryBarrier)                      \
   F(UnmapBuffer)
 
-/// The functions, without their "gl": gl.DrawArrays(…). Those that compute are null but in a
-/// context of OpenGL ES 3.1.
+/// The functions, without their "gl": gl.DrawArrays(…). The functions for compute shaders are null
+/// unless the context is of OpenGL ES 3.1.
 struct Gl {
 #define SFUMATO_GL_MEMBER(name) decltype(&::gl##name) name = nullptr;
   SFUMATO_GL_FUNCTIONS(SFUMATO_GL_MEMBER)

@@ -5,7 +5,8 @@
 #include <utility>
 
 #include "base/table_memory.hpp"
-#include "raster/bends.hpp"
+#include "base/try.hpp"
+#include "raster/coverage/bends.hpp"
 
 namespace sfumato::gpu {
 namespace {
@@ -24,14 +25,13 @@ class Uploader {
 
   template <class Index>
   Status indices(const TableFormat& format, const std::vector<Index>& source, Table* table) {
-    Status status = make(format, source.size(), table);
-    if (status) table->upload(0, source.size(), source.data());
-    return status;
+    SFUMATO_TRY(make(format, source.size(), table));
+    table->upload(0, source.size(), source.data());
+    return ok_status();
   }
 
   Status positions(const std::vector<Vec2>& source, Vec2 origin, Table* table) {
-    Status status = make(kPairTable, source.size(), table);
-    if (!status) return status;
+    SFUMATO_TRY(make(kPairTable, source.size(), table));
     table->fill<float>([&](std::size_t first, std::size_t count, float* out) {
       for (std::size_t i = 0; i < count; ++i) {
         const Vec2 p = source[first + i] - origin;
@@ -39,18 +39,17 @@ class Uploader {
         out[2 * i + 1] = static_cast<float>(p.y);
       }
     });
-    return status;
+    return ok_status();
   }
 
-  /// Where `is_curve` is not 0.
+  /// Uploads the slots where `is_curve` is not 0.
   Status slots(const std::vector<std::uint8_t>& is_curve, Table* table, std::uint32_t* count) {
     const auto marked = std::count_if(is_curve.begin(), is_curve.end(),
                                       [](std::uint8_t flag) { return flag != 0; });
     *count = static_cast<std::uint32_t>(marked);
     TableMemory memory(kPurpose);
     std::vector<std::uint32_t> slot;
-    Status status = memory.reserve(context_, slot, *count);
-    if (!status) return status;
+    SFUMATO_TRY(memory.reserve(context_, slot, *count));
     for (std::size_t i = 0; i < is_curve.size(); ++i)
       if (is_curve[i] != 0) slot.push_back(static_cast<std::uint32_t>(i));
     return indices(kIndexTable, slot, table);
@@ -59,9 +58,8 @@ class Uploader {
   Status soft_edges(const std::vector<SoftEdge>& edges, LayerTables* tables) {
     if (edges.empty()) return ok_status();
     tables->soft_edge_count = static_cast<std::uint32_t>(edges.size());
-    Status status = make(kIndexTable, 3 * edges.size(), &tables->soft_edge.emplace());
-    if (status) status = make(kColorTable, edges.size(), &tables->soft_reach.emplace());
-    if (!status) return status;
+    SFUMATO_TRY(make(kIndexTable, 3 * edges.size(), &tables->soft_edge.emplace()));
+    SFUMATO_TRY(make(kColorTable, edges.size(), &tables->soft_reach.emplace()));
     tables->soft_edge->fill<std::uint32_t>(
         [&](std::size_t first, std::size_t count, std::uint32_t* out) {
           for (std::size_t i = first; i < first + count; ++i) {
@@ -76,10 +74,10 @@ class Uploader {
         for (const Vec2& reach : edges[i].reach)
           for (double x : {reach.x, reach.y}) *out++ = static_cast<float>(x);
     });
-    return status;
+    return ok_status();
   }
 
-  /// `own` channels that are no weights: 3 or 1.
+  /// `own`: the number of channels that are not weights, 3 or 1.
   Status field(const PatchField& field, std::size_t own, FieldTables* tables) {
     const auto channels = static_cast<std::size_t>(field.channel_count);
     Status status = indices(kIndexTable, field.triangle_node, &tables->node);
@@ -93,21 +91,19 @@ class Uploader {
   Status values(const PatchField& field, std::size_t own, Table* table) {
     const auto channels = static_cast<std::size_t>(field.channel_count);
     const TableFormat& format = own == 3 ? kColorTable : kScalarTable;
-    Status status = make(format, field.node_value.size() / channels, table);
-    if (!status) return status;
+    SFUMATO_TRY(make(format, field.node_value.size() / channels, table));
     table->fill<float>([&](std::size_t first, std::size_t count, float* out) {
       for (std::size_t i = 0; i < count; ++i)
         for (std::size_t c = 0; c < own; ++c)
           out[format.channels * i + c] = field.node_value[channels * (first + i) + c];
     });
-    return status;
+    return ok_status();
   }
 
   Status weights(const PatchField& field, std::size_t own, Table* table) {
     const auto channels = static_cast<std::size_t>(field.channel_count);
     const std::size_t groups = (channels - own + 3) / 4;
-    Status status = make(kColorTable, groups * (field.node_value.size() / channels), table);
-    if (!status) return status;
+    SFUMATO_TRY(make(kColorTable, groups * (field.node_value.size() / channels), table));
     table->fill<float>([&](std::size_t first, std::size_t count, float* out) {
       for (std::size_t i = 0; i < 4 * count; ++i) {
         const std::size_t node = (first + i / 4) / groups, group = (first + i / 4) % groups;
@@ -115,7 +111,7 @@ class Uploader {
         out[i] = channel < channels ? field.node_value[channels * node + channel] : 0;
       }
     });
-    return status;
+    return ok_status();
   }
 
   Context& context_;
@@ -129,24 +125,21 @@ Result<LayerTables> upload_layer(Context& context, const Device& device, const P
   LayerTables tables;
   tables.origin = origin;
   Uploader uploader(context, device);
-  Status status = uploader.indices(kIndexTable, layer.triangle_vertex, &tables.triangle_vertex);
-  if (status) status = uploader.positions(layer.vertex_position, origin, &tables.vertex_position);
-  if (status) status = uploader.field(layer.color, 3, &tables.color);
-  if (status && layer.opacity.channel_count > 0)
-    status = uploader.field(layer.opacity, 1, &tables.opacity.emplace());
-  if (status) {
-    status = uploader.slots(layer.edge_is_curve, &tables.edge_slot, &tables.curve_edge_count);
-  }
-  if (status) {
+  SFUMATO_TRY(uploader.indices(kIndexTable, layer.triangle_vertex, &tables.triangle_vertex));
+  SFUMATO_TRY(uploader.positions(layer.vertex_position, origin, &tables.vertex_position));
+  SFUMATO_TRY(uploader.field(layer.color, 3, &tables.color));
+  if (layer.opacity.channel_count > 0)
+    SFUMATO_TRY(uploader.field(layer.opacity, 1, &tables.opacity.emplace()));
+  SFUMATO_TRY(uploader.slots(layer.edge_is_curve, &tables.edge_slot, &tables.curve_edge_count));
+  {
     TableMemory memory(kPurpose);
-    const Result<std::vector<std::uint8_t>> bent = raster::bent_triangles(context, layer, memory);
-    if (!bent) return bent.status();
-    status = uploader.indices(kFlagTable, *bent, &tables.is_bent);
+    SFUMATO_TRY_ASSIGN(const std::vector<std::uint8_t>& bent,
+                       raster::bent_triangles(context, layer, memory));
+    SFUMATO_TRY(uploader.indices(kFlagTable, bent, &tables.is_bent));
   }
-  if (status) status = uploader.soft_edges(layer.soft_edge, &tables);
-  if (status && with_overlay)
-    status = uploader.indices(kFlagTable, layer.edge_is_curve, &tables.edge_is_curve.emplace());
-  if (!status) return status;
+  SFUMATO_TRY(uploader.soft_edges(layer.soft_edge, &tables));
+  if (with_overlay)
+    SFUMATO_TRY(uploader.indices(kFlagTable, layer.edge_is_curve, &tables.edge_is_curve.emplace()));
   return tables;
 }
 

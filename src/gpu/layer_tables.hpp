@@ -32,8 +32,10 @@ struct LayerTables {
 };
 
 /// Uploads a layer of a checked picture.
+///
 /// origin        layer frame; near the visible part, where single precision is finest
 /// with_overlay  uploads edge_is_curve too
+///
 /// Errors: limit. Cost: O(triangles + nodes).
 Result<LayerTables> upload_layer(Context& context, const Device& device, const PatchLayer& layer,
                                  Vec2 origin, bool with_overlay);

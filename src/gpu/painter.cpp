@@ -3,7 +3,8 @@
 #include <string>
 #include <utility>
 
-#include "raster/overlay.hpp"
+#include "base/try.hpp"
+#include "raster/layers/overlay.hpp"
 
 namespace sfumato::gpu {
 namespace {
@@ -24,7 +25,7 @@ unsigned variant_of(const PatchLayer& layer) {
   return (layer.opacity.channel_count > 0 ? kWithOpacity : 0) | (has_paints ? kWithPaints : 0);
 }
 
-/// Normalised device coordinates of pixels.
+/// Maps pixels to normalised device coordinates.
 Affine clip_from_pixels(double width, double height) {
   return {2 / width, 0, 0, 2 / height, -1, -1};
 }
@@ -53,9 +54,8 @@ Painter::Painter(Context& context, const Device& device, const DrawList& list,
 Result<Painter> Painter::create(Context& context, const Device& device, const DrawList& list,
                                 const PaintSettings& settings) {
   Painter painter(context, device, list, settings);
-  Status status = painter.make_programs();
-  if (status) status = painter.make_targets();
-  if (!status) return status;
+  SFUMATO_TRY(painter.make_programs());
+  SFUMATO_TRY(painter.make_targets());
   return painter;
 }
 
@@ -71,9 +71,8 @@ Status Painter::make_patch_programs() {
       if (variant & kWithPaints) defines.push_back("WITH_PAINTS");
       if (kind == kWithAreas) defines.push_back("WITH_AREAS");
       if (kind == kWithStrips) defines.push_back("WITH_STRIPS");
-      Result<Program> program = Program::create(gl_, "patch.vert", "patch.frag", defines);
-      if (!program) return program.status();
-      slot.emplace(std::move(*program));
+      SFUMATO_TRY_ASSIGN(auto&& program, Program::create(gl_, "patch.vert", "patch.frag", defines));
+      slot.emplace(std::move(program));
     }
   }
   return ok_status();
@@ -138,7 +137,7 @@ bool Painter::is_opaque(const DrawItem& item) const {
   return list_.picture().layers[item.index].opacity.channel_count == 0;
 }
 
-/// From pixels of the tile to where the frame of the item's layer is [0, 1]².
+/// Maps pixels of the tile to [0, 1]² of the frame of the item's layer.
 Affine Painter::frame_from_tile(const DrawItem& item) const {
   const Box& frame = list_.picture().layers[item.index].frame;
   const Affine unit_from_layer{1 / frame.width(),
@@ -150,7 +149,7 @@ Affine Painter::frame_from_tile(const DrawItem& item) const {
   return unit_from_layer * inverse(tile_from_image() * item.image_from_layer);
 }
 
-/// Two vec4 for each paint of the layer, colours first (docs/gpu.md, PaintViews).
+/// Binds two vec4 for each paint of the layer, colours first (docs/gpu.md, PaintViews).
 void Painter::bind_paints(const Program& program, const DrawItem& item) const {
   const PatchLayer& layer = list_.picture().layers[item.index];
   const PaintTables& paints = *list_.paints();
@@ -190,7 +189,7 @@ void Painter::bind_layer(const Program& program, const DrawItem& item) const {
               static_cast<double>(settings_.tile_height));
 }
 
-/// All triangles, or the strips of all soft edges, onto the target that was begun.
+/// Draws all triangles, or the strips of all soft edges, onto the current target.
 void Painter::draw_patches(const DrawItem& item, unsigned kind) const {
   const PatchLayer& layer = list_.picture().layers[item.index];
   const LayerTables& tables = list_.layer(item.index);
@@ -227,7 +226,7 @@ void Painter::bind_strips(const Program& program, const DrawItem& item) const {
   program.set("turn", item.image_from_layer.determinant() < 0 ? -1.0f : 1.0f);
 }
 
-/// Makes 0 what edges, strips and small triangles touch, where the stencil is written.
+/// Sets the pixels to 0 that edges, strips and small triangles touch, where the stencil is written.
 void Painter::mark_pixels(const DrawItem& item) const {
   const LayerTables& tables = list_.layer(item.index);
   programs_.mark_edges.use();
@@ -247,8 +246,8 @@ void Painter::mark_pixels(const DrawItem& item) const {
   gl_.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(6 * tables.soft_edge_count));
 }
 
-/// Marks the pixels that the layer's curves cut, and sums up there what lies in them; alpha is
-/// negative elsewhere.
+/// Marks the pixels that the layer's curves cut, and sums up their content there; alpha is negative
+/// elsewhere.
 void Painter::paint_edges(const DrawItem& item, const PixelRect& rect) const {
   sums_.begin(rect);
   sums_.clear(0, 0, 0, -1);
@@ -275,7 +274,7 @@ void Painter::paint_instance(const DrawItem& item, const PixelRect& rect) {
   composite(layer_.texture(), settings_.antialias, item, rect);
 }
 
-/// Onto the present level. is_layer: the source is layer_, with edges.
+/// Composites onto the present level. is_layer: the source is layer_, with edges.
 void Painter::composite(GLuint source, bool is_layer, const DrawItem& item, const PixelRect& rect) {
   const Target& level = levels_[level_];
   const bool is_normal = item.blend == BlendMode::normal;

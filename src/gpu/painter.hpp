@@ -11,7 +11,7 @@
 
 namespace sfumato::gpu {
 
-/// How a list is painted.
+/// Options of a painter.
 struct PaintSettings {
   int tile_width = 0;  ///< pixels of the image painted at once, at most
   int tile_height = 0;
@@ -26,12 +26,13 @@ struct PaintSettings {
 /// elsewhere patches are read at pixel centres.
 class Painter {
  public:
-  /// All must outlive this. Errors: limit, out_of_memory, unavailable, internal.
+  /// Makes a painter. All arguments must outlive it. Errors: limit, out_of_memory, unavailable,
+  /// internal.
   static Result<Painter> create(Context& context, const Device& device, const DrawList& list,
                                 const PaintSettings& settings);
 
-  /// The pixels of `tile`: four floats each, code values not premultiplied and alpha, row by row.
-  /// Errors: cancelled, internal (OpenGL's).
+  /// Paints the pixels of `tile`: four floats each, code values not premultiplied and alpha, row by
+  /// row. Errors: cancelled, internal (an error of OpenGL).
   Status paint(const PixelRect& tile, float* rgba);
 
  private:

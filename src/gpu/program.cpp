@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "base/try.hpp"
 #include "display/embedded.hpp"
 
 namespace sfumato::gpu {
@@ -47,21 +48,17 @@ Result<Program> Program::create(const Gl& gl, std::string_view vertex, std::stri
                                 const std::vector<std::string_view>& defines) {
   Program program(gl);
   const GLuint name = program.name();
-  Status status = add_shader(gl, name, GL_VERTEX_SHADER, vertex, assembled(vertex, defines));
-  if (status)
-    status = add_shader(gl, name, GL_FRAGMENT_SHADER, fragment, assembled(fragment, defines));
-  if (!status) return status;
-  status = program.link(fragment);
-  if (!status) return status;
+  SFUMATO_TRY(add_shader(gl, name, GL_VERTEX_SHADER, vertex, assembled(vertex, defines)));
+  SFUMATO_TRY(add_shader(gl, name, GL_FRAGMENT_SHADER, fragment, assembled(fragment, defines)));
+  SFUMATO_TRY(program.link(fragment));
   return program;
 }
 
 Result<Program> Program::create_compute(const Gl& gl, const std::string& text) {
   Program program(gl);
   constexpr std::string_view kName = "point_walk.glsl";
-  Status status = add_shader(gl, program.name(), GL_COMPUTE_SHADER, kName, text);
-  if (status) status = program.link(kName);
-  if (!status) return status;
+  SFUMATO_TRY(add_shader(gl, program.name(), GL_COMPUTE_SHADER, kName, text));
+  SFUMATO_TRY(program.link(kName));
   return program;
 }
 

@@ -9,21 +9,22 @@
 #include "base/parallel.hpp"
 #include "base/public_verb.hpp"
 #include "base/table_memory.hpp"
+#include "base/try.hpp"
 #include "gpu/device.hpp"
 #include "gpu/draw_list.hpp"
 #include "gpu/painter.hpp"
 #include "picture/check_picture.hpp"
 #include "raster/kernels/span_kernels.hpp"
-#include "raster/layer_view.hpp"
+#include "raster/layers/layer_view.hpp"
 #include "raster/options.hpp"
 
 namespace sfumato {
 namespace {
 
-/// Side of what is painted at once, pixels of the image.
+/// Side of the square that is painted at once, pixels of the image.
 constexpr int kTileSide = 1024;
 
-/// Pixels as the device gives them: four floats each, row by row.
+/// Pixels in the format of the device: four floats each, row by row.
 struct ReadPixels {
   const float* rgba = nullptr;
   PixelRect rect;
@@ -87,15 +88,13 @@ Status paint_tiles(Context& context, gpu::Painter& painter, const RasterOptions&
                              static_cast<std::size_t>(std::min(kTileSide, options.height));
   TableMemory memory("an image on the GPU");
   std::vector<float> rgba;
-  Status status = memory.resize(context, rgba, values);
-  if (!status) return status;
+  SFUMATO_TRY(memory.resize(context, rgba, values));
   for (int y = 0; y < options.height; y += kTileSide) {
     for (int x = 0; x < options.width; x += kTileSide) {
       const PixelRect rect{x, y, std::min(x + kTileSide, options.width),
                            std::min(y + kTileSide, options.height)};
-      status = painter.paint(rect, rgba.data());
-      if (status) status = write_pixels(context, {rgba.data(), rect}, target);
-      if (!status) return status;
+      SFUMATO_TRY(painter.paint(rect, rgba.data()));
+      SFUMATO_TRY(write_pixels(context, {rgba.data(), rect}, target));
     }
     if (context.progress)
       context.progress->report("rasterise", std::min(1.0, 1.0 * (y + kTileSide) / options.height));
@@ -104,41 +103,34 @@ Status paint_tiles(Context& context, gpu::Painter& painter, const RasterOptions&
 }
 
 Result<Image> render(Context& context, const Picture& picture, const RasterOptions& options) {
-  Status status = raster::check_options(context.limits, options);
-  if (status && options.window) {
-    status = make_error(StatusCode::bad_input, "a window given, which the GPU does not draw");
+  SFUMATO_TRY(raster::check_options(context.limits, options));
+  if (options.window) {
+    return make_error(StatusCode::bad_input, "a window given, which the GPU does not draw");
   }
-  if (status) status = picture::check_picture(context, picture);
-  if (!status) return status;
-  const Result<Affine> image_from_artboard = raster::image_from_artboard(picture, options);
-  if (!image_from_artboard) return image_from_artboard.status();
+  SFUMATO_TRY(picture::check_picture(context, picture));
+  SFUMATO_TRY_ASSIGN(const Affine& image_from_artboard,
+                     raster::image_from_artboard(picture, options));
   Image image{options.width, options.height, options.format, {}};
   const std::size_t image_bytes = image.row_bytes() * static_cast<std::size_t>(options.height);
   TableMemory memory("the image");
-  status = memory.reserve(context, image.bytes, image_bytes);
-  if (!status) return status;
+  SFUMATO_TRY(memory.reserve(context, image.bytes, image_bytes));
 
-  Result<std::unique_ptr<gpu::Device>> device = gpu::Device::create();
-  if (!device) return device.status();
-  const Result<gpu::DrawList> list =
-      gpu::DrawList::create(context, **device, picture, *image_from_artboard,
-                            {0, 0, options.width, options.height}, options.mesh_overlay);
-  if (!list) return list.status();
-  Result<gpu::Painter> painter =
-      gpu::Painter::create(context, **device, *list, settings_of(**device, picture, options));
-  if (!painter) return painter.status();
-  status = memory.resize(context, image.bytes, image_bytes);
-  if (!status) return status;
-  status = paint_tiles(context, *painter, options,
-                       {image.bytes.data(), image.row_bytes(), options.format, options.dither});
-  if (!status) return status;
+  SFUMATO_TRY_ASSIGN(auto&& device, gpu::Device::create());
+  SFUMATO_TRY_ASSIGN(
+      const gpu::DrawList& list,
+      gpu::DrawList::create(context, *device, picture, image_from_artboard,
+                            {0, 0, options.width, options.height}, options.mesh_overlay));
+  SFUMATO_TRY_ASSIGN(auto&& painter, gpu::Painter::create(context, *device, list,
+                                                          settings_of(*device, picture, options)));
+  SFUMATO_TRY(memory.resize(context, image.bytes, image_bytes));
+  SFUMATO_TRY(paint_tiles(context, painter, options,
+                          {image.bytes.data(), image.row_bytes(), options.format, options.dither}));
   return image;
 }
 
 Result<std::string> device_name() {
-  Result<std::unique_ptr<gpu::Device>> device = gpu::Device::create();
-  if (!device) return device.status();
-  return (*device)->name();
+  SFUMATO_TRY_ASSIGN(auto&& device, gpu::Device::create());
+  return device->name();
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <string>
 #include <utility>
 
+#include "base/try.hpp"
+
 namespace sfumato::gpu {
 
 Result<Table> Table::create(Context& context, const Device& device, const TableFormat& format,
@@ -15,8 +17,7 @@ Result<Table> Table::create(Context& context, const Device& device, const TableF
                       std::string(purpose) + ": a table of " + std::to_string(texels) +
                           " entries; the device's textures hold " + std::to_string(most));
   }
-  Status status = table.charge_.add(context, rows * kTableWidth * format.texel_bytes(), purpose);
-  if (!status) return status;
+  SFUMATO_TRY(table.charge_.add(context, rows * kTableWidth * format.texel_bytes(), purpose));
   const Gl& gl = device.gl();
   table.gl_ = &gl;
   table.format_ = format;

@@ -35,7 +35,7 @@ inline constexpr TableFormat kTexelTable{GL_RGBA16UI, GL_RGBA_INTEGER, GL_UNSIGN
 /// A data texture under construction.
 class Table {
  public:
-  /// Room for `texels` texels. Errors: limit (the device's textures, the budget).
+  /// Makes room for `texels` texels. Errors: limit (the device's textures, the budget).
   static Result<Table> create(Context& context, const Device& device, const TableFormat& format,
                               std::size_t texels, std::string_view purpose);
 

@@ -1,5 +1,7 @@
 #include "gpu/target.hpp"
 
+#include "base/try.hpp"
+
 namespace sfumato::gpu {
 
 Result<Target> Target::create(Context& context, const Device& device, GLenum format,
@@ -8,13 +10,11 @@ Result<Target> Target::create(Context& context, const Device& device, GLenum for
   const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   constexpr std::size_t kStencilBytes = 4;
   const std::size_t pixel_bytes = bytes + (with_stencil ? kStencilBytes : 0);
-  Status status = target.charge_.add(context, pixels * pixel_bytes, "an image on the GPU");
-  if (!status) return status;
+  SFUMATO_TRY(target.charge_.add(context, pixels * pixel_bytes, "an image on the GPU"));
   target.gl_ = &device.gl();
   target.width_ = width;
   target.height_ = height;
-  status = target.attach(device, format, with_stencil);
-  if (!status) return status;
+  SFUMATO_TRY(target.attach(device, format, with_stencil));
   return target;
 }
 

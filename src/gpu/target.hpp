@@ -10,8 +10,11 @@ namespace sfumato::gpu {
 /// A texture that can be drawn to.
 class Target {
  public:
+  /// Makes a target.
+  ///
   /// bytes         of a pixel's colour
   /// with_stencil  8 bits in addition
+  ///
   /// Errors: limit (the budget), out_of_memory or unavailable, as the driver refuses.
   static Result<Target> create(Context& context, const Device& device, GLenum format,
                                std::size_t bytes, int width, int height, bool with_stencil = false);

@@ -3,16 +3,16 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "gather/scene.hpp"
+#include "gather/scene/scene.hpp"
 #include "gpu/device.hpp"
 #include "gpu/gl.hpp"
 
 namespace sfumato::gpu {
 
-/// A scene's tables in one buffer of the device, as walk_program() reads them.
+/// A scene's tables in one buffer of the device, in the layout that walk_program() reads.
 class WalkTables {
  public:
-  /// Bytes that a scene takes.
+  /// Returns the bytes of a scene.
   static std::size_t bytes_of(const gather::Scene& scene);
 
   WalkTables(const Gl& gl, const gather::Scene& scene);

@@ -6,17 +6,18 @@
 
 #include "base/charge.hpp"
 #include "base/stopwatch.hpp"
+#include "base/try.hpp"
 #include "gather/kernels/negligible.hpp"
 
 namespace sfumato::gpu {
 namespace {
 
-/// A walk of more steps than this is left to the CPU; 2,000 specks may take 90,000.
+/// The CPU does walks of more steps than this; 2,000 specks may take 90,000.
 constexpr GLint kStepLimit = 1 << 17;
 
 constexpr std::size_t kFirstBatch = 256, kLargestBatch = std::size_t{1} << 16;
 constexpr double kBatchSeconds = 0.02;
-constexpr std::size_t kScenes = 4;  ///< whose tables stay on the device
+constexpr std::size_t kScenes = 4;  ///< scenes whose tables stay on the device
 
 Status lost(const Device& device) {
   return make_error(StatusCode::unavailable,
@@ -26,10 +27,9 @@ Status lost(const Device& device) {
 }  // namespace
 
 Result<std::unique_ptr<Walker>> Walker::create(const WalkShape& shape, const WalkLimits& limits) {
-  Result<std::unique_ptr<Device>> device = Device::create(DeviceUse::compute);
-  if (!device) return device.status();
-  std::unique_ptr<Walker> walker(new Walker(std::move(*device), shape));
-  if (Status status = walker->read_limits(limits); !status) return status;
+  SFUMATO_TRY_ASSIGN(auto&& device, Device::create(DeviceUse::compute));
+  std::unique_ptr<Walker> walker(new Walker(std::move(device), shape));
+  SFUMATO_TRY(walker->read_limits(limits));
   return walker;
 }
 
@@ -84,18 +84,16 @@ Status Walker::sum(Context& context, const gather::Scene& scene,
     return ok_status();
   }
   ScopedCharge charge;
-  Status status = charge.add(context, WalkTables::bytes_of(scene), "a scene on the GPU");
-  if (!status) return status;
+  SFUMATO_TRY(charge.add(context, WalkTables::bytes_of(scene), "a scene on the GPU"));
   const WalkTables& tables = tables_of(scene);
-  const Result<const Program*> program = program_of(tables);
-  if (!program) return program.status();
-  (*program)->use();
-  (*program)->set("hit_begin", tables.hit_begin());
-  (*program)->set("blend_begin", tables.blend_begin());
-  (*program)->set("triangle_begin", tables.triangle_begin());
-  (*program)->set("numbers_of_point", static_cast<int>(stride));
-  (*program)->set("negligible_share", gather::kPointNegligible);
-  (*program)->set("step_limit", kStepLimit);
+  SFUMATO_TRY_ASSIGN(const Program* program, program_of(tables));
+  program->use();
+  program->set("hit_begin", tables.hit_begin());
+  program->set("blend_begin", tables.blend_begin());
+  program->set("triangle_begin", tables.triangle_begin());
+  program->set("numbers_of_point", static_cast<int>(stride));
+  program->set("negligible_share", gather::kPointNegligible);
+  program->set("step_limit", kStepLimit);
   device_->gl().BindBufferBase(GL_SHADER_STORAGE_BUFFER, GLuint(WalkBlock::tables),
                                tables.buffer());
   for (std::size_t i = 0; i < point.size();) {
@@ -103,15 +101,14 @@ Status Walker::sum(Context& context, const gather::Scene& scene,
     const std::size_t most = std::min(batch_, largest_block_ / point_bytes);
     const std::size_t count = std::min(most, point.size() - i);
     const Stopwatch watch;
-    status = run(**program, point.subspan(i, count), sums.subspan(i * stride, count * stride));
-    if (!status) return status;
+    SFUMATO_TRY(run(*program, point.subspan(i, count), sums.subspan(i * stride, count * stride)));
     learn_from(watch.seconds(), count);
     i += count;
   }
   return ok_status();
 }
 
-/// Points may take very different times: a batch grows by doubling, and shrinks at once.
+/// Times of points may differ very much: a batch grows by doubling, and shrinks at once.
 void Walker::learn_from(double seconds, std::size_t points) {
   const double fit = static_cast<double>(points) * kBatchSeconds / std::max(seconds, 1e-6);
   const auto wanted = static_cast<std::size_t>(std::min(fit, double{kLargestBatch}));

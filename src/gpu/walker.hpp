@@ -18,13 +18,13 @@ namespace sfumato::gpu {
 /// no watchdog of a driver ends them and work can be cancelled. Stays on one thread.
 class Walker {
  public:
-  /// Errors: unavailable, in words.
+  /// Opens the device. Errors: unavailable, in words.
   static Result<std::unique_ptr<Walker>> create(const WalkShape& shape,
                                                 const WalkLimits& limits = {});
 
   const std::string& device_name() const { return device_->name(); }
 
-  /// As PointSource::sum(). After an error that is `unavailable` the device is of no more use.
+  /// Does PointSource::sum(). After the error `unavailable` the device is unusable.
   Status sum(Context& context, const gather::Scene& scene, std::span<const gather::WalkPoint> point,
              std::span<float> sums);
 

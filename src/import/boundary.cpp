@@ -1,29 +1,38 @@
 #include "import/boundary.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
-#include <functional>
+#include <optional>
 #include <span>
-#include <tuple>
 #include <utility>
 
 #include "base/poll.hpp"
 #include "base/table_memory.hpp"
+#include "base/try.hpp"
 #include "curves/bezier.hpp"
 #include "import/arrangement.hpp"
+#include "import/boundary_check.hpp"
 #include "import/chords.hpp"
+#include "import/edge_loops.hpp"
+#include "import/loop_area.hpp"
+#include "import/shape_limits.hpp"
+#include "sfumato/base/box.hpp"
 
 namespace sfumato::svg_import {
 namespace {
 
-constexpr std::size_t kChords = 2'000'000;
+constexpr double kFiner = 16;            ///< where the tolerance hides crossings
+constexpr std::size_t kFinerChords = 4;  ///< so many times as many chords then
+constexpr double kFinerToClose = 4;      ///< chords, where curves have leaked
+constexpr int kMostRounds = 8;           ///< of writing lines where curves leak
 constexpr const char* kBoundaryPurpose = "the boundary of a shape";
 constexpr double kParallel = 1e-9;  ///< sine of an angle
 
 using curves::Cubic;
 
-/// By a straight line, for which there is room, or where hardly anything is missing, by moving the
+/// Closes a gap by a straight line, for which there is room, or, if the gap is tiny, by moving the
 /// end.
 void close(std::vector<Vec2>& chain, double tolerance) {
   const Vec2 begin = chain.front(), end = chain.back();
@@ -34,73 +43,116 @@ void close(std::vector<Vec2>& chain, double tolerance) {
   chain.insert(chain.end(), {lerp(end, begin, 1.0 / 3), lerp(end, begin, 2.0 / 3), begin});
 }
 
-/// A stretch of a contour between two parameters; backwards where end < begin.
+/// A stretch of a contour between two parameters; backwards if end < begin.
 using Run = Source;
+
+/// Steps of a loop that are written together: along a contour, or as one straight line.
+struct Stretch {
+  Run run;
+  std::size_t first = 0;  ///< step, from the loop's first
+  std::size_t count = 1;  ///< may go on with the loop's first step
+  bool is_line = false;
+};
+
+/// The steps of a loop for which a written piece stands, both included; the first may come after
+/// the last.
+struct PieceSteps {
+  std::size_t first = 0;
+  std::size_t last = 0;
+};
+
+/// A loop as it is written.
+struct WrittenLoop {
+  std::size_t of = 0;  ///< loop of steps
+  std::vector<Vec2> chain;
+  std::vector<PieceSteps> pieces;
+};
 
 class Boundary {
  public:
-  Boundary(Context& context, bool even_odd, double tolerance, TableMemory& loop_memory)
-      : context_(context), even_odd_(even_odd), tolerance_(tolerance), loop_memory_(loop_memory) {}
+  /// chord_tolerance   how far chords may deviate from the contours
+  Boundary(Context& context, double tolerance, double chord_tolerance)
+      : context_(context), tolerance_(tolerance), chord_tolerance_(chord_tolerance) {}
 
-  Result<Contours> find(const Contours& contours);
+  /// Finds the loops and writes them along the contours.
+  Status find(const Contours& contours, const RegionRule& rule, Vertices vertices);
+  double tolerance() const { return tolerance_; }
+  /// Property of the contours; known once find() is done.
+  std::size_t chord_count() const { return chord_count_; }
+  /// Returns whether a written part crosses another or is too near to it.
+  Result<bool> leaks() const;
+  /// Writes straight lines, which do not cross, between vertices of the arrangement where anything
+  /// leaks.
+  Status stop_leaks();
+  /// Charges `memory` for the loops.
+  Result<Contours> take(TableMemory& memory);
 
  private:
   Status copy_closed(const Contours& contours);
-  Status flatten();
-  Status link();
-  Status order_begins(const BoundaryEdges& edges);
-  std::size_t next_after(const BoundaryEdges& edges, std::size_t at, const std::vector<Run>& runs);
-  Status go_on(std::vector<Run>& runs, const Source& source);
+  Status flatten(std::vector<Chord>& chords, TableMemory& memory);
+  Status write_loops();
+  Status write_loop(std::size_t index);
+  Status find_stretches(std::size_t loop, std::vector<Stretch>& stretches, TableMemory& memory);
+  Status write_stretch(const Stretch& stretch, std::size_t loop, Vec2 end, WrittenLoop& written);
+  Status write_line(const Stretch& stretch, Vec2 end, WrittenLoop& written);
+  Status note_steps(const Stretch& stretch, std::size_t loop, std::size_t piece_count,
+                    WrittenLoop& written);
+  Vec2 joint_between(Stretch& before, Stretch& after, std::size_t loop) const;
   Vec2 join(Run& before, Run& after) const;
-  bool refine(Run& before, Run& after, Vec2& point) const;
-  Status keep(std::vector<Run>& runs);
-  bool is_sliver(const std::vector<Vec2>& loop) const;
+  std::optional<Vec2> refine(Run& before, Run& after) const;
+  Status keep(WrittenLoop written);
+  Status drop_within(const std::vector<Vec2>& dropped);
+  void forget(WrittenLoop& loop);
+  Status find_touches();
+  Result<std::vector<LoopPiece>> leaking(TableMemory& memory, Leaks leaks = Leaks::all) const;
+  Status add_turned(TableMemory& memory, std::vector<LoopPiece>& found) const;
+  Status refuse_crossings() const;
+  bool mark_lines(const std::vector<LoopPiece>& pieces);
+  bool mark_all(std::size_t loop);
   Vec2 point_of(std::uint32_t contour, double parameter) const;
   Cubic piece_of(const Run& run, double parameter, double& base) const;
 
   Context& context_;
-  Contours contours_;
-  bool even_odd_;
   double tolerance_;
+  double chord_tolerance_;
+  std::size_t chord_count_ = 0;
   TableMemory memory_{kBoundaryPurpose};
-  TableMemory& loop_memory_;
-  std::vector<Chord> chords_;
-  std::vector<std::pair<LatticePoint, std::size_t>> begins_;  ///< of edges, sorted
-  /// Per entry of begins_ that is the first of its point: how many of these are taken for sure.
-  std::vector<std::size_t> gone_;
-  std::vector<std::uint8_t> is_taken_;  ///< per edge
-  Contours loops_;
+  Contours contours_;
+  BoundaryEdges edges_;
+  EdgeLoops steps_;
+  std::vector<Vec2> touches_;          ///< of loops, sorted by x
+  std::vector<std::uint8_t> is_line_;  ///< per step
+  TableMemory written_memory_{kBoundaryPurpose};
+  std::vector<WrittenLoop> written_;
+  std::vector<std::vector<Vec2>> slivers_;  ///< loops too thin to be written
 };
 
 Status Boundary::copy_closed(const Contours& contours) {
-  Status status = memory_.reserve(context_, contours_, contours.size());
-  for (std::size_t c = 0; status && c < contours.size(); ++c) {
+  SFUMATO_TRY(memory_.reserve(context_, contours_, contours.size()));
+  for (std::size_t c = 0; c < contours.size(); ++c) {
     std::vector<Vec2>& chain = contours_.emplace_back();
-    status = memory_.reserve(context_, chain, contours[c].size() + 3);
-    if (status) status = memory_.append(context_, contours[c], chain);
-    if (status) close(chain, tolerance_);
+    SFUMATO_TRY(memory_.reserve(context_, chain, contours[c].size() + 3));
+    SFUMATO_TRY(memory_.append(context_, contours[c], chain));
+    close(chain, tolerance_);
   }
-  return status;
+  return ok_status();
 }
 
-Status Boundary::flatten() {
+Status Boundary::flatten(std::vector<Chord>& chords, TableMemory& memory) {
   for (std::size_t c = 0; c < contours_.size(); ++c) {
     for (std::size_t i = 0; 3 * i + 3 < contours_[c].size(); ++i) {
       const Cubic cubic = curves::piece(contours_[c], i);
-      const int count = chord_count(cubic, tolerance_);
+      const int count = svg_import::chord_count(cubic, chord_tolerance_);
       const auto base = static_cast<double>(i);
-      Status status = memory_.make_room(context_, chords_, static_cast<std::size_t>(count));
-      if (!status) return status;
+      SFUMATO_TRY(memory.make_room(context_, chords, static_cast<std::size_t>(count)));
       Vec2 from = cubic[0];
       for (int k = 0; k < count; ++k) {
         const double t0 = double{1} * k / count, t1 = double{1} * (k + 1) / count;
         const Vec2 to = k + 1 < count ? curves::point_at(cubic, t1) : cubic[3];
-        chords_.push_back({from, to, base + t0, base + t1, static_cast<std::uint32_t>(c)});
+        chords.push_back({from, to, base + t0, base + t1, static_cast<std::uint32_t>(c)});
         from = to;
       }
-      if (chords_.size() > kChords) {
-        return make_error(StatusCode::limit, "a shape of the drawing is too long");
-      }
+      if (chords.size() > context_.limits.chords) return too_long(context_);
       if (context_.cancelled()) return context_.cancel_status();
     }
   }
@@ -113,7 +165,8 @@ Vec2 Boundary::point_of(std::uint32_t contour, double parameter) const {
   return curves::point_at(cubic, parameter - base);
 }
 
-/// The piece with a parameter; that which the run has a part of, where two meet.
+/// Returns the piece with a parameter. If two pieces meet there, returns the piece that belongs to
+/// the run.
 Cubic Boundary::piece_of(const Run& run, double parameter, double& base) const {
   const std::vector<Vec2>& chain = contours_[run.contour];
   const auto last = static_cast<double>((chain.size() - 1) / 3 - 1);
@@ -122,8 +175,9 @@ Cubic Boundary::piece_of(const Run& run, double parameter, double& base) const {
   return curves::piece(chain, static_cast<std::size_t>(base));
 }
 
-/// Moves two ends that meet to where their curves cross, by Newton's method, where that is near.
-bool Boundary::refine(Run& before, Run& after, Vec2& point) const {
+/// Moves two ends that meet to the crossing of their curves, by Newton's method, if it is near.
+/// Returns the crossing, or no value if the ends stay.
+std::optional<Vec2> Boundary::refine(Run& before, Run& after) const {
   double base_a = 0, base_b = 0;
   const Cubic on_a = piece_of(before, before.end, base_a);
   const Cubic on_b = piece_of(after, after.begin, base_b);
@@ -133,21 +187,23 @@ bool Boundary::refine(Run& before, Run& after, Vec2& point) const {
     const Vec2 gap = curves::point_at(on_b, u) - curves::point_at(on_a, s);
     const Vec2 along_a = curves::derivative_at(on_a, s), along_b = curves::derivative_at(on_b, u);
     const double denominator = cross(along_a, along_b);
-    if (!(std::abs(denominator) > kParallel * length(along_a) * length(along_b))) return false;
+    if (!(std::abs(denominator) > kParallel * length(along_a) * length(along_b)))
+      return std::nullopt;
     s += cross(gap, along_b) / denominator;
     u += cross(gap, along_a) / denominator;
-    if (!(s >= 0 && s <= 1 && u >= 0 && u <= 1)) return false;
+    if (!(s >= 0 && s <= 1 && u >= 0 && u <= 1)) return std::nullopt;
   }
-  point = curves::point_at(on_a, s);
-  if (!(length(point - begin) <= 4 * tolerance_)) return false;
+  const Vec2 crossing = curves::point_at(on_a, s);
+  if (!(length(crossing - begin) <= 4 * tolerance_)) return std::nullopt;
+  if (!(length(curves::point_at(on_b, u) - crossing) <= tolerance_)) return std::nullopt;
   s += base_a;
   u += base_b;
   // No run turns round.
-  if ((s - before.begin) * (before.end - before.begin) <= 0) return false;
-  if ((after.end - u) * (after.end - after.begin) <= 0) return false;
+  if ((s - before.begin) * (before.end - before.begin) <= 0) return std::nullopt;
+  if ((after.end - u) * (after.end - after.begin) <= 0) return std::nullopt;
   before.end = s;
   after.begin = u;
-  return true;
+  return crossing;
 }
 
 /// Where one run ends and the next begins.
@@ -158,161 +214,369 @@ Vec2 Boundary::join(Run& before, Run& after) const {
   const Vec2 begin = point_of(after.contour, after.begin);
   if (length(end - begin) > 8 * tolerance_)
     if (is_corner(after.begin)) return begin;
-  Vec2 point = lerp(end, begin, 0.5);
-  refine(before, after, point);
-  return point;
+  return refine(before, after).value_or(lerp(end, begin, 0.5));
 }
 
-/// A loop: its runs one after another.
-Status Boundary::keep(std::vector<Run>& runs) {
-  Run &first = runs.front(), &last = runs.back();
-  if (runs.size() > 1 && last.contour == first.contour && last.end == first.begin &&
-      (last.begin < last.end) == (first.begin < first.end)) {
-    first.begin = last.begin;
-    runs.pop_back();
-  }
-  TableMemory working(kBoundaryPurpose);
-  std::vector<Vec2> joints, points;  // where each begins; of one
-  Status status = working.resize(context_, joints, runs.size());
-  if (!status) return status;
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    joints[(i + 1) % runs.size()] = join(runs[i], runs[(i + 1) % runs.size()]);
-  }
-  std::vector<Vec2> loop;
-  status = loop_memory_.push_back(context_, loop, joints[0]);
-  for (std::size_t i = 0; status && i < runs.size(); ++i) {
-    const auto& [contour, begin, end] = runs[i];
-    points.clear();
-    status = append_stretch(context_, contours_[contour], std::min(begin, end),
-                            std::max(begin, end), working, points);
-    if (!status || points.empty()) continue;
-    if (end < begin) std::ranges::reverse(points);
-    status = loop_memory_.append(context_, std::span(points).subspan(1), loop);
-    loop.back() = joints[(i + 1) % runs.size()];
-  }
-  if (!status) return status;
-  loop.back() = loop.front();
-  if (loop.size() >= 4 && !is_sliver(loop)) {
-    return loop_memory_.push_back(context_, loops_, std::move(loop));
-  }
-  loop_memory_.free(loop);
-  return ok_status();
+/// Where one stretch of a loop ends and the next begins.
+Vec2 Boundary::joint_between(Stretch& before, Stretch& after, std::size_t loop) const {
+  if (!before.is_line && !after.is_line) return join(before.run, after.run);
+  return edges_.position_of(edges_.edge[steps_.steps_of(loop)[after.first].edge].from);
 }
 
-/// A loop so thin that nobody sees it: what is left where contours nearly touch.
-bool Boundary::is_sliver(const std::vector<Vec2>& loop) const {
-  const Vec2 origin = loop.front();
-  Vec2 before = origin;
-  double area = 0, around = 0;
-  for_each_chord_end(loop, tolerance_, [&](Vec2 end) {
-    area += cross(before - origin, end - origin) / 2;
-    around += length(end - before);
-    before = end;
-  });
-  return std::abs(area) <= 2 * tolerance_ * around;
-}
-
-bool goes_on_from(const Source& before, const Source& after) {
-  return before.contour == after.contour && before.end == after.begin &&
-         (before.begin < before.end) == (after.begin < after.end);
-}
-
-/// Of the contours that an edge lies on, that which the loop has followed so far.
-const Source& source_after(std::span<const Source> sources, const std::vector<Run>& runs) {
-  const auto goes_on = [&](const Source& source) {
-    return !runs.empty() && goes_on_from(runs.back(), source);
-  };
-  const auto found = std::ranges::find_if(sources, goes_on);
-  return found == sources.end() ? sources.front() : *found;
-}
-
-Status Boundary::go_on(std::vector<Run>& runs, const Source& source) {
-  if (runs.empty() || !goes_on_from(runs.back(), source)) {
-    return memory_.push_back(context_, runs, source);
-  }
-  runs.back().end = source.end;
-  return ok_status();
-}
-
-Status Boundary::order_begins(const BoundaryEdges& edges) {
-  const std::size_t count = edges.edge.size();
-  Status status = memory_.reserve(context_, begins_, count);
-  if (status) status = memory_.resize(context_, gone_, count);
-  if (status) status = memory_.resize(context_, is_taken_, count);
-  if (!status) return status;
-  RarePoll<256> poll(context_);
-  for (std::size_t i = 0; i < count; ++i) {
-    if (poll.cancelled()) return context_.cancel_status();
-    begins_.emplace_back(edges.edge[i].from, i);
-  }
-  return TableMemory::sort(context_, begins_, std::less<>());
-}
-
-/// Of the edges that begin where edge `at` ends and are not taken: that which goes on along the
-/// contour, or the first; `at` where there is none.
-std::size_t Boundary::next_after(const BoundaryEdges& edges, std::size_t at,
-                                 const std::vector<Run>& runs) {
-  const auto point_of_entry = [](const auto& entry) { return entry.first; };
-  const auto entries = std::ranges::equal_range(begins_, edges.edge[at].to, {}, point_of_entry);
-  if (entries.empty()) return at;
-  std::size_t& gone = gone_[static_cast<std::size_t>(entries.begin() - begins_.begin())];
-  while (gone < entries.size() && is_taken_[entries[gone].second]) ++gone;
-  const auto left = std::span(entries).subspan(gone);
-  const auto is_free = [&](const auto& entry) { return !is_taken_[entry.second]; };
-  auto next = std::ranges::find_if(left, [&](const auto& entry) {
-    const auto sources = edges.sources_of(edges.edge[entry.second]);
-    return is_free(entry) && goes_on_from(runs.back(), source_after(sources, runs));
-  });
-  if (next == left.end()) next = std::ranges::find_if(left, is_free);
-  return next == left.end() ? at : next->second;
-}
-
-/// Edges one after another where one ends in the other's beginning: every end has its beginning.
-Status Boundary::link() {
-  Result<BoundaryEdges> found = boundary_edges(context_, chords_, even_odd_, tolerance_ / 64);
-  if (!found) return found.status();
-  const BoundaryEdges& edges = *found;
-  const auto place = [&](const BoundaryEdge& edge) {
-    const Source& source = edges.source[edge.first_source];
-    return std::tuple(source.contour, std::min(source.begin, source.end), edge.from, edge.to);
-  };
-  Status status = TableMemory::sort(
-      context_, found->edge,
-      [&](const BoundaryEdge& a, const BoundaryEdge& b) { return place(a) < place(b); });
-  if (status) status = order_begins(edges);
-  if (!status) return status;
-  RarePoll<256> poll(context_);
-  std::vector<Run> runs;
-  for (std::size_t i = 0; i < edges.edge.size(); ++i) {
-    if (is_taken_[i]) continue;
-    runs.clear();
-    for (std::size_t at = i; !is_taken_[at];) {
-      if (poll.cancelled()) return context_.cancel_status();
-      is_taken_[at] = 1;
-      status = go_on(runs, source_after(edges.sources_of(edges.edge[at]), runs));
-      if (!status) return status;
-      if (edges.edge[at].to == edges.edge[i].from) break;
-      at = next_after(edges, at, runs);
+Status Boundary::find_stretches(std::size_t loop, std::vector<Stretch>& stretches,
+                                TableMemory& memory) {
+  const std::span<const LoopStep> steps = steps_.steps_of(loop);
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const bool is_line = is_line_[steps_.begin[loop] + i] != 0;
+    const bool goes_on = !stretches.empty() && !is_line && !stretches.back().is_line &&
+                         goes_on_from(stretches.back().run, steps[i].source);
+    if (goes_on) {
+      stretches.back().run.end = steps[i].source.end;
+      ++stretches.back().count;
+      continue;
     }
-    if (status = keep(runs); !status) return status;
+    const Stretch added{steps[i].source, i, 1, is_line};
+    SFUMATO_TRY(memory.push_back(context_, stretches, added));
+  }
+  Stretch &first = stretches.front(), &last = stretches.back();
+  if (stretches.size() > 1 && !first.is_line && !last.is_line &&
+      goes_on_from(last.run, first.run)) {
+    first.run.begin = last.run.begin;
+    first.first = last.first;
+    first.count += last.count;
+    stretches.pop_back();
   }
   return ok_status();
 }
 
-Result<Contours> Boundary::find(const Contours& contours) {
-  Status status = copy_closed(contours);
-  if (status) status = flatten();
-  if (status) status = link();
+/// Appends a stretch to a loop that has its first point. A stretch without length adds nothing.
+Status Boundary::write_stretch(const Stretch& stretch, std::size_t loop, Vec2 end,
+                               WrittenLoop& written) {
+  if (stretch.is_line) return write_line(stretch, end, written);
+  const auto& [contour, begin, last] = stretch.run;
+  TableMemory working(kBoundaryPurpose);
+  std::vector<Vec2> points;
+  Status status = append_stretch(context_, contours_[contour], std::min(begin, last),
+                                 std::max(begin, last), working, points);
+  if (!status || points.empty()) return status;
+  if (last < begin) std::ranges::reverse(points);
+  status = written_memory_.append(context_, std::span(points).subspan(1), written.chain);
   if (!status) return status;
-  return std::move(loops_);
+  written.chain.back() = end;
+  return note_steps(stretch, loop, (points.size() - 1) / 3, written);
+}
+
+Status Boundary::write_line(const Stretch& stretch, Vec2 end, WrittenLoop& written) {
+  const Vec2 from = written.chain.back();
+  const std::array<Vec2, 3> line{lerp(from, end, 1.0 / 3), lerp(from, end, 2.0 / 3), end};
+  Status status = written_memory_.append(context_, line, written.chain);
+  const PieceSteps steps{stretch.first, stretch.first};
+  return status ? written_memory_.push_back(context_, written.pieces, steps) : status;
+}
+
+/// For each piece of a stretch that was written, the steps that it stands for.
+Status Boundary::note_steps(const Stretch& stretch, std::size_t loop, std::size_t piece_count,
+                            WrittenLoop& written) {
+  const std::span<const LoopStep> steps = steps_.steps_of(loop);
+  const auto& [contour, begin, last] = stretch.run;
+  const bool is_forward = begin <= last;
+  const auto index = [&](std::size_t k) { return (stretch.first + k) % steps.size(); };
+  std::size_t step = 0;
+  double at = begin;
+  for (std::size_t i = 0; i < piece_count; ++i) {
+    // A piece ends at the next whole parameter.
+    at = is_forward ? std::min(std::floor(at) + 1, last) : std::max(std::ceil(at) - 1, last);
+    const auto ends_before = [&](std::size_t k) {
+      const double end = steps[index(k)].source.end;
+      return is_forward ? end < at : end > at;
+    };
+    const std::size_t first = step;
+    while (step + 1 < stretch.count && ends_before(step)) ++step;
+    Status status =
+        written_memory_.push_back(context_, written.pieces, {index(first), index(step)});
+    if (!status) return status;
+    if (step + 1 < stretch.count && steps[index(step)].source.end == at) ++step;
+  }
+  return ok_status();
+}
+
+/// A loop: its stretches one after another.
+Status Boundary::write_loop(std::size_t index) {
+  TableMemory working(kBoundaryPurpose);
+  std::vector<Stretch> stretches;
+  std::vector<Vec2> joints;  // where each begins
+  SFUMATO_TRY(find_stretches(index, stretches, working));
+  SFUMATO_TRY(working.resize(context_, joints, stretches.size()));
+  const auto next = [&](std::size_t i) { return (i + 1) % stretches.size(); };
+  for (std::size_t i = 0; i < stretches.size(); ++i) {
+    joints[next(i)] = joint_between(stretches[i], stretches[next(i)], index);
+  }
+  WrittenLoop written{index, {}, {}};
+  SFUMATO_TRY(written_memory_.push_back(context_, written.chain, joints[0]));
+  for (std::size_t i = 0; i < stretches.size(); ++i) {
+    SFUMATO_TRY(write_stretch(stretches[i], index, joints[next(i)], written));
+  }
+  written.chain.back() = written.chain.front();
+  return keep(std::move(written));
+}
+
+Status Boundary::keep(WrittenLoop written) {
+  if (written.chain.size() >= 4 && !is_sliver(written.chain, tolerance_)) {
+    return written_memory_.push_back(context_, written_, std::move(written));
+  }
+  written_memory_.free(written.pieces);
+  return written_memory_.push_back(context_, slivers_, std::move(written.chain));
+}
+
+bool is_within(const std::vector<Vec2>& chain, const Box& box) {
+  return std::ranges::all_of(chain, [&](Vec2 p) { return box.contains(p); });
+}
+
+/// Drops the loops within a dropped loop, because the region there would have no outline.
+Status Boundary::drop_within(const std::vector<Vec2>& dropped) {
+  TableMemory working(kBoundaryPurpose);
+  std::vector<Chord> chords;
+  Box box;
+  Vec2 from = dropped.front();
+  Status status;
+  for_each_chord_end(dropped, tolerance_, [&](Vec2 to) {
+    if (status) status = working.push_back(context_, chords, {from, to});
+    box.extend(to);
+    from = to;
+  });
+  if (!status) return status;
+  const Box around = box.grown_by(tolerance_);
+  std::size_t count = 0;
+  RarePoll<256> poll(context_);
+  for (WrittenLoop& loop : written_) {
+    if (poll.cancelled()) return context_.cancel_status();
+    // Loops may share corners. No point of an edge lies on both.
+    const Vec2 at = curves::point_at(curves::piece(loop.chain, 0), 0.5);
+    const bool is_inside = is_within(loop.chain, around) && winding_number(chords, at) != 0;
+    if (is_inside) {
+      forget(loop);
+    } else if (&loop != &written_[count++]) {
+      written_[count - 1] = std::move(loop);
+    }
+  }
+  written_.resize(count);
+  return ok_status();
+}
+
+void Boundary::forget(WrittenLoop& loop) {
+  written_memory_.free(loop.chain);
+  written_memory_.free(loop.pieces);
+}
+
+Status Boundary::write_loops() {
+  for (WrittenLoop& loop : written_) forget(loop);
+  written_.clear();
+  for (std::size_t i = 0; i < steps_.size(); ++i) {
+    SFUMATO_TRY(write_loop(i));
+  }
+  for (std::vector<Vec2>& sliver : slivers_) {
+    SFUMATO_TRY(drop_within(sliver));
+    written_memory_.free(sliver);
+  }
+  slivers_.clear();
+  return ok_status();
+}
+
+/// Appends the pieces of loops whose area has another sign than that of the arrangement's loop: the
+/// inside would be outside.
+Status Boundary::add_turned(TableMemory& memory, std::vector<LoopPiece>& found) const {
+  RarePoll<256> poll(context_);
+  for (std::uint32_t i = 0; i < written_.size(); ++i) {
+    if (poll.cancelled()) return context_.cancel_status();
+    const WrittenLoop& loop = written_[i];
+    const bool is_turned = signed_area(loop.chain) * area_of(edges_, steps_, loop.of) < 0;
+    const std::size_t count = is_turned ? loop.pieces.size() : 0;
+    for (std::uint32_t k = 0; k < count; ++k) {
+      SFUMATO_TRY(memory.push_back(context_, found, {i, k}));
+    }
+  }
+  return ok_status();
+}
+
+Result<std::vector<LoopPiece>> Boundary::leaking(TableMemory& memory, Leaks leaks) const {
+  std::vector<const std::vector<Vec2>*> loops;
+  SFUMATO_TRY(memory.reserve(context_, loops, written_.size()));
+  for (const WrittenLoop& loop : written_) loops.push_back(&loop.chain);
+  auto found = leaking_pieces(context_, loops, tolerance_, touches_, memory, leaks);
+  if (!found) return found;
+  SFUMATO_TRY(add_turned(memory, *found));
+  return found;
+}
+
+/// Refuses a boundary that crosses itself, or whose inside is outside.
+Status Boundary::refuse_crossings() const {
+  TableMemory memory(kBoundaryPurpose);
+  const Result<std::vector<LoopPiece>> found = leaking(memory, Leaks::crossings);
+  if (!found || found->empty()) return found.status();
+  return make_error(StatusCode::bad_input,
+                    "its outline crosses itself too closely; expected simpler curves there");
+}
+
+/// Finds the vertices that several edges begin at.
+Status Boundary::find_touches() {
+  TableMemory working(kBoundaryPurpose);
+  std::vector<LatticePoint> begins;
+  SFUMATO_TRY(working.reserve(context_, begins, edges_.edge.size()));
+  for (const BoundaryEdge& edge : edges_.edge) begins.push_back(edge.from);
+  const auto place = [](LatticePoint p) { return std::pair(p.x, p.y); };
+  SFUMATO_TRY(
+      TableMemory::sort(context_, begins, [&](auto a, auto b) { return place(a) < place(b); }));
+  for (std::size_t i = 1; i < begins.size(); ++i) {
+    if (begins[i] != begins[i - 1]) continue;
+    SFUMATO_TRY(memory_.push_back(context_, touches_, edges_.position_of(begins[i])));
+  }
+  return ok_status();
+}
+
+Result<bool> Boundary::leaks() const {
+  TableMemory memory(kBoundaryPurpose);
+  SFUMATO_TRY_ASSIGN(const std::vector<LoopPiece>& found, leaking(memory));
+  return !found.empty();
+}
+
+/// Returns whether any step of the loop was not marked before.
+bool Boundary::mark_all(std::size_t loop) {
+  bool is_new = false;
+  for (std::size_t i = steps_.begin[loop]; i < steps_.begin[loop + 1]; ++i) {
+    is_new = is_new || is_line_[i] == 0;
+    is_line_[i] = 1;
+  }
+  return is_new;
+}
+
+/// Turns pieces into lines or, if all pieces are lines already, their whole loops. Returns whether
+/// anything changed.
+bool Boundary::mark_lines(const std::vector<LoopPiece>& pieces) {
+  bool is_new = false;
+  for (const auto& [index, piece] : pieces) {
+    const WrittenLoop& loop = written_[index];
+    const std::size_t begin = steps_.begin[loop.of], count = steps_.begin[loop.of + 1] - begin;
+    const auto [first, last] = loop.pieces[piece];
+    for (std::size_t i = first;; i = (i + 1) % count) {
+      is_new = is_new || is_line_[begin + i] == 0;
+      is_line_[begin + i] = 1;
+      if (i == last) break;
+    }
+  }
+  if (is_new) return true;
+  for (const LoopPiece& piece : pieces) is_new = mark_all(written_[piece.loop].of) || is_new;
+  return is_new;
+}
+
+Status Boundary::stop_leaks() {
+  for (int round = 0; round < kMostRounds; ++round) {
+    TableMemory memory(kBoundaryPurpose);
+    const Result<std::vector<LoopPiece>> found = leaking(memory);
+    if (!found || found->empty()) return found.status();
+    const bool is_last = round + 1 == kMostRounds;
+    for (std::size_t i = 0; is_last && i < steps_.size(); ++i) mark_all(i);
+    if (!is_last && !mark_lines(*found)) break;
+    SFUMATO_TRY(write_loops());
+  }
+  return refuse_crossings();
+}
+
+Status Boundary::find(const Contours& contours, const RegionRule& rule, Vertices vertices) {
+  SFUMATO_TRY(copy_closed(contours));
+  TableMemory working(kBoundaryPurpose);
+  std::vector<Chord> chords;
+  SFUMATO_TRY(flatten(chords, working));
+  chord_count_ = chords.size();
+  SFUMATO_TRY_ASSIGN(edges_, boundary_edges(context_, chords, rule, tolerance_ / 64, vertices));
+  SFUMATO_TRY_ASSIGN(steps_, link_edges(context_, edges_));
+  SFUMATO_TRY(find_touches());
+  Status status = memory_.resize(context_, is_line_, steps_.step.size());
+  return status ? write_loops() : status;
+}
+
+Result<Contours> Boundary::take(TableMemory& memory) {
+  Contours loops;
+  SFUMATO_TRY(memory.reserve(context_, loops, written_.size()));
+  for (WrittenLoop& loop : written_) {
+    written_memory_.free(loop.pieces);
+    loops.push_back(std::move(loop.chain));
+  }
+  written_memory_.free(written_);
+  written_memory_.free(slivers_);
+  memory.take(std::move(written_memory_));
+  return loops;
+}
+
+/// Finds the boundary of a shape that leaks. First finds crossings that the tolerance hides, if
+/// that is `finer` and not too much work; then closes thin parts.
+Status find_closely(Context& context, const Contours& contours, const RegionRule& rule, bool finer,
+                    Boundary& boundary) {
+  if (finer) {
+    const double tolerance = boundary.tolerance() / kFiner;
+    TableMemory working(kBoundaryPurpose);
+    Boundary crossings(context, tolerance, tolerance);
+    Status status = crossings.find(contours, rule, Vertices::keep);
+    if (status) {
+      const Result<Contours> loops = crossings.take(working);
+      return loops ? boundary.find(*loops, {}, Vertices::weld) : loops.status();
+    }
+    if (!is_too_intricate(status)) return status;
+  }
+  return boundary.find(contours, rule, Vertices::weld);
+}
+
+Result<Contours> region_boundary(Context& context, const Contours& contours, const RegionRule& rule,
+                                 double tolerance, TableMemory* memory) {
+  TableMemory own(kBoundaryPurpose);
+  TableMemory& kept = memory ? *memory : own;
+  bool finer = false;
+  {
+    Boundary boundary(context, tolerance, tolerance);
+    Status status = boundary.find(contours, rule, Vertices::keep);
+    if (status) {
+      SFUMATO_TRY_ASSIGN(const bool leaks, boundary.leaks());
+      if (!leaks) return boundary.take(kept);
+      finer = boundary.chord_count() <= context.limits.chords / kFinerChords;
+    } else if (!is_too_intricate(status)) {
+      return status;
+    }
+  }
+  // If parts nearly coincide, pieces may multiply until the vertices are welded.
+  Boundary boundary(context, tolerance, finer ? tolerance / kFinerToClose : tolerance);
+  SFUMATO_TRY(find_closely(context, contours, rule, finer, boundary));
+  SFUMATO_TRY(boundary.stop_leaks());
+  return boundary.take(kept);
 }
 
 }  // namespace
 
+bool is_too_intricate(const Status& status) {
+  return status.code == StatusCode::bad_input ||
+         (status.code == StatusCode::limit &&
+          (status.limit == "chords" || status.limit == "chord-pairs"));
+}
+
 Result<Contours> fill_boundary(Context& context, const Contours& contours, bool even_odd,
                                double tolerance, TableMemory* memory) {
-  TableMemory own(kBoundaryPurpose);
-  return Boundary(context, even_odd, tolerance, memory ? *memory : own).find(contours);
+  return region_boundary(context, contours, {.even_odd = even_odd}, tolerance, memory);
+}
+
+Result<Contours> combined_boundary(Context& context, RegionOperation operation,
+                                   const FilledContours& first, const FilledContours& second,
+                                   double tolerance, TableMemory* memory) {
+  TableMemory working(kBoundaryPurpose);
+  Contours both;
+  SFUMATO_TRY(working.reserve(context, both, first.contours.size() + second.contours.size()));
+  for (const Contours* contours : {&first.contours, &second.contours}) {
+    for (const std::vector<Vec2>& contour : *contours) {
+      SFUMATO_TRY(working.append(context, contour, both.emplace_back()));
+    }
+  }
+  const RegionRule rule{.even_odd = first.even_odd,
+                        .operation = operation,
+                        .second = static_cast<std::uint32_t>(first.contours.size()),
+                        .second_even_odd = second.even_odd};
+  return region_boundary(context, both, rule, tolerance, memory);
 }
 
 }  // namespace sfumato::svg_import

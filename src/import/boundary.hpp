@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "base/table_memory.hpp"
@@ -11,6 +12,10 @@ namespace sfumato::svg_import {
 
 /// Chains of cubic Béziers, 3 n + 1 control points each.
 using Contours = std::vector<std::vector<Vec2>>;
+
+/// Ways to combine two regions: the points in either, in both, in the first alone, or in exactly
+/// one.
+enum class RegionOperation : std::uint8_t { unite, intersect, subtract, exclude };
 
 /// The boundary of the region that contours fill: curves with the inside on their right (a loop
 /// runs clockwise around it, as seen on the screen), which do not cross and meet only at their
@@ -24,5 +29,20 @@ using Contours = std::vector<std::vector<Vec2>>;
 /// Errors      limit, cancelled.
 Result<Contours> fill_boundary(Context& context, const Contours& contours, bool even_odd,
                                double tolerance, TableMemory* memory = nullptr);
+
+/// Returns whether the functions here failed because the contours cross too often or are too long.
+bool is_too_intricate(const Status& status);
+
+/// The rules by which contours fill an area.
+struct FilledContours {
+  const Contours& contours;
+  bool even_odd = false;  ///< else nonzero
+};
+
+/// Returns the boundary of the combination of two regions: their union, intersection, difference or
+/// symmetric difference. Errors: as above.
+Result<Contours> combined_boundary(Context& context, RegionOperation operation,
+                                   const FilledContours& first, const FilledContours& second,
+                                   double tolerance, TableMemory* memory = nullptr);
 
 }  // namespace sfumato::svg_import

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/try.hpp"
+
 namespace sfumato::svg_import {
 namespace {
 
@@ -30,7 +32,7 @@ Status append_stretch(Context& context, const std::vector<Vec2>& chain, double b
     const auto base = static_cast<double>(i);
     const double high = std::min(end, base + 1);
     const curves::Cubic part = curves::subcurve(curves::piece(chain, i), low - base, high - base);
-    if (Status status = memory.make_room(context, points, part.size()); !status) return status;
+    SFUMATO_TRY(memory.make_room(context, points, part.size()));
     if (points.empty()) points.push_back(part[0]);
     points.insert(points.end(), part.begin() + 1, part.end());
     low = high;

@@ -21,7 +21,8 @@ struct Chord {
   std::uint32_t contour = 0;
 };
 
-/// How many times the contours wind around a point, clockwise as seen on the screen; O(chords).
+/// Returns how many times the contours wind around a point, clockwise as seen on the screen;
+/// O(chords).
 int winding_number(const std::vector<Chord>& chords, Vec2 point);
 
 /// Appends the stretch of a chain of cubics (3 n + 1 points) between two parameters, begin < end,
@@ -29,7 +30,7 @@ int winding_number(const std::vector<Chord>& chords, Vec2 point);
 Status append_stretch(Context& context, const std::vector<Vec2>& chain, double begin, double end,
                       TableMemory& memory, std::vector<Vec2>& points);
 
-/// The number of chords that keep within the tolerance, 1 to 64.
+/// Returns the number of chords that keep within the tolerance, 1 to 64.
 int chord_count(const curves::Cubic& cubic, double tolerance);
 
 /// Calls visit(end) for chords of a chain of cubics that keep within the tolerance.

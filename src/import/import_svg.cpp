@@ -2,174 +2,395 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <utility>
+#include <variant>
 
+#include "base/limit_error.hpp"
 #include "base/public_verb.hpp"
 #include "base/table_memory.hpp"
+#include "base/try.hpp"
 #include "codecs/gunzip.hpp"
-#include "formats/svg/plain_svg.hpp"
+#include "document/gaussian.hpp"
+#include "formats/svg/read/plain_svg.hpp"
+#include "formats/text/warnings.hpp"
+#include "formats/text/xml_source.hpp"
 #include "import/boundary.hpp"
+#include "import/chords.hpp"
+#include "import/clip_regions.hpp"
+#include "import/mask_opacity.hpp"
+#include "import/paint_opacity.hpp"
 #include "import/painted_layer.hpp"
-#include "import/stroke_outline.hpp"
+#include "import/placed_contours.hpp"
 #include "sfumato/base/limits.hpp"
 
 namespace sfumato {
 namespace {
 
 using svg_import::Contours;
+using svg_import::Fit;
+using svg_import::Outline;
 using svg_import::PaintedLayer;
 using svg_import::Region;
 
-/// Of the artboard's longer side: how exactly crossings and offsets are found.
+/// A share of the artboard's longer side: the accuracy of crossings and offsets.
 constexpr double kTolerance = 1.0 / 16384;
+/// Chords of regions that later ones are compared with; beyond, they get layers of their own.
+constexpr std::size_t kOpenChords = 500'000;
+/// Comparisons of chords in one import, some seconds of work; beyond, the same.
+constexpr std::size_t kSteps = 1'000'000'000;
+/// Tolerances: the outline of a stroke no wider than this is closed as a slit…
+constexpr double kThinStroke = 4;
+/// …hence it is drawn this wide, with as much less opacity…
+constexpr double kDrawnStroke = 6;
+/// …or not at all if it is no wider than this, which nobody sees.
+constexpr double kUnseenStroke = 1.0 / 8;
+/// The most shapes that are left out because they cross themselves too often; each takes a second.
+constexpr int kIntricateShapes = 4;
 
 SideShader<float> constant_opacity(float value) {
   return {ShaderKind::curve_domain, {StopSpace::parameter, {{0, value}}}, 0};
 }
 
+bool is_in_range(Vec2 point) {
+  return std::abs(point.x) <= limits::kCoordinate && std::abs(point.y) <= limits::kCoordinate;
+}
+
+bool are_in_range(const Contours& contours) {
+  return std::ranges::all_of(contours, [](const std::vector<Vec2>& contour) {
+    return std::ranges::all_of(contour, is_in_range);
+  });
+}
+
+double tolerance_for(const Box& artboard) {
+  return kTolerance * std::max(artboard.width(), artboard.height());
+}
+
 class Importer {
  public:
-  Importer(Context& context, svg::PlainSvg plain)
+  /// painter   draws products of masks; without one, paints that need them lose their mask
+  Importer(Context& context, svg::PlainSvg plain, std::string_view text, const std::string& file,
+           const std::optional<TilePainter>& painter)
       : context_(context),
         plain_(std::move(plain)),
-        tolerance_(kTolerance *
-                   std::max(plain_.document.artboard.width(), plain_.document.artboard.height())) {}
+        text_(text),
+        file_(file),
+        painter_(painter),
+        tolerance_(tolerance_for(plain_.document.artboard)) {}
 
   Status run();
   ImportedSvg take() {
+    std::ranges::move(warnings_.take(), std::back_inserter(plain_.warnings));
     return {std::move(plain_.document), std::move(plain_.title), std::move(plain_.warnings)};
   }
 
  private:
-  /// What paints into a layer that is empty in the document.
+  /// Paints regions into a layer that is empty in the document.
   struct Source {
     const svg::PlainShape* shape = nullptr;
     bool is_stroke = false;
   };
 
+  /// A layer into which more regions may be painted.
+  struct OpenLayer {
+    PaintedLayer layer;
+    std::uint32_t index = 0;  ///< in layers_
+    float opacity = 1;        ///< of its instance
+    BlendMode blend = BlendMode::normal;
+  };
+
+  Status fit_artboard();
+  Status extend_by(const Source& source, double tolerance, Box& box);
+  Status paint_all();
   Status paint(const LayerInstance& instance, const Source& source);
-  Result<Contours> boundary_of(const Source& source, TableMemory& memory) const;
-  Region region_of(const svg::PlainShape& shape, const svg::PlainPaint& paint);
-  std::optional<SideShader<float>> gradient_opacity(std::uint32_t shader);
+  Result<Contours> contours_of(const Source& source, double tolerance, TableMemory& memory) const;
+  Result<Contours> boundary_of(const Source& source, TableMemory& memory);
+  SourcePlace place_of(const svg::PlainShape& shape) const;
+  bool may_lose_intricate(const Status& status);
+  Status leave_out(const svg::PlainShape& shape, Status status);
+  Result<Region> region_of(const svg::PlainShape& shape, const svg::PlainPaint& paint,
+                           Contours boundary);
+  Result<std::optional<std::uint32_t>> opacity_of(std::uint32_t shader);
+  Result<std::uint32_t> shader_of_mask(std::uint32_t mask_shader);
+  Result<std::vector<std::uint32_t>> opacities_of(const svg::PlainShape& shape,
+                                                  const svg::PlainPaint& paint);
+  Result<std::uint32_t> product_of(const svg::PlainShape& shape,
+                                   const std::vector<std::uint32_t>& factors,
+                                   const Contours& boundary);
   Status paint_region(const LayerInstance& instance, const Region& region);
-  void end_layer();
+  Result<std::size_t> find_layer(const LayerInstance& instance, const Outline& outline, Fit& fit);
+  void close_layers();
   void forget_empty_groups();
 
   Context& context_;
   svg::PlainSvg plain_;
+  std::string_view text_;
+  const std::string& file_;
+  const std::optional<TilePainter>& painter_;
   double tolerance_;
+  text::Warnings warnings_;
   std::vector<Layer> layers_;
   std::vector<StackItem> stack_;
-  std::optional<PaintedLayer> open_;  ///< of the stack's last item
-  std::map<std::uint32_t, std::uint32_t> opacity_shader_;
+  std::vector<OpenLayer> open_;  ///< of the stack's last items
+  std::size_t open_chords_ = 0;  ///< of outlines in open_
+  std::size_t steps_ = kSteps;   ///< comparisons of chords that are left
+  int intricate_ = 0;            ///< shapes that crossed themselves too often
+  std::map<std::uint32_t, std::optional<std::uint32_t>> opacity_shader_;  ///< by colour
+  std::map<std::uint32_t, std::uint32_t> mask_shader_;  ///< of the document, by the mask's shader
+  svg_import::MaskProducts products_;
+  svg_import::ClipRegions clip_regions_;
   TableMemory memory_{"the curves"};  ///< of the layers and the stack
+  TableMemory texture_memory_{"textures"};
 };
 
-Result<Contours> copy_of(Context& context, const Contours& from, TableMemory& memory) {
-  Contours to;
-  Status status = memory.reserve(context, to, from.size());
-  for (std::size_t i = 0; status && i < from.size(); ++i) {
-    status = memory.append(context, from[i], to.emplace_back());
-  }
-  if (!status) return status;
-  return to;
+/// Returns how many artboard units a unit of a stroke's lengths is.
+double stroke_scale(const svg::PlainShape& shape) {
+  return shape.style.is_scaled ? std::sqrt(std::abs(shape.artboard_from_user.determinant())) : 1;
 }
 
-Result<Contours> Importer::boundary_of(const Source& source, TableMemory& memory) const {
+/// Returns the width of a stroke over the width that it is drawn with: 1, less if it is too thin to
+/// be drawn, 0 if it is not drawn.
+double share_of_width(const svg::PlainShape& shape, double tolerance) {
+  const double width = shape.style.width * stroke_scale(shape);
+  if (width > kThinStroke * tolerance) return 1;
+  return width > kUnseenStroke * tolerance ? width / (kDrawnStroke * tolerance) : 0;
+}
+
+/// Returns the outline of a stroke in the artboard's frame.
+Result<Contours> stroke_of(Context& context, const svg::PlainShape& shape, double tolerance,
+                           TableMemory& memory) {
+  const double share = share_of_width(shape, tolerance);
+  if (!(share > 0)) return Contours{};
+  svg::StrokeStyle style = shape.style;
+  style.width /= share;
+  return svg_import::placed_stroke(context, shape.subpaths, style, shape.artboard_from_user,
+                                   tolerance, memory);
+}
+
+/// Returns the region of a fill or a stroke in the artboard's frame. Errors: bad_input out of
+/// range.
+Result<Contours> Importer::contours_of(const Source& source, double tolerance,
+                                       TableMemory& memory) const {
   const svg::PlainShape& shape = *source.shape;
+  SFUMATO_TRY_ASSIGN(auto&& made, source.is_stroke
+                                      ? stroke_of(context_, shape, tolerance, memory)
+                                      : svg_import::copy_of(context_, shape.subpaths, memory));
+  if (!source.is_stroke) svg_import::map_points(shape.artboard_from_user, made);
+  if (are_in_range(made)) return std::move(made);
+  return make_error(StatusCode::bad_input,
+                    "it reaches farther than " +
+                        std::to_string(static_cast<long>(limits::kCoordinate)) +
+                        " from the origin; keep coordinates within that");
+}
+
+Result<Contours> Importer::boundary_of(const Source& source, TableMemory& memory) {
   TableMemory working("the curves");
-  const double scale = std::sqrt(std::abs(shape.artboard_from_user.determinant()));
-  Result<Contours> made = source.is_stroke
-                              ? svg_import::stroke_outline(context_, shape.subpaths, shape.style,
-                                                           tolerance_ / scale, &working)
-                              : copy_of(context_, shape.subpaths, working);
-  if (!made) return made;
-  Contours& contours = *made;
-  for (std::vector<Vec2>& contour : contours) {
-    for (Vec2& point : contour) point = shape.artboard_from_user(point);
-  }
-  return svg_import::fill_boundary(context_, contours, !source.is_stroke && shape.even_odd,
-                                   tolerance_, &memory);
+  SFUMATO_TRY_ASSIGN(const Contours& contours, contours_of(source, tolerance_, working));
+  const std::optional<std::uint32_t> clip = source.shape->clip;
+  const bool even_odd = !source.is_stroke && source.shape->even_odd;
+  Result<Contours> region = svg_import::fill_boundary(context_, contours, even_odd, tolerance_,
+                                                      clip ? &working : &memory);
+  return region && clip ? clip_regions_.clipped(context_, plain_.content.clips, std::move(*region),
+                                                *clip, tolerance_, memory)
+                        : std::move(region);
 }
 
-/// A paint of the alphas of a gradient's stops; none where all are 1.
-std::optional<SideShader<float>> Importer::gradient_opacity(std::uint32_t index) {
-  if (const auto known = opacity_shader_.find(index); known != opacity_shader_.end()) {
-    return SideShader<float>{ShaderKind::image_domain, {}, known->second};
-  }
-  std::vector<Shader>& shaders = plain_.document.shaders;
-  const auto* fill = std::get_if<GradientFill>(&shaders[index].paint);
-  const auto is_opaque = [](const GradientStop& stop) { return stop.alpha >= 1; };
-  if (!fill || std::ranges::all_of(fill->stops, is_opaque)) return std::nullopt;
-  GradientFill alphas = *fill;
-  for (GradientStop& stop : alphas.stops) stop.color = {1, 1, 1};
-  for (GradientStop& stop : std::get<GradientFill>(shaders[index].paint).stops) stop.alpha = 1;
-  const auto added = static_cast<std::uint32_t>(shaders.size());
-  opacity_shader_.emplace(index, added);
-  const std::string id = shaders[index].id.empty() ? "" : shaders[index].id + "-opacity";
-  shaders.push_back({id, std::move(alphas)});
-  return SideShader<float>{ShaderKind::image_domain, {}, added};
+SourcePlace Importer::place_of(const svg::PlainShape& shape) const {
+  return shape.offset > 0 ? text::place_in(text_, file_, shape.offset) : SourcePlace{file_};
 }
 
-Region Importer::region_of(const svg::PlainShape& shape, const svg::PlainPaint& paint) {
-  Region region;
-  region.id = shape.id;
-  region.opacity = constant_opacity(1);
-  if (paint.color) {
-    region.color = {ShaderKind::curve_domain, {StopSpace::parameter, {{0, *paint.color}}}, 0};
-    return region;
-  }
-  region.color = {ShaderKind::image_domain, {}, paint.shader};
-  if (auto opacity = gradient_opacity(paint.shader)) {
-    region.opacity = *opacity;
-    region.is_opaque = false;
-  }
-  return region;
+/// Returns whether a shape or clip failed because it is too intricate, so that the file can be read
+/// without it.
+bool Importer::may_lose_intricate(const Status& status) {
+  return svg_import::is_too_intricate(status) && intricate_++ < kIntricateShapes;
 }
 
-void Importer::end_layer() {
-  if (open_) layers_.back().curves = open_->take_curves(memory_);
-  open_.reset();
-}
-
-/// Into the open layer where that shows it as it is, else into a new one.
-Status Importer::paint_region(const LayerInstance& instance, const Region& region) {
-  const bool is_plain = instance.opacity == 1 && instance.blend == BlendMode::normal;
-  if (open_ && is_plain) {
-    const Result<bool> is_added = open_->try_add(context_, region);
-    if (!is_added || *is_added) return is_added.status();
+/// Returns ok after a warning if the shape is at fault; otherwise the failure with the shape's
+/// place.
+Status Importer::leave_out(const svg::PlainShape& shape, Status status) {
+  const bool is_ended = status.code == StatusCode::cancelled || status.limit == "time";
+  if (status || is_ended) return status;
+  const bool is_at_fault = status.code == StatusCode::bad_input || status.limit == "dashes" ||
+                           may_lose_intricate(status);
+  if (!is_at_fault) {
+    status.where = place_of(shape);
+    return status;
   }
-  end_layer();
-  LayerInstance placed = instance;
-  placed.layer = static_cast<std::uint32_t>(layers_.size());
-  PaintedLayer layer(tolerance_);
-  Status status = memory_.push_back(context_, layers_, {});
-  if (status) status = memory_.push_back(context_, stack_, placed);
-  if (status) status = layer.add(context_, region);
-  if (!status) return status;
-  if (is_plain) {
-    open_.emplace(std::move(layer));
-  } else {
-    layers_.back().curves = layer.take_curves(memory_);
+  if (warnings_.is_new(status.message)) {
+    const std::string id = shape.id.empty() ? "" : " #" + shape.id.substr(0, 64);
+    const std::string advice =
+        status.limit.empty() ? "" : "; raise the limit " + std::string(status.limit);
+    warnings_.add("the shape" + id + " is left out: " + status.message + advice, place_of(shape));
   }
   return ok_status();
 }
 
-Status Importer::paint(const LayerInstance& instance, const Source& source) {
-  TableMemory memory("the curves");
-  Result<Contours> boundary = boundary_of(source, memory);
-  if (!boundary) return boundary.status();
-  if (boundary->empty()) return ok_status();
-  const svg::PlainShape& shape = *source.shape;
-  Region region = region_of(shape, source.is_stroke ? *shape.stroke : *shape.fill);
-  if (source.is_stroke && shape.fill && !region.id.empty()) region.id += "-stroke";
-  region.boundary = std::move(*boundary);
-  return paint_region(instance, region);
+/// Returns a paint of the alphas of another paint; none if all are 1.
+Result<std::optional<std::uint32_t>> Importer::opacity_of(std::uint32_t index) {
+  if (const auto known = opacity_shader_.find(index); known != opacity_shader_.end()) {
+    return known->second;
+  }
+  std::vector<Shader>& shaders = plain_.document.shaders;
+  SFUMATO_TRY_ASSIGN(auto&& alphas,
+                     svg_import::take_alphas(context_, shaders[index], texture_memory_));
+  std::optional<std::uint32_t> added;
+  if (alphas) {
+    added = static_cast<std::uint32_t>(shaders.size());
+    shaders.push_back(std::move(*alphas));
+  }
+  opacity_shader_.emplace(index, added);
+  return added;
 }
 
-/// A group whose shapes all turned out to fill nothing.
+/// Returns the document's shader for a paint of a mask.
+Result<std::uint32_t> Importer::shader_of_mask(std::uint32_t mask_shader) {
+  if (const auto known = mask_shader_.find(mask_shader); known != mask_shader_.end()) {
+    return known->second;
+  }
+  std::vector<Shader>& shaders = plain_.document.shaders;
+  const auto added = static_cast<std::uint32_t>(shaders.size());
+  shaders.push_back(std::move(plain_.content.mask_shaders[mask_shader]));
+  mask_shader_.emplace(mask_shader, added);
+  return added;
+}
+
+/// Returns the shaders of the document that multiply to the opacity of a paint.
+Result<std::vector<std::uint32_t>> Importer::opacities_of(const svg::PlainShape& shape,
+                                                          const svg::PlainPaint& paint) {
+  std::vector<std::uint32_t> opacities;
+  if (!paint.color) {
+    SFUMATO_TRY_ASSIGN(const std::optional<std::uint32_t>& own, opacity_of(paint.shader));
+    if (own) opacities.push_back(*own);
+  }
+  for (auto mask = shape.mask; mask; mask = plain_.content.masks[*mask].outer) {
+    SFUMATO_TRY_ASSIGN(const std::uint32_t shader,
+                       shader_of_mask(plain_.content.masks[*mask].shader));
+    opacities.push_back(shader);
+  }
+  return opacities;
+}
+
+/// Returns a texture of the product of opacities over a region; if it cannot be drawn, returns the
+/// first opacity, with a warning.
+Result<std::uint32_t> Importer::product_of(const svg::PlainShape& shape,
+                                           const std::vector<std::uint32_t>& factors,
+                                           const Contours& boundary) {
+  if (factors.size() == 1) return factors.front();
+  Box box;
+  for (const std::vector<Vec2>& contour : boundary) {
+    for (const Vec2 point : contour) box.extend(point);
+  }
+  SFUMATO_TRY_ASSIGN(auto&& product,
+                     products_.draw(context_, plain_.document, factors, box, plain_.units_per_px,
+                                    painter_, texture_memory_));
+  if (!product) {
+    if (warnings_.is_new("/product")) {
+      const std::string id = shape.id.empty() ? "" : " #" + shape.id.substr(0, 64);
+      warnings_.add("the mask of the shape" + id + " is left out: its paint is not opaque, or " +
+                        "several masks overlap, and " +
+                        (painter_ ? "there are too many of that kind"
+                                  : "nothing draws their product here; the command does"),
+                    place_of(shape));
+    }
+    return factors.front();
+  }
+  std::vector<Shader>& shaders = plain_.document.shaders;
+  shaders.push_back(std::move(*product));
+  return static_cast<std::uint32_t>(shaders.size() - 1);
+}
+
+Result<Region> Importer::region_of(const svg::PlainShape& shape, const svg::PlainPaint& paint,
+                                   Contours boundary) {
+  Region region;
+  region.id = shape.id;
+  region.opacity = constant_opacity(1);
+  region.boundary = std::move(boundary);
+  if (paint.color) {
+    region.color = {ShaderKind::curve_domain, {StopSpace::parameter, {{0, *paint.color}}}, 0};
+  } else {
+    region.color = {ShaderKind::image_domain, {}, paint.shader};
+  }
+  SFUMATO_TRY_ASSIGN(const std::vector<std::uint32_t>& opacities, opacities_of(shape, paint));
+  if (opacities.empty()) return region;
+  SFUMATO_TRY_ASSIGN(const std::uint32_t opacity, product_of(shape, opacities, region.boundary));
+  region.opacity = {ShaderKind::image_domain, {}, opacity};
+  region.is_opaque = false;
+  return region;
+}
+
+/// Later items are painted over all layers up to here.
+void Importer::close_layers() {
+  for (OpenLayer& open : open_) layers_[open.index].curves = open.layer.take_curves(memory_);
+  open_.clear();
+  open_chords_ = 0;
+}
+
+/// Returns the open layer that shows the region as a layer of its own on top of all would: the
+/// lowest one such that the region meets nothing of the layers above. open_.size(): none.
+Result<std::size_t> Importer::find_layer(const LayerInstance& instance, const Outline& outline,
+                                         Fit& fit) {
+  std::size_t best = open_.size();
+  for (std::size_t i = open_.size(); i-- > 0;) {
+    if (context_.cancelled()) return context_.cancel_status();
+    const OpenLayer& open = open_[i];
+    SFUMATO_TRY_ASSIGN(const Fit& here, open.layer.look(context_, outline, steps_));
+    if (here.kind == Fit::Kind::covers) break;
+    const bool is_on_one = here.kind == Fit::Kind::on_one;
+    const bool is_alike = open.opacity == instance.opacity && open.blend == instance.blend;
+    const bool is_plain = instance.opacity == 1 && instance.blend == BlendMode::normal;
+    if (is_alike && (is_plain || !is_on_one) && open.layer.has_room()) {
+      best = i;
+      fit = here;
+    }
+    if (is_on_one) break;
+  }
+  return best;
+}
+
+/// Paints a region into an open layer if it looks the same there, else into a new layer.
+Status Importer::paint_region(const LayerInstance& instance, const Region& region) {
+  SFUMATO_TRY_ASSIGN(auto&& outline, svg_import::outline_of(context_, region, tolerance_));
+  // A soft edge reaches farther than the outline, so nothing else is painted into that layer.
+  const bool is_soft = region.blur_radius > 0;
+  if (is_soft || open_chords_ + outline.chords.size() > kOpenChords) close_layers();
+  open_chords_ += outline.chords.size();
+  Fit fit;
+  SFUMATO_TRY_ASSIGN(const std::size_t found, find_layer(instance, outline, fit));
+  if (found == open_.size()) {
+    if (layers_.size() >= context_.limits.layers) {
+      return limit_error(context_.limits, &Limits::layers, "layers");
+    }
+    fit = {};
+    LayerInstance placed = instance;
+    placed.layer = static_cast<std::uint32_t>(layers_.size());
+    open_.push_back({PaintedLayer(tolerance_), placed.layer, instance.opacity, instance.blend});
+    SFUMATO_TRY(memory_.push_back(context_, layers_, {}));
+    SFUMATO_TRY(memory_.push_back(context_, stack_, placed));
+  }
+  Status status = open_[found].layer.add(context_, region, std::move(outline), fit);
+  if (is_soft) close_layers();
+  return status;
+}
+
+Status Importer::paint(const LayerInstance& instance, const Source& source) {
+  TableMemory memory("the curves");
+  const svg::PlainShape& shape = *source.shape;
+  Result<Contours> boundary = boundary_of(source, memory);
+  if (!boundary) return leave_out(shape, boundary.status());
+  if (boundary->empty()) return ok_status();
+  Result<Region> region =
+      region_of(shape, source.is_stroke ? *shape.stroke : *shape.fill, std::move(*boundary));
+  if (!region) return leave_out(shape, region.status());
+  if (source.is_stroke && shape.fill && !region->id.empty()) region->id += "-stroke";
+  region->blur_radius = std::min(kBlurRadiusOfSigma * shape.blur, limits::kCoordinate);
+  LayerInstance painted = instance;
+  if (source.is_stroke) painted.opacity *= static_cast<float>(share_of_width(shape, tolerance_));
+  return leave_out(shape, paint_region(painted, *region));
+}
+
+/// The group's shapes all fill nothing.
 void Importer::forget_empty_groups() {
   while (stack_.size() >= 2 && std::holds_alternative<GroupEnd>(stack_.back()) &&
          std::holds_alternative<GroupBegin>(stack_[stack_.size() - 2])) {
@@ -177,24 +398,87 @@ void Importer::forget_empty_groups() {
   }
 }
 
+/// Extends the box by the area of a fill or a stroke, but not if the shape will be left out.
+Status Importer::extend_by(const Source& source, double tolerance, Box& box) {
+  TableMemory working("the curves");
+  const Result<Contours> contours = contours_of(source, tolerance, working);
+  if (!contours) {
+    return contours.status().code == StatusCode::bad_input
+               ? ok_status()
+               : leave_out(*source.shape, contours.status());
+  }
+  for (const std::vector<Vec2>& contour : *contours) {
+    if (context_.cancelled()) return context_.cancel_status();
+    box.extend(contour.front());
+    svg_import::for_each_chord_end(contour, tolerance, [&](Vec2 end) { box.extend(end); });
+  }
+  return ok_status();
+}
+
+/// Makes the artboard of a drawing whose size is open: the box of its shapes.
+Status Importer::fit_artboard() {
+  Box rough;
+  for (const svg::PlainShape& shape : plain_.content.shapes) {
+    for (const std::vector<Vec2>& chain : shape.subpaths) {
+      for (const Vec2 user_point : chain) {
+        const Vec2 point = shape.artboard_from_user(user_point);
+        if (is_in_range(point)) rough.extend(point);
+      }
+    }
+    if (context_.cancelled()) return context_.cancel_status();
+  }
+  Box& artboard = plain_.document.artboard;
+  Box box;
+  const double tolerance = rough.empty() ? 0 : tolerance_for(united(rough, {{0, 0}, {1, 1}}));
+  for (const svg::PlainShape& shape : plain_.content.shapes) {
+    SFUMATO_TRY(shape.fill ? extend_by({&shape, false}, tolerance, box) : ok_status());
+    if (shape.stroke) SFUMATO_TRY(extend_by({&shape, true}, tolerance, box));
+  }
+  if (box.empty()) return ok_status();
+  const svg::OpenSize& size = *plain_.open_size;
+  if (!size.width && box.width() > 0) {
+    artboard.min.x = box.min.x;
+    artboard.max.x = box.max.x;
+  }
+  if (!size.height && box.height() > 0) {
+    artboard.min.y = box.min.y;
+    artboard.max.y = box.max.y;
+  }
+  tolerance_ = tolerance_for(artboard);
+  return ok_status();
+}
+
 Status Importer::run() {
+  Status status = plain_.open_size ? fit_artboard() : ok_status();
+  return status ? paint_all() : status;
+}
+
+Status Importer::paint_all() {
   Document& document = plain_.document;
-  std::map<std::uint32_t, Source> source_of;
-  for (const svg::PlainShape& shape : plain_.shapes) {
+  TableMemory memory("the shapes");
+  std::vector<Source> source_of;  // by layer
+  if (Status status = memory.resize(context_, source_of, document.layers.size()); !status) {
+    return status;
+  }
+  for (const svg::PlainShape& shape : plain_.content.shapes) {
     if (shape.fill) source_of[shape.fill_layer] = {&shape, false};
     if (shape.stroke) source_of[shape.stroke_layer] = {&shape, true};
   }
   std::map<std::uint32_t, std::uint32_t> kept;  // layers of Sfumato's own attributes
+  std::size_t painted = 0;
   for (const StackItem& item : document.stack) {
     if (context_.cancelled()) return context_.cancel_status();
+    if (context_.progress) {
+      context_.progress->report(
+          "import", static_cast<double>(painted++) / static_cast<double>(document.stack.size()));
+    }
     const auto* instance = std::get_if<LayerInstance>(&item);
-    if (const auto found = instance ? source_of.find(instance->layer) : source_of.end();
-        found != source_of.end()) {
-      if (Status status = paint(*instance, found->second); !status) return status;
+    if (instance && source_of[instance->layer].shape) {
+      SFUMATO_TRY(paint(*instance, source_of[instance->layer]));
       continue;
     }
-    end_layer();
-    if (Status status = memory_.push_back(context_, stack_, item); !status) return status;
+    close_layers();
+    SFUMATO_TRY(memory_.push_back(context_, stack_, item));
     forget_empty_groups();
     if (!instance) continue;
     const auto [entry, is_new] =
@@ -206,27 +490,58 @@ Status Importer::run() {
     }
     std::get<LayerInstance>(stack_.back()).layer = entry->second;
   }
-  end_layer();
+  close_layers();
   document.layers = std::move(layers_);
   document.stack = std::move(stack_);
   return validate(context_, document);
 }
 
+/// Draws the tiles of patterns and masks into their textures, those within others first.
+Status paint_tiles(Context& context, svg::PlainSvg& plain, std::string_view text,
+                   const std::string& file, const std::optional<TilePainter>& painter) {
+  for (std::size_t i = plain.tiles.size(); i-- > 0;) {
+    svg::PlainTile& tile = plain.tiles[i];
+    svg::PlainSvg content{std::move(tile.document), std::move(tile.content), {}, {}, {}, {}};
+    Importer importer(context, std::move(content), text, file, painter);
+    SFUMATO_TRY(importer.run());
+    ImportedSvg made = importer.take();
+    std::ranges::move(made.warnings, std::back_inserter(plain.warnings));
+    if (made.document.stack.empty()) continue;
+    const bool is_top = tile.owner == 0;
+    svg::PlainTile* around = is_top ? nullptr : &plain.tiles[tile.owner - 1];
+    std::vector<Shader>& shaders =
+        tile.use == svg::TileUse::paint
+            ? (is_top ? plain.document.shaders : around->document.shaders)
+            : (is_top ? plain.content.mask_shaders : around->content.mask_shaders);
+    auto& texture = std::get<Texture>(shaders[tile.shader].paint);
+    SFUMATO_TRY_ASSIGN(const Image& image,
+                       (*painter)(context, made.document, texture.width, texture.height));
+    if (image.bytes.size() != texture.rgba.size()) {
+      return make_error(StatusCode::bad_input, "the painter of tiles gave no image of that size");
+    }
+    std::ranges::copy(image.bytes, texture.rgba.begin());
+    SFUMATO_TRY(svg_import::make_opacity(context, tile.use, texture));
+  }
+  return ok_status();
+}
+
 Result<ImportedSvg> import_text(Context& context, std::string_view text, const std::string& file,
-                                const ResourceLoader* loader) {
+                                const ResourceLoader* loader,
+                                const std::optional<TilePainter>& painter) {
   TableMemory memory("unpacked gzip");
   std::string unpacked;
   if (codecs::is_gzip(text)) {
-    Result<std::string> bytes = codecs::gunzip(context, text, memory);
-    if (!bytes) return bytes.status();
-    unpacked = std::move(*bytes);
+    SFUMATO_TRY_ASSIGN(unpacked, codecs::gunzip(context, text, memory));
     text = unpacked;
   }
-  Result<svg::PlainSvg> plain = svg::read_plain_svg(context, text, file, loader);
-  if (!plain) return plain.status();
-  Importer importer(context, std::move(*plain));
-  Status status = importer.run();
-  if (status) return importer.take();
+  SFUMATO_TRY_ASSIGN(auto&& plain,
+                     svg::read_plain_svg(context, text, file, loader, painter.has_value()));
+  Status status = painter ? paint_tiles(context, plain, text, file, painter) : ok_status();
+  if (status) {
+    Importer importer(context, std::move(plain), text, file, painter);
+    status = importer.run();
+    if (status) return importer.take();
+  }
   if (status.where.file.empty()) status.where.file = file;
   return status;
 }
@@ -234,8 +549,8 @@ Result<ImportedSvg> import_text(Context& context, std::string_view text, const s
 }  // namespace
 
 Result<ImportedSvg> import_svg(Context& context, std::string_view text, const std::string& file,
-                               const ResourceLoader* loader) {
-  return public_verb(context, [&] { return import_text(context, text, file, loader); });
+                               const ResourceLoader* loader, std::optional<TilePainter> painter) {
+  return public_verb(context, [&] { return import_text(context, text, file, loader, painter); });
 }
 
 }  // namespace sfumato

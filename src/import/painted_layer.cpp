@@ -1,22 +1,19 @@
 #include "import/painted_layer.hpp"
 
 #include <algorithm>
+#include <string>
 #include <utility>
+
+#include "base/poll.hpp"
+#include "base/segment.hpp"
+#include "base/try.hpp"
 
 namespace sfumato::svg_import {
 namespace {
 
-/// Chords whose distance is looked at for one shape: more, and it gets a layer of its own.
-constexpr std::size_t kPairs = 20'000'000;
-/// Of image-domain shaders in one layer; as many again are opacities of gradients.
-constexpr std::size_t kShaders = 16;
-
-/// The squared distance of a point from a chord.
+/// Returns the squared distance of a point from a chord.
 double distance_squared(Vec2 p, const Chord& chord) {
-  const Vec2 along = chord.to - chord.from;
-  const double size = length_squared(along);
-  const double t = size > 0 ? std::clamp(dot(p - chord.from, along) / size, 0.0, 1.0) : 0;
-  return length_squared(p - (chord.from + along * t));
+  return length_squared(p - nearest_on_segment(p, chord.from, chord.to));
 }
 
 Box box_of(const Chord& chord) {
@@ -40,106 +37,133 @@ bool are_near(const Chord& a, const Chord& b, double distance) {
          cross_each_other(a, b);
 }
 
+Box common(const Box& a, const Box& b) {
+  return {{std::max(a.min.x, b.min.x), std::max(a.min.y, b.min.y)},
+          {std::min(a.max.x, b.max.x), std::min(a.max.y, b.max.y)}};
+}
+
+/// Returns the chords in a box.
+Result<std::vector<const Chord*>> chords_in(Context& context, const Outline& outline,
+                                            const Box& box, TableMemory& memory) {
+  std::vector<const Chord*> near;
+  for (const Chord& chord : outline.chords) {
+    if (!overlap(box, box_of(chord))) continue;
+    SFUMATO_TRY(memory.push_back(context, near, &chord));
+  }
+  if (context.cancelled()) return context.cancel_status();
+  return near;
+}
+
+/// Takes this many of the remaining steps. Returns false if they do not suffice; then none is left.
+bool take(std::size_t& steps, std::size_t count) {
+  const bool suffices = count < steps;
+  steps = suffices ? steps - count : 0;
+  return suffices;
+}
+
+bool is_within(const Outline& outline, Vec2 point, std::size_t& steps) {
+  return outline.box.contains(point) && take(steps, outline.chords.size()) &&
+         winding_number(outline.chords, point) != 0;
+}
+
+/// Calls visit(point) with a point of each loop until it returns false. Returns whether it never
+/// did. Errors: as Context::cancel_status.
+template <class Visit>
+Result<bool> all_loops(const Context& context, const Outline& outline, Visit visit) {
+  RarePoll<16> poll(context);
+  for (std::size_t i = 0; i < outline.chords.size(); ++i) {
+    const Chord& chord = outline.chords[i];
+    const bool begins_loop = i == 0 || outline.chords[i - 1].contour != chord.contour;
+    if (!begins_loop) continue;
+    if (poll.cancelled()) return context.cancel_status();
+    if (!visit(chord.from)) return false;
+  }
+  return true;
+}
+
+template <class Value>
+void note_shader(const SideShader<Value>& side, std::vector<std::uint32_t>& shaders) {
+  if (side.kind != ShaderKind::image_domain) return;
+  if (std::ranges::find(shaders, side.shader) == shaders.end()) shaders.push_back(side.shader);
+}
+
 }  // namespace
 
-Result<PaintedLayer::Shape> PaintedLayer::shape_of(Context& context, const Region& region) const {
-  Shape shape{{}, {}, region.color, region.is_opaque};
+Result<Outline> outline_of(Context& context, const Region& region, double tolerance) {
+  Outline outline{{}, {}, region.color, region.is_opaque};
   for (std::uint32_t c = 0; c < region.boundary.size(); ++c) {
     Vec2 from = region.boundary[c].front();
-    shape.box.extend(from);
+    outline.box.extend(from);
     Status status;
-    for_each_chord_end(region.boundary[c], tolerance_, [&](Vec2 to) {
+    for_each_chord_end(region.boundary[c], tolerance, [&](Vec2 to) {
       if (!status) return;
-      shape.box.extend(to);
-      status = shape.memory.push_back(context, shape.chords, {from, to, 0, 0, c});
+      outline.box.extend(to);
+      status = outline.memory.push_back(context, outline.chords, {from, to, 0, 0, c});
       from = to;
     });
     if (!status) return status;
   }
-  return shape;
+  return outline;
 }
 
-/// Whether no boundaries meet.
-Result<bool> PaintedLayer::keeps_apart(Context& context, const Shape& a, const Shape& b) {
+/// Returns whether no boundaries meet.
+Result<bool> PaintedLayer::keeps_apart(Context& context, const Outline& a, const Outline& b,
+                                       std::size_t& steps) const {
   const double distance = 4 * tolerance_;
-  const Box box = a.box.grown_by(distance);
-  if (!overlap(box, b.box)) return true;
+  const Box box = common(a.box.grown_by(distance), b.box.grown_by(distance));
+  if (!take(steps, a.chords.size() + b.chords.size())) return false;
   TableMemory working("the shapes");
-  std::vector<const Chord*> near;
-  Status status = working.reserve(context, near, b.chords.size());
-  if (!status) return status;
-  for (const Chord& chord : b.chords) {
-    if (overlap(box, box_of(chord))) near.push_back(&chord);
-  }
-  if (context.cancelled()) return context.cancel_status();
-  if (near.size() * a.chords.size() > kPairs) return false;
-  for (const Chord& chord : a.chords) {
-    const Box around = box_of(chord).grown_by(distance);
-    for (const Chord* other : near) {
-      if (overlap(around, box_of(*other)) && are_near(chord, *other, distance)) return false;
+  SFUMATO_TRY_ASSIGN(const auto& near_a, chords_in(context, a, box, working));
+  SFUMATO_TRY_ASSIGN(const auto& near_b, chords_in(context, b, box, working));
+  if (!take(steps, near_a.size() * near_b.size())) return false;
+  for (const Chord* chord : near_a) {
+    const Box around = box_of(*chord).grown_by(distance);
+    for (const Chord* other : near_b) {
+      if (overlap(around, box_of(*other)) && are_near(*chord, *other, distance)) return false;
     }
   }
   return true;
 }
 
-bool PaintedLayer::is_within(const Shape& shape, Vec2 point) const {
-  return shape.box.contains(point) && winding_number(shape.chords, point) != 0;
+/// Finds the ground of an outline that meets no boundary of the layer: all its loops lie on the
+/// same ground.
+Result<Fit> PaintedLayer::ground_of(const Context& context, const Outline& outline,
+                                    std::size_t& steps) const {
+  const auto topmost_at = [&](Vec2 point) {
+    std::size_t i = outlines_.size();
+    while (i > 0 && !is_within(outlines_[i - 1], point, steps)) --i;
+    return i;  // one more than the index
+  };
+  const std::size_t ground = topmost_at(outline.chords.front().from);
+  SFUMATO_TRY_ASSIGN(const bool on_same, all_loops(context, outline, [&](Vec2 point) {
+                       return topmost_at(point) == ground;
+                     }));
+  if (!on_same) return Fit{Fit::Kind::covers};
+  if (ground == 0) return Fit{};
+  const bool is_opaque = outlines_[ground - 1].is_opaque && outline.is_opaque;
+  return Fit{is_opaque ? Fit::Kind::on_one : Fit::Kind::covers, ground - 1};
 }
 
-/// What of the layer is seen where the shape's first point is.
-const PaintedLayer::Shape* PaintedLayer::under(const Shape& shape) const {
-  for (std::size_t i = shapes_.size(); i-- > 0;) {
-    if (is_within(shapes_[i], shape.chords.front().from)) return &shapes_[i];
+Result<Fit> PaintedLayer::look(Context& context, const Outline& outline, std::size_t& steps) const {
+  if (outline.chords.empty()) return Fit{Fit::Kind::covers};
+  const Box box = outline.box.grown_by(4 * tolerance_);
+  bool is_near = false;
+  for (const Outline& other : outlines_) {
+    if (!overlap(box, other.box)) continue;
+    is_near = true;
+    SFUMATO_TRY_ASSIGN(const bool apart, keeps_apart(context, outline, other, steps));
+    const auto is_outside = [&](Vec2 point) { return !is_within(outline, point, steps); };
+    if (!apart) return Fit{Fit::Kind::covers};
+    SFUMATO_TRY_ASSIGN(const bool outside, all_loops(context, other, is_outside));
+    if (!outside) return Fit{Fit::Kind::covers};
   }
-  return nullptr;
+  if (!is_near) return Fit{};
+  const Result<Fit> fit = ground_of(context, outline, steps);
+  return !fit || steps > 0 ? fit : Fit{Fit::Kind::covers};
 }
 
-void PaintedLayer::note_shader(const SideShader<Rgb>& side) {
-  if (side.kind != ShaderKind::image_domain) return;
-  if (std::ranges::find(shaders_, side.shader) == shaders_.end()) shaders_.push_back(side.shader);
-}
-
-Result<bool> PaintedLayer::try_add(Context& context, const Region& region) {
-  Result<Shape> made = shape_of(context, region);
-  if (!made) return made.status();
-  Shape& shape = *made;
-  if (shapes_.empty() || shape.chords.empty() || shaders_.size() >= kShaders) return false;
-  const Shape* ground = under(shape);
-  if (ground && !(ground->is_opaque && region.is_opaque)) return false;
-  for (const Shape& other : shapes_) {
-    const Result<bool> apart = keeps_apart(context, shape, other);
-    if (!apart || !*apart) return apart;
-  }
-  // Every loop lies on the same ground, and no loop of the layer within the shape.
-  for (const Chord& chord : shape.chords) {
-    const bool begins_loop =
-        &chord == shape.chords.data() || (&chord - 1)->contour != chord.contour;
-    if (!begins_loop) continue;
-    const Shape* here = nullptr;
-    for (const Shape& other : shapes_) {
-      if (is_within(other, chord.from)) here = &other;
-    }
-    if (here != ground) return false;
-  }
-  for (const Shape& other : shapes_) {
-    for (const Chord& chord : other.chords) {
-      const bool begins_loop =
-          &chord == other.chords.data() || (&chord - 1)->contour != chord.contour;
-      if (begins_loop && is_within(shape, chord.from)) return false;
-    }
-  }
-  Status status = append(context, region, std::move(shape), ground);
-  if (!status) return status;
-  return true;
-}
-
-Status PaintedLayer::add(Context& context, const Region& region) {
-  Result<Shape> made = shape_of(context, region);
-  return made ? append(context, region, std::move(*made), nullptr) : made.status();
-}
-
-Status PaintedLayer::append(Context& context, const Region& region, Shape shape,
-                            const Shape* under) {
+Status PaintedLayer::add(Context& context, const Region& region, Outline outline, const Fit& fit) {
+  const Outline* under = fit.kind == Fit::Kind::on_one ? &outlines_[fit.ground] : nullptr;
   Status status = memory_.make_room(context, curves_, region.boundary.size());
   for (std::size_t i = 0; status && i < region.boundary.size(); ++i) {
     Curve& curve = curves_.emplace_back();
@@ -147,12 +171,17 @@ Status PaintedLayer::append(Context& context, const Region& region, Shape shape,
     status = memory_.append(context, region.boundary[i], curve.control_points);
     curve.right.color = region.color;
     curve.left.color = under ? under->color : region.color;
+    if (region.blur_radius > 0) {
+      const ScalarStops radius{StopSpace::parameter, {{0, static_cast<float>(region.blur_radius)}}};
+      curve.left.blur_radius = curve.right.blur_radius = radius;
+    }
     if (under) continue;
     curve.right.opacity = region.opacity;
     curve.left.opacity = {ShaderKind::curve_domain, {StopSpace::parameter, {{0, 0.0F}}}, 0};
   }
-  note_shader(region.color);
-  return status ? shape_memory_.push_back(context, shapes_, std::move(shape)) : status;
+  note_shader(region.color, shaders_);
+  if (!under) note_shader(region.opacity, opacity_shaders_);
+  return status ? outline_memory_.push_back(context, outlines_, std::move(outline)) : status;
 }
 
 }  // namespace sfumato::svg_import

@@ -1,8 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/table_memory.hpp"
@@ -22,48 +23,66 @@ struct Region {
   SideShader<Rgb> color;
   SideShader<float> opacity;  ///< opacity of the inside
   bool is_opaque = true;
+  double blur_radius = 0;
 };
 
-/// The curves of one layer while shapes are painted into it, each over the previous ones.
+/// A region as layers keep it to compare others with it.
+struct Outline {
+  std::vector<Chord> chords;
+  Box box;
+  SideShader<Rgb> color;
+  bool is_opaque = true;
+  TableMemory memory{"the shapes"};
+};
+
+/// Errors: limit (memory), cancelled.
+Result<Outline> outline_of(Context& context, const Region& region, double tolerance);
+
+/// The relation of a region to the regions of a layer below it.
+struct Fit {
+  enum class Kind : std::uint8_t {
+    apart,   ///< it meets none of them: either may be painted first
+    on_one,  ///< it lies wholly on one of them, which is in sight around it and opaque, as it is
+    covers   ///< anything else: the region must be painted later, in another layer
+  };
+  Kind kind = Kind::apart;
+  std::size_t ground = 0;  ///< on_one: the index of the region below
+};
+
+/// The curves of one layer while regions are painted into it.
 class PaintedLayer {
  public:
   explicit PaintedLayer(double tolerance) : tolerance_(tolerance) {}
 
-  /// Paints the region if the layer can show it unchanged: it covers no other region, and lies
-  /// either wholly on one visible opaque region of the layer or outside of all regions. False:
-  /// nothing has changed.
-  /// Errors: limit (memory), cancelled.
-  Result<bool> try_add(Context& context, const Region& region);
-  /// Paints the first region. Errors: as above.
-  Status add(Context& context, const Region& region);
+  /// Compares a region with the regions of the layer.
+  /// steps    the comparisons of chords that are left; if they do not suffice, the answer is
+  ///          `covers`
+  /// Errors   limit (memory), cancelled.
+  Result<Fit> look(Context& context, const Outline& outline, std::size_t& steps) const;
+  /// Returns whether the layer has room for the region's paint.
+  bool has_room() const { return shaders_.size() < kShaders && opacity_shaders_.size() < kShaders; }
+  /// Paints a region that is apart or on one. Errors: limit (memory), cancelled.
+  Status add(Context& context, const Region& region, Outline outline, const Fit& fit);
 
   std::vector<Curve> take_curves(TableMemory& memory) {
     memory.take(std::move(memory_));
     return std::move(curves_);
   }
-  std::size_t shader_count() const { return shaders_.size(); }
 
  private:
-  struct Shape {
-    std::vector<Chord> chords;
-    Box box;
-    SideShader<Rgb> color;
-    bool is_opaque = true;
-    TableMemory memory{"the shapes"};
-  };
+  /// The most image-domain shaders in one layer; as many again are opacities of gradients and
+  /// masks.
+  static constexpr std::size_t kShaders = 16;
 
-  Result<Shape> shape_of(Context& context, const Region& region) const;
-  Result<bool> keeps_apart(Context& context, const Shape& a, const Shape& b);
-  const Shape* under(const Shape& shape) const;
-  Status append(Context& context, const Region& region, Shape shape, const Shape* under);
-  bool is_within(const Shape& shape, Vec2 point) const;
-  void note_shader(const SideShader<Rgb>& side);
+  Result<bool> keeps_apart(Context& context, const Outline& a, const Outline& b,
+                           std::size_t& steps) const;
+  Result<Fit> ground_of(const Context& context, const Outline& outline, std::size_t& steps) const;
 
   double tolerance_;
-  TableMemory shape_memory_{"the shapes"}, memory_{"the curves"};
-  std::vector<Shape> shapes_;
+  TableMemory outline_memory_{"the shapes"}, memory_{"the curves"};
+  std::vector<Outline> outlines_;
   std::vector<Curve> curves_;
-  std::vector<std::uint32_t> shaders_;
+  std::vector<std::uint32_t> shaders_, opacity_shaders_;
 };
 
 }  // namespace sfumato::svg_import

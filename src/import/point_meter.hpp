@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/poll.hpp"
+#include "import/shape_limits.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
 
@@ -17,18 +18,18 @@ class PointMeter {
 
   Context& context() const { return context_; }
 
-  /// Counts new points; false: stop, because of status().
+  /// Counts new points. Returns false if the caller must stop because of status().
   bool take(std::size_t points) {
     if (!status_) return false;
     made_ += points;
     if (poll_.cancelled()) {
       status_ = context_.cancel_status();
-    } else if (made_ > kMostPoints) {
-      status_ = make_error(StatusCode::limit, "a shape of the drawing is too long");
+    } else if (made_ > kPointsOfChord * context_.limits.chords) {
+      status_ = too_long(context_);
     }
     return !failed();
   }
-  /// Checks the flag now, for steps of about a millisecond.
+  /// Polls the flag now, for steps of about a millisecond.
   bool look() {
     if (status_) status_ = context_.check();
     return !failed();
@@ -43,7 +44,7 @@ class PointMeter {
   const Status& status() const { return status_; }
 
  private:
-  static constexpr std::size_t kMostPoints = 6'000'000;  ///< at least three make a chord
+  static constexpr std::size_t kPointsOfChord = 3;  ///< at least
 
   Context& context_;
   RarePoll<16> poll_;

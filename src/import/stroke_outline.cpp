@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/table_memory.hpp"
+#include "base/try.hpp"
 #include "curves/bezier.hpp"
 
 namespace sfumato::svg_import {
@@ -19,10 +20,12 @@ using curves::Cubic;
 constexpr int kDeepest = 24;  ///< halvings of one piece: so many only at a cusp, or nearly
 constexpr int kBisections = 40;
 constexpr const char* kOutlinePurpose = "the outline of a stroke";
-/// Of the tolerance: what is shorter is no piece. That is 1/256 of a pixel of 1024, below which
-/// cairo sees nothing either, and Skia nothing below 1/4096.
+/// A share of the tolerance: a shorter piece is dropped. That is 1/256 of a pixel of 1024; cairo
+/// ignores shorter pieces too, and Skia pieces below 1/4096.
 constexpr double kShortest = 1.0 / 16;
-/// Of the largest coordinate: no offset is found more exactly.
+/// A share of the width: a shorter handle turns a cap but bends nothing visibly.
+constexpr double kShortestHandle = 1.0 / 128;
+/// A share of the largest coordinate: the best accuracy of offsets.
 constexpr double kRounding = 64 * std::numeric_limits<double>::epsilon();
 constexpr double kStraight = 1e-4;               ///< sine of a turn that needs no join
 constexpr double kQuarter = 0.5522847498307936;  ///< control points of a quarter circle
@@ -32,23 +35,25 @@ Vec2 second_derivative_at(const Cubic& c, double t) {
   return 6 * lerp(a, b, t);
 }
 
-/// Whether all of a piece lies nearer to a point than this.
+/// Returns whether all of a piece lies nearer to a point than this.
 bool is_near(const Cubic& c, Vec2 point, double distance) {
   return std::ranges::all_of(c, [&](Vec2 control) { return length(control - point) <= distance; });
 }
 
-/// The pieces of a subpath, without pieces and handles that nobody sees: their directions are of
-/// rounding's making, and would make joins and caps. What is left follows one another. There is
+/// Copies the pieces of a subpath without invisible pieces and handles: rounding determines their
+/// directions, which would make joins and caps. The remaining pieces follow one another. There is
 /// room for all.
-void add_pieces(const std::vector<Vec2>& subpath, double shortest, std::vector<Cubic>& pieces) {
+void add_pieces(const std::vector<Vec2>& subpath, double shortest, double width,
+                std::vector<Cubic>& pieces) {
+  const double shortest_handle = std::max(shortest, kShortestHandle * width);
   Vec2 end = subpath.front();
   for (std::size_t i = 0; 3 * i + 3 < subpath.size(); ++i) {
     Cubic cubic = curves::piece(subpath, i);
     if (is_near(cubic, end, shortest)) continue;
     cubic[0] = end;
     end = cubic[3];
-    if (length(cubic[1] - cubic[0]) <= shortest) cubic[1] = cubic[0];
-    if (length(cubic[3] - cubic[2]) <= shortest) cubic[2] = cubic[3];
+    if (length(cubic[1] - cubic[0]) <= shortest_handle) cubic[1] = cubic[0];
+    if (length(cubic[3] - cubic[2]) <= shortest_handle) cubic[2] = cubic[3];
     pieces.push_back(cubic);
   }
   if (!pieces.empty() && length(subpath.back() - end) <= shortest) {
@@ -60,18 +65,19 @@ bool is_straight(Vec2 before, Vec2 after) {
   return std::abs(cross(before, after)) < kStraight && dot(before, after) > 0;
 }
 
-/// Whether the left side of a way that turns is the outer one; where it turns back both are.
+/// Returns whether the left side of a turning path is the outer one; if it turns back, both sides
+/// are.
 bool is_outer(Vec2 before, Vec2 after) {
   const double turn = cross(before, after);
   return turn > 0 || (std::abs(turn) < kStraight && dot(before, after) < 0);
 }
 
-/// One side of a stroke: at `radius` to the left of what is walked.
+/// One side of a stroke: at distance `radius` to the left of the path.
 ///
-/// Where the way bends to the left more sharply than that, the side runs back, and what it sweeps
-/// between the centres of the bend and itself it goes round the wrong way: a fold. The side then
-/// goes by the centres, and the fold is a contour of its own, the right way round. So nothing that
-/// the normals of the way sweep is taken away from the rest.
+/// If the path bends to the left more sharply than that, the side runs back and encloses the area
+/// between itself and the centres of the bend in the wrong direction: a fold. The side then follows
+/// the centres, and the fold becomes a separate contour in the right direction, so that nothing
+/// swept by the normals of the path is subtracted from the rest.
 class Side {
  public:
   /// folds    where the contours of folds are added
@@ -85,9 +91,9 @@ class Side {
         folds_(folds),
         memory_(memory) {}
 
-  /// Comes first. Where the meter has failed then there may be no points.
+  /// Must be called first. If the meter has failed then, there may be no points.
   void walk(const std::vector<Cubic>& pieces, bool is_closed);
-  /// From the left side of the end of `piece` round to its right side.
+  /// Draws from the left side of the end of `piece` round to its right side.
   void cap(const Cubic& piece);
   std::vector<Vec2> take() { return std::move(points_); }
 
@@ -152,7 +158,7 @@ Vec2 Side::offset_derivative(const Cubic& piece, double t) const {
   return along * (1 + radius_ * curvature);
 }
 
-/// A cubic with the offset's points and derivatives at both ends misses it by O(length⁴).
+/// A cubic with the offset's points and derivatives at both ends misses the offset by O(length⁴).
 Cubic Side::fitted(const Cubic& piece, double t0, double t1) const {
   const Vec2 from = offset_point(piece, t0), to = offset_point(piece, t1);
   return {from, from + offset_derivative(piece, t0) * ((t1 - t0) / 3),
@@ -168,7 +174,7 @@ double Side::error_of(const Cubic& fit, const Cubic& piece, double t0, double t1
   return error;
 }
 
-/// Whether the offset turns round and round again between the ends.
+/// Returns whether the offset turns round and round again between the ends.
 bool Side::turns_twice(const Cubic& piece, double t0, double t1) const {
   const bool back = runs_back(piece, t0);
   return back == runs_back(piece, t1) && (runs_back(piece, t0 + (t1 - t0) * 0.25) != back ||
@@ -197,11 +203,13 @@ void Side::offset(const Cubic& piece, double t0, double t1, int depth) {
   part(piece, high, t1);
 }
 
-/// Of the offset, all of which runs on or all back.
+/// Appends a part of the offset that runs entirely forwards or entirely back.
 void Side::part(const Cubic& piece, double t0, double t1) {
   const Cubic fit = fitted(piece, t0, t1);
   line_to(fit[0]);
-  if (dot(fit[3] - fit[0], tangent_at(piece, (t0 + t1) / 2)) < 0) {
+  const double middle = (t0 + t1) / 2;
+  // A hairpin also ends where it began, but it runs on.
+  if (runs_back(piece, middle) && dot(fit[3] - fit[0], tangent_at(piece, middle)) < 0) {
     begin_fold();
     fold(piece, t0, t1, 0);
   } else {
@@ -210,7 +218,8 @@ void Side::part(const Cubic& piece, double t0, double t1) {
   quarter_to(fit[1], fit[2], fit[3]);
 }
 
-/// Where the normals at both ends of a part cross: so the parts of a fold share their normals.
+/// Returns the crossing of the normals at both ends of a part, so that the parts of a fold share
+/// their normals.
 Vec2 Side::center_of_bend(const Cubic& piece, double t0, double t1) const {
   const Vec2 from = curves::point_at(piece, t0), to = curves::point_at(piece, t1);
   const Vec2 before = left_of(tangent_at(piece, t0)), after = left_of(tangent_at(piece, t1));
@@ -219,8 +228,8 @@ Vec2 Side::center_of_bend(const Cubic& piece, double t0, double t1) const {
   return from + before * std::clamp(away, 0.0, radius_);
 }
 
-/// How far beside a centre the normals between pass it: so wide is what neither the side nor the
-/// fold holds.
+/// Returns the distance at which the normals between pass the centre. It is the width of the area
+/// that neither the side nor the fold covers.
 double Side::neck(Vec2 center, const Cubic& piece, double t0, double t1) const {
   double widest = 0;
   for (const double share : {0.25, 0.5, 0.75}) {
@@ -268,7 +277,7 @@ void Side::end_fold() {
   centers_.clear();
 }
 
-/// Where a curve turns at once, in a cusp or nearly, its side is an arc, as next to a cusp.
+/// If a curve turns abruptly, in a cusp or nearly, its side is an arc, as next to a cusp.
 void Side::sweep(const Cubic& piece, double t0, double t1) {
   const Vec2 before = tangent_at(piece, t0), after = tangent_at(piece, t1);
   const Vec2 center = curves::point_at(piece, t1);
@@ -373,14 +382,15 @@ Status append_side(Context& context, std::vector<Vec2>& contour, std::vector<Vec
   return status;
 }
 
-void outline(PointMeter& meter, const std::vector<Vec2>& subpath, const svg::StrokeStyle& style,
-             double tolerance, Contours& contours, TableMemory& memory) {
+void outline(PointMeter& meter, const std::vector<Vec2>& subpath, bool may_close,
+             const svg::StrokeStyle& style, double tolerance, Contours& contours,
+             TableMemory& memory) {
   if (!meter.take(2 * subpath.size())) return;  // the pieces, there and back
   TableMemory working(kOutlinePurpose);
   std::vector<Cubic> pieces;
   const std::size_t most = std::max<std::size_t>(subpath.size() / 3, 1);
   if (!meter.keep(working.reserve(meter.context(), pieces, most))) return;
-  add_pieces(subpath, kShortest * tolerance, pieces);
+  add_pieces(subpath, kShortest * tolerance, style.width, pieces);
   if (pieces.empty()) {  // a dot, where caps make one
     if (style.cap == svg::StrokeCap::butt) return;
     const Vec2 along = subpath.back() - subpath.front();
@@ -388,7 +398,7 @@ void outline(PointMeter& meter, const std::vector<Vec2>& subpath, const svg::Str
     const Vec2 direction = size > 0 ? along / size : Vec2{1, 0};
     pieces.push_back(curves::piece(dot(subpath.front(), direction, style), 0));
   }
-  const bool is_closed = pieces.front()[0] == pieces.back()[3];
+  const bool is_closed = may_close && pieces.front()[0] == pieces.back()[3];
   Side side(style, tolerance, meter, contours, memory);
   side.walk(pieces, is_closed);
   if (meter.failed()) return;
@@ -407,7 +417,7 @@ void outline(PointMeter& meter, const std::vector<Vec2>& subpath, const svg::Str
   meter.keep(memory.push_back(meter.context(), contours, std::move(contour)));
 }
 
-/// The largest coordinate of a stroke, or nearly.
+/// Returns the largest coordinate of a stroke, or nearly.
 double reach(const Contours& subpaths, const svg::StrokeStyle& style) {
   double largest = style.width;
   for (const std::vector<Vec2>& subpath : subpaths) {
@@ -443,21 +453,23 @@ Result<Contours> stroke_outline(Context& context, const Contours& subpaths,
                                 TableMemory* memory) {
   TableMemory own(kOutlinePurpose), dash_memory(kOutlinePurpose);
   PointMeter meter(context);
-  Contours dashes;
+  Dashes dashes;
   if (!style.dashes.empty()) {
-    Result<Contours> made = dashed(meter, subpaths, style, dash_memory);
-    if (!made) return made;
-    dashes = std::move(*made);
+    SFUMATO_TRY_ASSIGN(dashes, dashed(meter, subpaths, style, dash_memory));
   }
   tolerance = std::max(tolerance, kRounding * reach(subpaths, style));
   Contours contours;
   std::set<std::pair<double, double>> dots;
-  for (const std::vector<Vec2>& subpath : style.dashes.empty() ? subpaths : dashes) {
+  const bool is_dashed = !style.dashes.empty();
+  const Contours& stroked = is_dashed ? dashes.chains : subpaths;
+  for (std::uint32_t i = 0; i < stroked.size(); ++i) {
     if (context.cancelled()) return context.cancel_status();
+    const std::vector<Vec2>& subpath = stroked[i];
+    const bool may_close = is_dashed ? dashes.is_open[i] == 0 : style.is_closed(i, subpath);
     const Vec2 first = subpath.front();
     const bool is_dot = std::ranges::all_of(subpath, [&](Vec2 p) { return p == first; });
     if (is_dot && !dots.emplace(first.x, first.y).second) continue;  // there is one here
-    outline(meter, subpath, style, tolerance, contours, memory ? *memory : own);
+    outline(meter, subpath, may_close, style, tolerance, contours, memory ? *memory : own);
     if (meter.failed()) return meter.status();
   }
   std::erase_if(contours, [](const auto& contour) { return contour.size() < 4; });

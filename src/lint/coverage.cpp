@@ -3,19 +3,21 @@
 #include <algorithm>
 #include <span>
 
+#include "base/try.hpp"
+
 namespace sfumato::lint_detail {
 namespace {
 
 constexpr int kPointsPerSide = 17;
 
-/// Inside, in a grid: a layer that frames the picture leaves them free.
+/// Points inside, in a grid. A layer that frames the picture leaves them uncovered.
 constexpr int kInnerPointsPerSide = 5;
 
-/// Mostly enough to tell: one packet of the widest kernels.
+/// A first sample that is mostly enough to decide: one packet of the widest kernels.
 constexpr std::size_t kFirstPoints = 16;
 
-/// From the border, as a share of the artboard's sides: off the border itself, where frames of
-/// curves like to lie.
+/// The distance from the border, as a share of the artboard's sides. Frames of curves often lie on
+/// the border itself.
 constexpr double kInset = 0.0017;
 
 /// Below this a layer leaves no trace in 8 bits.
@@ -29,7 +31,7 @@ std::vector<Vec2> sample_points(const Box& artboard, const Affine& artboard_from
   const auto add = [&](Vec2 share) {
     points.push_back(layer_from_artboard(artboard.min + Vec2{share.x * size.x, share.y * size.y}));
   };
-  // No simple fractions: points are not to lie on curves.
+  // These are not simple fractions, so that points do not lie on curves.
   for (int i = 0; i < kPointsPerSide; ++i) {
     const double along = (i + 0.4142) / kPointsPerSide;
     add({along, kInset});
@@ -44,19 +46,17 @@ std::vector<Vec2> sample_points(const Box& artboard, const Affine& artboard_from
   return points;
 }
 
-/// How many of the points (in the layer's frame) are painted.
+/// Counts the points (in the layer's frame) that are painted.
 Result<std::size_t> count_painted(const LayerUnderTest& test, std::span<const Vec2> points) {
   const gather::Gatherer& color = test.prepared.color.gatherer;
   std::vector<float> values(points.size() * static_cast<std::size_t>(color.channel_count()));
   std::vector<std::uint8_t> hit(points.size());
-  Status status = color.gather(test.context, points, {}, values, hit);
-  if (!status) return status;
+  SFUMATO_TRY(color.gather(test.context, points, {}, values, hit));
   if (test.prepared.opacity) {
     const gather::Gatherer& opacity = test.prepared.opacity->gatherer;
     const auto channels = static_cast<std::size_t>(opacity.channel_count());
     std::vector<float> shares(points.size() * channels);
-    status = opacity.gather(test.context, points, {}, shares);
-    if (!status) return status;
+    SFUMATO_TRY(opacity.gather(test.context, points, {}, shares));
     for (std::size_t i = 0; i < points.size(); ++i) {
       float largest = 0;
       for (std::size_t c = 0; c < channels; ++c) {
@@ -76,9 +76,8 @@ Result<Cover> cover_of(const LayerUnderTest& test, const Affine& artboard_from_l
   const std::span<const Vec2> all(points);
   std::size_t painted = 0, seen = 0;
   for (const std::span<const Vec2> part : {all.first(kFirstPoints), all.subspan(kFirstPoints)}) {
-    const Result<std::size_t> count = count_painted(test, part);
-    if (!count) return count.status();
-    painted += *count;
+    SFUMATO_TRY_ASSIGN(const std::size_t count, count_painted(test, part));
+    painted += count;
     seen += part.size();
     if (painted > 0 && (painted < seen || !all_matters)) return Cover::some;
   }

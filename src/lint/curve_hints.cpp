@@ -3,21 +3,22 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/number_text.hpp"
 #include "base/poll.hpp"
+#include "base/text/number_text.hpp"
+#include "base/try.hpp"
 
 namespace sfumato::lint_detail {
 namespace {
 
-/// A gap below both is taken for a loop that was meant to be closed: a share of the curve's length,
-/// and artboard_pixel.
+/// A curve whose gap is below both was probably meant to be closed: a share of the curve's length,
+/// and a multiple of artboard_pixel.
 constexpr double kGapShare = 0.01;
 constexpr double kGapPx = 4;
 
-/// A loop whose area is a smaller share of its squared length has no inside worth the name.
+/// A loop whose area is a smaller share of its squared length has no real inside.
 constexpr double kLeastAreaShare = 1e-6;
 
-/// What the flattened curve tells.
+/// Holds facts about the flattened curve.
 struct Outline {
   double length = 0;
   double doubled_area = 0;  ///< above 0: clockwise on the screen
@@ -26,7 +27,7 @@ struct Outline {
 };
 
 bool touches(const Box& box, Vec2 a, Vec2 b) {
-  // The segment's parameters inside the box, by clipping at its four sides.
+  // Returns the segment's parameters inside the box, by clipping at the four sides.
   double from = 0, to = 1;
   const auto clip = [&](double start, double step, double low, double high) {
     if (step == 0) return start >= low && start <= high;
@@ -39,8 +40,8 @@ bool touches(const Box& box, Vec2 a, Vec2 b) {
   return clip(a.x, b.x - a.x, box.min.x, box.max.x) && clip(a.y, b.y - a.y, box.min.y, box.max.y);
 }
 
-/// A curve outside that runs along most of a side of the artboard, or round it, is there on
-/// purpose.
+/// Returns whether a curve runs along most of a side of the artboard, or round it. Such a curve
+/// lies outside on purpose.
 bool is_frame(const Outline& outline, const Box& sight) {
   const Box& box = outline.box;
   const double x = std::min(box.max.x, sight.max.x) - std::max(box.min.x, sight.min.x);
@@ -74,18 +75,18 @@ void check_open(LayerUnderTest& test, std::uint32_t index, const Outline& outlin
   if (gap >= kGapShare * outline.length || gap * test.sight.scale >= kGapPx * pixel) return;
   test.add(HintKind::open_loop, index,
            "its ends are " + rounded_number_text(gap, 2) +
-               " units apart, so that it looks closed but colours leak through the gap; expected "
-               "equal ends (Z in a path)");
+               " units apart: it looks closed, but colours leak through the gap; close it (Z in a "
+               "path)");
 }
 
 /// Colours that differ less pass for shading where they meet.
 constexpr float kSeam = 24 / 255.f;
 
-/// Where a closed curve turns by more at its ends than this, an edge may well begin there: a
+/// If a closed curve turns by more than this at its ends, an edge may begin there intentionally: a
 /// cosine.
 constexpr double kSmooth = 0.866;
 
-/// Whether a closed curve goes on at its ends as it comes, to 30°.
+/// Returns whether a closed curve keeps its direction where it closes, to within 30°.
 bool closes_smoothly(const Curve& curve) {
   const std::vector<Vec2>& points = curve.control_points;
   const Vec2 end = points.front();
@@ -111,7 +112,7 @@ void check_seam(LayerUnderTest& test, std::uint32_t index, CurveSide which, cons
       test.add(HintKind::seam, index,
                "it is closed, but its colours begin with " + color_text(first) + " and end with " +
                    color_text(last) + ": a seam shows at " + rounded_number_text(at.x, 4) + ", " +
-                   rounded_number_text(at.y, 4) + "; expected the first colour again at the end");
+                   rounded_number_text(at.y, 4) + "; end with the first colour");
   hint.side = which;
   hint.at = at;
 }
@@ -128,9 +129,9 @@ void check_closed(LayerUnderTest& test, std::uint32_t index, const Outline& outl
            "it is closed and " + turn + ": its inside is on the " + inner);
   if (bears_anything(inside) || !bears_anything(outside)) return;
   test.add(HintKind::inside_empty, index,
-           "the loop is " + turn + ", so that its inside, the " + inner +
-               " side, bears nothing and its outside does; reverse the path or swap sf:" + outer +
-               " and sf:" + inner + " if the inside was meant");
+           "the loop is " + turn + ", so its inside is the " + inner +
+               " side, which has nothing, while the outside has; reverse the path, or swap sf:" +
+               outer + " and sf:" + inner + ", if the inside was meant");
 }
 
 bool is_blurred(const ScalarStops& radius) {
@@ -139,17 +140,17 @@ bool is_blurred(const ScalarStops& radius) {
 
 void check_side(LayerUnderTest& test, std::uint32_t index, CurveSide which, const Side& side) {
   if (!is_blurred(side.blur_radius) || has_value(side.color) || has_value(side.opacity)) return;
-  test.add(HintKind::blur_without_shader, index,
-           "it has a blur radius but neither colour nor opacity that could be blurred")
+  test.add(
+          HintKind::blur_without_shader, index,
+          "it has a blur radius but no colour or opacity to blur; add a colour, or remove the blur")
       .side = which;
 }
 
 }  // namespace
 
 Status check_curves(LayerUnderTest& test) {
-  const Result<std::vector<Outline>> measured = measure(test);
-  if (!measured) return measured.status();
-  const std::vector<Outline>& outlines = *measured;
+  SFUMATO_TRY_ASSIGN(const std::vector<Outline>& measured, measure(test));
+  const std::vector<Outline>& outlines = measured;
   RarePoll<1024> poll(test.context);
   for (std::uint32_t i = 0; i < outlines.size(); ++i) {
     if (poll.cancelled()) return test.context.cancel_status();
@@ -166,13 +167,14 @@ Status check_curves(LayerUnderTest& test) {
     }
     if (!bears_anything(curve.left) && !bears_anything(curve.right)) {
       test.add(HintKind::no_attribute, i,
-               "it bears no colour, no opacity and no barrier: it draws nothing");
+               "it has no colour, no opacity and no barrier, so it draws nothing; add sf:left or "
+               "sf:right");
     }
     check_side(test, i, CurveSide::left, curve.left);
     check_side(test, i, CurveSide::right, curve.right);
     if (!outlines[i].touches_sight && !is_frame(outlines[i], test.sight.viewport)) {
       test.add(HintKind::outside, i,
-               "it lies wholly outside the artboard: only its influence can show");
+               "it lies wholly outside the artboard, so only its influence can show");
     }
   }
   return ok_status();

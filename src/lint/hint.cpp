@@ -37,7 +37,7 @@ void append(std::string& text, const char* what, std::uint32_t index, const std:
   if (!id.empty()) text += " \"" + id + '"';
 }
 
-/// Null where a hint of another document names what is not there.
+/// Returns null if a hint of another document names a missing element.
 template <class T>
 const T* element(const std::vector<T>& list, std::uint32_t index) {
   return index < list.size() ? &list[index] : nullptr;

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "base/json.hpp"
 #include "base/output_buffer.hpp"
+#include "base/text/json.hpp"
 
 namespace sfumato::lint_detail {
 namespace {

@@ -12,16 +12,15 @@
 
 namespace sfumato::lint_detail {
 
-/// How many are no notes.
+/// Counts the hints that are not notes.
 std::size_t count_hints(std::span<const Hint> hints);
 
-/// One line of JSON, UTF-8: an object with the members "file", "hints" (a list, whose objects have
-/// "kind", "severity", the indices and ids of the place, and "message") and "hint_count".
-/// docs/cli.md ("lint") has an example.
+/// Returns one line of JSON, UTF-8: an object with the members "file", "hints" (a list, whose
+/// objects have "kind", "severity", the indices and ids of the place, and "message") and
+/// "hint_count". docs/cli.md ("lint") has an example.
 ///
-/// name    of the document, for "file"
-/// hints   of this document, as lint() gives them
-/// Errors: limit (memory), cancelled.
+/// name: of the document, for "file". hints: of this document, from lint(). Errors: limit (memory),
+/// cancelled.
 Result<std::vector<std::uint8_t>> hints_json(const Context& context, const std::string& name,
                                              const Document& document, std::span<const Hint> hints);
 

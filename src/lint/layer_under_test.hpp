@@ -6,7 +6,7 @@
 
 #include "sfumato/document/document.hpp"
 #include "sfumato/lint/hint.hpp"
-#include "solve/prepare_layer.hpp"
+#include "solve/layers/prepare_layer.hpp"
 
 namespace sfumato::lint_detail {
 
@@ -14,8 +14,8 @@ inline double longer_side(const Box& box) {
   return std::max(box.width(), box.height());
 }
 
-/// The size of a pixel if the artboard is 512 pixels long, in artboard units. Curves are flattened
-/// and meshed for this resolution, and hints compare small lengths with it.
+/// Returns the size of a pixel, in artboard units, if the artboard is 512 pixels long. Curves are
+/// flattened and meshed for this resolution, and hints compare small lengths with it.
 inline double artboard_pixel(const Document& document) {
   constexpr double kArtboardPx = 512;
   return longer_side(document.artboard) / kArtboardPx;
@@ -48,7 +48,7 @@ bool has_value(const SideShader<Value>& shader) {
   return shader.kind == ShaderKind::curve_domain || shader.kind == ShaderKind::image_domain;
 }
 
-/// Whether the side affects rays of colour or opacity.
+/// Returns whether the side affects rays of colour or opacity.
 inline bool bears_anything(const Side& side) {
   return side.color.kind != ShaderKind::open || side.opacity.kind != ShaderKind::open;
 }

@@ -4,13 +4,14 @@
 #include <cmath>
 #include <span>
 
-#include "base/number_text.hpp"
 #include "base/poll.hpp"
 #include "base/public_verb.hpp"
+#include "base/text/number_text.hpp"
+#include "base/try.hpp"
 #include "lint/coverage.hpp"
 #include "lint/curve_hints.hpp"
 #include "lint/stroke_hints.hpp"
-#include "solve/layer_view.hpp"
+#include "solve/layers/layer_view.hpp"
 
 namespace sfumato {
 namespace {
@@ -18,7 +19,8 @@ namespace {
 using lint_detail::Cover;
 using lint_detail::LayerUnderTest;
 
-/// A picture this long that still shows less than a pixel for two texels needs no such texture.
+/// If even a picture of this length shows less than a pixel for two texels, the texture is larger
+/// than needed.
 constexpr double kLargestPicturePx = 4096;
 constexpr double kTexelsPerPixel = 2;
 
@@ -27,7 +29,7 @@ void note_shader(const SideShader<Value>& shader, std::vector<bool>& used) {
   if (shader.kind == ShaderKind::image_domain) used[shader.shader] = true;
 }
 
-/// The shaders that a layer uses.
+/// Returns the shaders that a layer uses.
 std::vector<bool> shaders_of(const Layer& layer, std::size_t shader_count) {
   std::vector<bool> used(shader_count, false);
   for (const Curve& curve : layer.curves) {
@@ -55,9 +57,9 @@ bool is_one_sided(const Curve& curve) {
   return is_closed && left != right && other.kind == ShaderKind::open;
 }
 
-/// Closed curves with a colour on one side and nothing on the other, and besides them only what
-/// bears no colour or lies within the largest of them; no opacity. One round all that is seen is a
-/// frame.
+/// Returns whether a layer may flood the artboard: it has closed curves with a colour on one side
+/// and nothing on the other; all other curves have no colour or lie within the largest of these;
+/// and no curve has opacity. A curve around the whole view is a frame and does not count.
 bool may_flood(const Layer& layer, const Box& sight) {
   Box largest;
   for (const Curve& curve : layer.curves) {
@@ -115,9 +117,9 @@ class Linter {
 
 Result<std::vector<Hint>> Linter::run() {
   for (std::uint32_t i = 0; i < document_.layers.size(); ++i) {
-    if (Status status = check_layer(i); !status) return status;
+    SFUMATO_TRY(check_layer(i));
   }
-  if (Status status = check_stack(); !status) return status;
+  SFUMATO_TRY(check_stack());
   for (std::uint32_t i = 0; i < document_.shaders.size(); ++i) check_shader(i);
   return std::move(hints_);
 }
@@ -127,28 +129,27 @@ Status Linter::check_layer(std::uint32_t layer) {
   const bool is_painted = !sight.viewport.empty();
   note_shaders(layer, is_painted ? sight.scale : 0);
   if (!is_painted) {
-    hints_.push_back({.kind = HintKind::unused_layer,
-                      .layer = layer,
-                      .message = "nothing paints this layer; expected it in place or a <use>"});
+    hints_.push_back(
+        {.kind = HintKind::unused_layer,
+         .layer = layer,
+         .message = "nothing paints this layer; move it out of <defs>, or add a <use> of it"});
     return ok_status();
   }
   if (document_.layers[layer].curves.empty()) {
-    hints_.push_back(
-        {.kind = HintKind::empty_layer, .layer = layer, .message = "it has no curves"});
+    hints_.push_back({.kind = HintKind::empty_layer,
+                      .layer = layer,
+                      .message = "the layer has no curves; add some, or delete it"});
     return ok_status();
   }
   DiffuseOptions options;
   options.pixels_per_unit = 1 / lint_detail::artboard_pixel(document_);
-  Result<solve::PreparedLayer> prepared =
-      solve::prepare_layer(context_, document_, layer, sight, options, nullptr);
-  if (!prepared) return prepared.status();
-  const Result<mesh::TriangleMesh> mesh = prepared->mesher.visibility_mesh(context_);
-  if (!mesh) return mesh.status();
-  LayerUnderTest test{context_, document_, layer, sight, *prepared, *mesh, hints_};
-  Status status = lint_detail::check_curves(test);
-  if (status) status = lint_detail::check_visibility(test);
-  if (status) status = lint_detail::check_meetings(test);
-  if (!status) return status;
+  SFUMATO_TRY_ASSIGN(auto&& prepared,
+                     solve::prepare_layer(context_, document_, layer, sight, options, nullptr));
+  SFUMATO_TRY_ASSIGN(const mesh::TriangleMesh& mesh, prepared.mesher.visibility_mesh(context_));
+  LayerUnderTest test{context_, document_, layer, sight, prepared, mesh, hints_};
+  SFUMATO_TRY(lint_detail::check_curves(test));
+  SFUMATO_TRY(lint_detail::check_visibility(test));
+  SFUMATO_TRY(lint_detail::check_meetings(test));
   check_attributes(layer);
   return check_instances(test);
 }
@@ -173,8 +174,8 @@ void Linter::check_attributes(std::uint32_t layer) {
   if (!has_opacity || has_color) return;
   hints_.push_back({.kind = HintKind::opacity_without_color,
                     .layer = layer,
-                    .message = "its curves bear opacity but none bears a colour: it paints "
-                               "nothing"});
+                    .message = "its curves have opacity but no colour, so the layer paints "
+                               "nothing; add a colour to a side"});
 }
 
 Status Linter::check_instances(LayerUnderTest& test) {
@@ -183,31 +184,31 @@ Status Linter::check_instances(LayerUnderTest& test) {
   for (std::uint32_t i = 0; i < document_.stack.size(); ++i) {
     const auto* instance = std::get_if<LayerInstance>(&document_.stack[i]);
     if (!instance || instance->layer != test.layer || instance->opacity == 0) continue;
-    const bool is_above = i > 0;  // over the background alone it is the ground of the picture
+    const bool is_above = i > 0;  // a layer over the background alone is the ground of the picture
     const bool is_outside = !overlap(solve::bounds_of_mapped(instance->artboard_from_layer, bounds),
                                      document_.artboard);
     const bool floods = !is_above && may_flood(document_.layers[test.layer], test.sight.viewport);
     const bool may_leak =
         (is_above || floods) && !leak_told && instance->blend == BlendMode::normal;
     if (!may_leak && !is_outside) continue;
-    const Result<Cover> cover =
-        lint_detail::cover_of(test, instance->artboard_from_layer, may_leak);
-    if (!cover) return cover.status();
-    if (floods && *cover == Cover::all) {
+    SFUMATO_TRY_ASSIGN(const Cover& cover,
+                       lint_detail::cover_of(test, instance->artboard_from_layer, may_leak));
+    if (floods && cover == Cover::all) {
       leak_told = true;
       test.add(HintKind::flood,
-               "closed curves have a colour on one side and the other is open: the colour "
-               "passes through and floods the artboard; expected a colour there too, or none")
+               "closed curves have a colour on one side only, so the colour passes through and "
+               "floods the artboard; give the other side a colour, or none as a barrier")
           .stack_item = i;
-    } else if (may_leak && *cover == Cover::all) {
+    } else if (may_leak && cover == Cover::all) {
       leak_told = true;
       test.add(HintKind::leak,
                "its colours leak to infinity: they reach the artboard's border all around and "
-               "cover everything below; expected a closed curve that is open or a barrier "
-               "outside, or an opacity of 0 there")
+               "cover everything below; close the outer curve and give its outside nothing, a "
+               "barrier or an opacity of 0")
           .stack_item = i;
-    } else if (is_outside && *cover == Cover::none) {
-      test.add(HintKind::instance_outside, "it lies outside the artboard: nothing of it shows")
+    } else if (is_outside && cover == Cover::none) {
+      test.add(HintKind::instance_outside,
+               "it lies outside the artboard, so nothing of it shows; move or delete it")
           .stack_item = i;
     }
   }
@@ -225,7 +226,7 @@ Status Linter::check_stack() {
 
 void Linter::check_stack_item(std::uint32_t i) {
   const StackItem& item = document_.stack[i];
-  const char* message = "its opacity is 0: nothing of it shows";
+  const char* message = "its opacity is 0, so nothing of it shows; raise the opacity, or delete it";
   if (const auto* instance = std::get_if<LayerInstance>(&item)) {
     if (instance->opacity == 0) {
       add_to_stack(HintKind::invisible, i, message).layer = instance->layer;
@@ -240,13 +241,13 @@ void Linter::check_stack_item(std::uint32_t i) {
 void Linter::check_shader(std::uint32_t i) {
   const Shader& shader = document_.shaders[i];
   if (!shader_used_[i]) {
-    add_to_shader(HintKind::unused_shader, i, "no curve uses it");
+    add_to_shader(HintKind::unused_shader, i, "no curve uses it; delete it");
     return;
   }
   if (const auto* fill = std::get_if<GradientFill>(&shader.paint)) {
     if (fill->stops.size() > 1) return;
     add_to_shader(HintKind::one_stop_gradient, i,
-                  "the gradient has one stop: a colour on the side would do");
+                  "the gradient has one stop; use a plain colour, or add a stop");
     return;
   }
   const auto& texture = std::get<Texture>(shader.paint);
@@ -257,13 +258,13 @@ void Linter::check_shader(std::uint32_t i) {
   add_to_shader(HintKind::large_texture, i,
                 "each pixel of a picture of 4096 pixels shows " +
                     rounded_number_text(pixel / texel, 2) +
-                    " of its texels side by side; expected a smaller image");
+                    " of its texels side by side; use a smaller image");
 }
 
 }  // namespace
 
 Result<std::vector<Hint>> lint(Context& context, const Document& document) {
-  if (Status status = validate(context, document); !status) return status;
+  SFUMATO_TRY(validate(context, document));
   return public_verb(context, [&] { return Linter(context, document).run(); });
 }
 

@@ -5,16 +5,16 @@
 #include <string>
 #include <utility>
 
-#include "base/number_text.hpp"
+#include "base/text/number_text.hpp"
 #include "curves/stroke_segments.hpp"
 #include "lint/layer_under_test.hpp"
-#include "solve/layer_view.hpp"
+#include "solve/layers/layer_view.hpp"
 
 namespace sfumato::lint_detail {
 namespace {
 
-/// A stroke thinner than a pixel is as much fainter: with this radius, white on black, it changes
-/// pixels by two code values.
+/// A stroke thinner than a pixel is fainter in proportion: with this radius, white on black, it
+/// changes pixels by two code values.
 constexpr double kFaintPx = 2.0 / 255;
 
 float largest(const ScalarStops& stops) {
@@ -35,9 +35,11 @@ class StrokeCheck {
       : document_(document), item_(item), stroke_(stroke), curve_(stroke.curve), hints_(hints) {}
 
   void run() {
-    if (curve_.alpha == 0) add(HintKind::invisible, "its alpha is 0: nothing of it shows");
+    if (curve_.alpha == 0)
+      add(HintKind::invisible,
+          "its alpha is 0, so nothing of it shows; raise sf:alpha, or delete it");
     if (curve_.left_color.empty() && curve_.right_color.empty()) {
-      add(HintKind::no_attribute, "it bears no colour: it draws nothing");
+      add(HintKind::no_attribute, "it has no colour, so it draws nothing; add sf:left or sf:right");
     } else {
       check_blur();
     }
@@ -50,19 +52,20 @@ class StrokeCheck {
     hints_.push_back({.kind = kind, .stack_item = item_, .message = std::move(message)});
   }
 
-  /// A blur mixes the two colours across the curve; it does not soften the stroke's border.
+  /// Checks the blur, which mixes the two colours across the curve and does not soften the stroke's
+  /// border.
   void check_blur() {
     const float blur = smallest(curve_.blur_radius);
     if (largest(curve_.blur_radius) == 0) return;
     if (!curves::is_two_sided(curve_)) {
       add(HintKind::stroke_blur,
-          "its blur does nothing: it would mix the colours of the two sides, and these are the "
-          "same; the stroke's border is soft as far as sf:radius reaches");
+          "its blur does nothing, because both sides have the same colour; remove the blur, or "
+          "soften the border with sf:radius");
     } else if (blur > largest(curve_.influence_radius)) {
       add(HintKind::stroke_blur,
           "its blur of " + rounded_number_text(blur, 4) + " is wider than its radius of " +
               rounded_number_text(largest(curve_.influence_radius), 4) +
-              ": neither of its two colours shows unmixed; expected a blur below sf:radius");
+              ", so neither of its two colours shows unmixed; use a blur below sf:radius");
     }
   }
 
@@ -71,19 +74,19 @@ class StrokeCheck {
     const double most = largest(curve_.influence_radius) * scale;
     const double least = smallest(curve_.influence_radius) * scale;
     const Box& artboard = document_.artboard;
-    // What is thinner than a pixel is fainter, and alpha above 1 takes that back.
+    // A stroke thinner than a pixel is fainter, and alpha above 1 compensates for it.
     if (most * curve_.alpha < kFaintPx * artboard_pixel(document_)) {
-      add(HintKind::stroke_radius, "its radius is nowhere above " + rounded_number_text(most, 2) +
-                                       " units of the artboard: it is too thin to be seen");
-    } else if (least > std::hypot(artboard.width(), artboard.height()) && meets_artboard(0)) {
       add(HintKind::stroke_radius,
-          "its radius is nowhere below " + rounded_number_text(least, 4) +
-              " units of the artboard, which is smaller: it covers the whole picture; expected a "
-              "radius as wide as the stroke");
+          "its radius is nowhere above " + rounded_number_text(most, 2) +
+              " units of the artboard, too thin to be seen; use a larger sf:radius");
+    } else if (least > std::hypot(artboard.width(), artboard.height()) && meets_artboard(0)) {
+      add(HintKind::stroke_radius, "its radius is nowhere below " + rounded_number_text(least, 4) +
+                                       " units of the artboard, which is smaller, so it covers the "
+                                       "whole picture; use a radius as wide as the stroke");
     }
   }
 
-  /// The curve's box, with so much around it.
+  /// Returns whether the curve's box, with this margin, meets the artboard.
   bool meets_artboard(double margin) const {
     Box box;
     for (const Vec2 p : curve_.control_points) box.extend(p);
@@ -94,7 +97,8 @@ class StrokeCheck {
 
   void check_place() {
     if (meets_artboard(largest(curve_.influence_radius))) return;
-    add(HintKind::outside, "it lies outside the artboard: nothing of it shows");
+    add(HintKind::outside,
+        "it lies outside the artboard, so nothing of it shows; move or delete it");
   }
 
   const Document& document_;

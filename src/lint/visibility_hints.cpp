@@ -3,13 +3,15 @@
 #include <unordered_map>
 
 #include "base/poll.hpp"
-#include "gather/scene.hpp"
+#include "base/try.hpp"
+#include "gather/scene/scene.hpp"
 #include "lint/curve_hints.hpp"
 
 namespace sfumato::lint_detail {
 namespace {
 
-/// The bits of a chain of points in any order and direction, mixed (FNV-1a per point, summed).
+/// Returns the bits of a chain of points in any order and direction, mixed (FNV-1a per point,
+/// summed).
 std::uint64_t hash_of_points(const std::vector<Vec2>& points) {
   std::uint64_t sum = 0;
   for (const Vec2 p : points) {
@@ -35,7 +37,7 @@ bool bears_opacity(const Curve& curve) {
          curve.right.opacity.kind != ShaderKind::open;
 }
 
-/// Marks curves that a later one hides: the same points and an attribute in common.
+/// Marks curves that a later curve hides: it has the same points and an attribute in common.
 Result<std::vector<bool>> check_duplicates(LayerUnderTest& test) {
   const std::vector<Curve>& curves = test.curves();
   std::vector<bool> hidden(curves.size(), false);
@@ -57,18 +59,19 @@ Result<std::vector<bool>> check_duplicates(LayerUnderTest& test) {
     hidden[earlier] = true;
     test.add(HintKind::duplicate, i,
              "it lies exactly on curve " + std::to_string(earlier) +
-                 (same ? "" : ", in the other direction,") + " and both bear " +
-                 (both_color ? "colour" : "opacity") + ": the later one hides the earlier");
+                 (same ? "" : ", in the other direction,") + " and both have " +
+                 (both_color ? "colour" : "opacity") +
+                 ", so the later one hides the earlier; delete one");
   }
   return hidden;
 }
 
-/// Which sides of which curves rays of one attribute meet that start in the artboard: index
-/// 2 · curve + (0: left, 1: right).
+/// Finds the sides of curves that rays of one attribute from the artboard meet: index 2 · curve +
+/// (0: left, 1: right).
 ///
-/// A triangle of the visibility mesh is reached where it meets the artboard's box, or where a ray
-/// could pass into it from one that is. That is more than what is seen along straight rays: a side
-/// that is not reached is certainly not seen.
+/// A triangle of the visibility mesh is reached if it meets the artboard's box, or if a ray could
+/// pass into it from a reached triangle. That covers more than straight rays see, so a side that is
+/// not reached is certainly not seen.
 class Reach {
  public:
   Reach(const Context& context, const mesh::TriangleMesh& mesh,
@@ -81,9 +84,9 @@ class Reach {
     name_sides();
   }
 
-  /// Comes first. Errors: cancelled.
+  /// Must be called first. Errors: cancelled.
   Status look_from(const Box& artboard) {
-    if (Status status = enter(artboard); !status) return status;
+    SFUMATO_TRY(enter(artboard));
     while (!open_.empty()) {
       if (poll_.cancelled()) return context_.cancel_status();
       const std::uint32_t triangle = open_.back();
@@ -98,7 +101,7 @@ class Reach {
   }
 
  private:
-  /// What a ray meets is asked of the gather, whose shader numbers become names of sides here.
+  /// The gather finds what a ray meets; here its shader numbers stand for sides.
   void name_sides() {
     for (std::size_t v = 0; v < attributes_.curve.size(); ++v) {
       attributes_.left[v].shader = 2 * attributes_.curve[v];
@@ -139,7 +142,7 @@ class Reach {
     if (twin != mesh::kNone) push(static_cast<std::uint32_t>(twin) / 3);
   }
 
-  /// A blurred side shows some of what is behind it.
+  /// A blurred side lets part of the area behind it show.
   void look_behind(std::uint32_t half_edge) {
     const gather::Facing back = gather::back_side(mesh_, attributes_, half_edge);
     if (back.kind != ShaderKind::open) met_[back.shader] = true;
@@ -157,29 +160,29 @@ class Reach {
 void add_unseen(LayerUnderTest& test, std::uint32_t curve, CurveSide side, const char* attribute) {
   test.add(HintKind::unseen_side, curve,
            std::string("no ray from the artboard reaches its ") + attribute +
-               ": another curve lies on it or walls it off")
+               ", because another curve lies on it or walls it off; remove the " + attribute +
+               ", or move a curve")
       .side = side;
 }
 
 }  // namespace
 
 Status check_visibility(LayerUnderTest& test) {
-  const Result<std::vector<bool>> hidden = check_duplicates(test);
-  if (!hidden) return hidden.status();
+  SFUMATO_TRY_ASSIGN(const std::vector<bool>& hidden, check_duplicates(test));
   const std::vector<Curve>& curves = test.curves();
   const mesh::TriangleMesh& mesh = test.mesh;
   const Box& sight = test.sight.viewport;
   Reach color(test.context, mesh, test.prepared.color.attributes, curves.size());
-  if (Status status = color.look_from(sight); !status) return status;
+  SFUMATO_TRY(color.look_from(sight));
   std::optional<Reach> opacity;
   if (test.prepared.opacity) {
     opacity.emplace(test.context, mesh, test.prepared.opacity->attributes, curves.size());
-    if (Status status = opacity->look_from(sight); !status) return status;
+    SFUMATO_TRY(opacity->look_from(sight));
   }
   RarePoll<4096> poll(test.context);
   for (std::uint32_t i = 0; i < curves.size(); ++i) {
     if (poll.cancelled()) return test.context.cancel_status();
-    if ((*hidden)[i]) continue;
+    if (hidden[i]) continue;
     for (const CurveSide which : {CurveSide::left, CurveSide::right}) {
       const Side& side = which == CurveSide::left ? curves[i].left : curves[i].right;
       if (has_value(side.color) && !color.meets(i, which)) add_unseen(test, i, which, "colour");

@@ -1,10 +1,12 @@
 #include "mesh/arrangement.hpp"
 
+#include "base/limit_error.hpp"
+
 namespace sfumato::mesh {
 namespace {
 
-/// Steps that one segment may take before it goes on without welding; twice as many discard it.
-/// Every vertex costs a constraint that snaps to it a few steps at most.
+/// The number of steps after which a segment continues without welding; after twice as many it is
+/// discarded. Every vertex costs a constraint that snaps to it a few steps at most.
 constexpr std::uint32_t kMaxSteps = 20'000;
 constexpr std::uint32_t kMaxStepsPerVertex = 8;
 
@@ -14,7 +16,8 @@ constexpr std::uint32_t kStepsPerPoll = 1024;
 constexpr std::size_t kMaxFlips = 1000;
 constexpr std::size_t kMaxFlipsPerEdge = 50;
 
-/// A segment from a to b may be split at v only where both parts are shorter than the whole.
+/// Returns whether both parts are shorter than the whole. A segment from a to b may be split at v
+/// only then.
 bool shortens(Point a, Point b, Point v) {
   const std::int64_t whole = distance_squared(a, b);
   return distance_squared(a, v) < whole && distance_squared(v, b) < whole;
@@ -34,7 +37,7 @@ bool Arrangement::make_room() {
   return status_.ok();
 }
 
-/// Charges what a constraint has let grow.
+/// Charges the growth of the lists since the last constraint.
 void Arrangement::charge_lists() {
   const std::size_t bytes = capacity_bytes(to_insert_, crossed_edges_, new_edges_);
   Status status = chords_.charge(context_);
@@ -101,7 +104,10 @@ void Arrangement::discard(const Subsegment& part) {
 void Arrangement::split_at(const Subsegment& part, Vertex v) {
   if (chords_.live_owner_count() + static_cast<std::size_t>(part.load.count) >
       kOwnersPerSegment * context_.limits.segments) {
-    fail(StatusCode::limit, "overlapping curves are cut into too many pieces");
+    if (status_.ok()) {
+      status_ =
+          make_limit_error(&Limits::segments, "overlapping curves are cut into too many pieces");
+    }
     return;
   }
   const Point a = mesh_.point[part.from], b = mesh_.point[part.to];
@@ -110,7 +116,8 @@ void Arrangement::split_at(const Subsegment& part, Vertex v) {
   to_insert_.push_back({part.from, v, first});
 }
 
-/// v lies within the weld of the subsegment, between its ends, which may be split there.
+/// Returns whether v lies within the weld of the subsegment, between its ends, and the subsegment
+/// may be split there.
 bool Arrangement::snaps_to(const Subsegment& part, Vertex v) const {
   if (!welding_) return false;
   const Point a = mesh_.point[part.from], b = mesh_.point[part.to], p = mesh_.point[v];
@@ -122,14 +129,14 @@ bool Arrangement::snaps_to(const Subsegment& part, Vertex v) const {
          may_split_at(part, v);
 }
 
-/// Both parts get shorter, and neither drifts too far.
+/// Returns whether both parts get shorter, and neither drifts too far.
 bool Arrangement::may_split_at(const Subsegment& part, Vertex v) const {
   const Point p = mesh_.point[v];
   return shortens(mesh_.point[part.from], mesh_.point[part.to], p) && !drifts_too_far(part.load, p);
 }
 
-/// Snapping to p would let one of the load's segments drift farther than two welds from
-/// where it was drawn.
+/// Returns whether snapping to p would let one of the load's segments drift farther than two welds
+/// from its drawn place.
 bool Arrangement::drifts_too_far(const Load& load, Point p) const {
   for (std::int32_t i = load.first; i != kNone; i = chords_.owner(i).next) {
     const std::uint32_t segment = chords_.owner(i).segment;
@@ -184,7 +191,7 @@ void Arrangement::insert_along_edge(const Subsegment& part, HalfEdge e) {
 }
 
 /// Makes e, which starts at part.from, a chord with the subsegment's load, or adds the load to the
-/// chord that it is; loads that cancel out leave a free edge.
+/// existing chord; loads that cancel out leave a free edge.
 void Arrangement::constrain_edge(const Subsegment& part, HalfEdge e) {
   moved_frame_ |= part.load.frame;
   if (!mesh_.is_constrained(e)) {
@@ -201,7 +208,7 @@ void Arrangement::constrain_edge(const Subsegment& part, HalfEdge e) {
   mesh_.legalize();
 }
 
-/// Straight walk through the triangles that the subsegment crosses, from the edge opposite its
+/// Walks straight through the triangles that the subsegment crosses, from the edge opposite its
 /// start to its end, a vertex that it meets, or a chord.
 void Arrangement::walk_to_end(const Subsegment& part, HalfEdge first) {
   for (const Vertex v : {mesh_.origin(first), mesh_.target(first)}) {
@@ -222,7 +229,8 @@ void Arrangement::walk_to_end(const Subsegment& part, HalfEdge first) {
   }
 }
 
-/// Makes an edge from part.from to `end`, of which all crossed edges are free, and constrains it.
+/// Makes an edge from part.from to `end`, and constrains it. Precondition: all edges that it
+/// crosses are free.
 void Arrangement::insert_by_flips(const Subsegment& part, Vertex end) {
   const bool flipped =
       flip_crossed_edges(mesh_.point[part.from], mesh_.point[part.to], part.from, end);
@@ -248,8 +256,8 @@ void Arrangement::insert_by_flips(const Subsegment& part, Vertex end) {
   split_at(part, v);
 }
 
-/// Sloan 1993: flips the crossed edges, those of concave quadrilaterals later. False: it did not
-/// end within the bound.
+/// Flips the crossed edges, and postpones edges of concave quadrilaterals (Sloan 1993). Returns
+/// false if that did not end within the bound.
 bool Arrangement::flip_crossed_edges(Point a, Point b, Vertex from, Vertex end) {
   new_edges_.clear();
   const std::size_t max_flips = kMaxFlips + kMaxFlipsPerEdge * crossed_edges_.size();
@@ -281,8 +289,8 @@ bool Arrangement::flip_crossed_edges(Point a, Point b, Vertex from, Vertex end) 
   return true;
 }
 
-/// The intersection with the chord on e, rounded to the lattice, or snapped to the end of either
-/// within the weld.
+/// Returns the intersection with the chord on e, rounded to the lattice, or snapped to the end of
+/// either within the weld.
 Point Arrangement::snapped_intersection(const Subsegment& part, HalfEdge e) const {
   const Point a = mesh_.point[part.from], b = mesh_.point[part.to];
   const Point u = mesh_.origin_point(e), w = mesh_.target_point(e);
@@ -318,7 +326,7 @@ void Arrangement::intersect_chord(const Subsegment& part, HalfEdge e) {
   split_at(chord, v);
 }
 
-/// Takes the chord off an edge and restores the Delaunay property without it.
+/// Removes the chord from an edge and restores the Delaunay property without it.
 Arrangement::Subsegment Arrangement::remove_constraint(HalfEdge e) {
   const std::int32_t index = mesh_.chord[e];
   const Chord chord = chords_[index];
@@ -329,8 +337,8 @@ Arrangement::Subsegment Arrangement::remove_constraint(HalfEdge e) {
   return {chord.from, chord.to, chords_.remove(index)};
 }
 
-/// The vertex at the intersection x with a chord that was removed. A vertex within the weld serves
-/// where both may be split at it.
+/// Returns the vertex at the intersection x with a chord that was removed. Uses a vertex within the
+/// weld where both may be split at it.
 Vertex Arrangement::insert_intersection(const Subsegment& part, const Subsegment& chord, Point x) {
   if (x == mesh_.point[part.from]) return part.from;
   if (x == mesh_.point[part.to]) return part.to;
@@ -356,8 +364,8 @@ Vertex Arrangement::nearest_cavity_vertex(Point p) const {
   return nearest;
 }
 
-/// The vertex at p; with `weld`, one within the weld if there is one. A chord that p falls on is
-/// split there: both parts are to be inserted anew.
+/// Returns the vertex at p; with `weld`, one within the weld if there is one. A chord through p is
+/// split there: the caller must insert both parts again.
 Vertex Arrangement::insert_vertex(Point p, bool weld) {
   Location at = mesh_.locate<false>(p, mesh_.last);
   if (at.place == Place::on_vertex) return mesh_.origin(at.edge);
@@ -381,7 +389,7 @@ Vertex Arrangement::insert_vertex(Point p, bool weld) {
   return near != kNone ? near : mesh_.star_cavity(p);
 }
 
-/// Chords of the link of the new vertex v that lie within the weld of it are split at it.
+/// Splits chords of the link of the new vertex v at v that lie within its weld.
 void Arrangement::snap_near_chords_to(Vertex v) {
   if (!welding_) return;
   crossed_edges_.clear();

@@ -18,32 +18,32 @@ namespace sfumato::mesh {
 /// vertex is split at it, intersections become vertices, and subsegments that coincide share one
 /// chord. The triangulation is constrained Delaunay between any two calls.
 ///
-/// Bounded drift: nothing is snapped to a vertex farther than two welds from where its segment was
-/// drawn.
+/// Bounded drift: no segment is snapped to a vertex farther than two welds from its drawn place.
 ///
 /// Why it ends: a subsegment is split only into two strictly shorter ones, in exact arithmetic.
 /// Where rounding leaves no shorter pair, the step is done without welding. The number of steps is
-/// bounded; whatever remains of a segment after that many is discarded.
+/// bounded; the rest of a segment after that many steps is discarded.
 class Arrangement {
  public:
   Arrangement(const Context& context, Triangulation& mesh, ChordStore& chords,
               std::int64_t weld_squared)
       : context_(context), mesh_(mesh), chords_(chords), weld_squared_(weld_squared) {}
 
-  /// The vertex at p, or the one that p welds to. Call for all points before the first segment
-  /// that begins or ends there.
+  /// Returns the vertex at p, or the one that p welds to. Call it for all points before the first
+  /// segment that begins or ends there.
   Vertex insert_point(Point p);
 
-  /// drawn   lattice points: segment s was drawn from drawn[s] to drawn[s + 1]. Kept.
+  /// drawn   lattice points: segment s was drawn from drawn[s] to drawn[s + 1]. The arrangement
+  /// keeps a copy.
   void set_segments(std::span<const Point> drawn) { drawn_ = drawn; }
   void insert_segment(Vertex from, Vertex to, std::uint32_t segment);
   void insert_frame_side(Vertex from, Vertex to);
 
-  /// Whether a part of the frame was taken off, be it for a moment: triangles may have changed
+  /// Returns whether a part of the frame was removed, even for a moment: triangles may have changed
   /// sides.
   bool moved_frame() const { return moved_frame_; }
 
-  /// After limit, cancelled or internal all later calls do nothing.
+  /// Returns the status. After limit, cancelled or internal all later calls do nothing.
   const Status& status() const { return status_; }
   const Context& context() const { return context_; }
 
@@ -55,15 +55,15 @@ class Arrangement {
     Load load;
   };
 
-  /// What a subsegment meets first from its start: an edge that leads to its end, a vertex on it
-  /// (collinear), or an edge opposite its start that it crosses.
+  /// The first object that a subsegment meets from its start: an edge that leads to its end, a
+  /// vertex on it (collinear), or an edge opposite its start that it crosses.
   enum class Meets : std::uint8_t { edge, vertex, crossing, lost };
   struct Direction {
     Meets meets;
     HalfEdge edge;  ///< edge: the edge itself; vertex: ends there; crossing: the crossed edge
   };
 
-  void end_if_cancelled();  ///< checks the Context now
+  void end_if_cancelled();  ///< polls the Context now
   void insert_constraint(Subsegment part);
   void insert_pending();
   void insert_subsegment(const Subsegment& part);

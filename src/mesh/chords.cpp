@@ -2,13 +2,14 @@
 
 #include <algorithm>
 
+#include "base/try.hpp"
+
 namespace sfumato::mesh {
 
 Status ChordStore::copy_from(const Context& context, const ChordStore& other) {
-  Status status = charge_.raise_to(
+  SFUMATO_TRY(charge_.raise_to(
       context, room_bytes(other.chord_) + room_bytes(other.owner_) + room_bytes(other.free_chord_),
-      "curve pieces");
-  if (!status) return status;
+      "curve pieces"));
   chord_ = other.chord_;
   owner_ = other.owner_;
   free_chord_ = other.free_chord_;
@@ -121,14 +122,14 @@ std::int32_t ChordStore::add_part(const ChordStore& other, const Chord& whole, V
 Status ChordStore::seal(const Context& context) {
   TableMemory memory("curve pieces");
   std::vector<Owner> sorted;
-  if (Status status = memory.reserve(context, sorted, live_owners_); !status) return status;
+  SFUMATO_TRY(memory.reserve(context, sorted, live_owners_));
   for (Chord& chord : chord_) {
     const auto first = static_cast<std::int32_t>(sorted.size());
     for (std::int32_t i = chord.load.first; i != kNone; i = owner_[i].next) {
       sorted.push_back(owner_[i]);
     }
     if (chord.load.count > 0) chord.load.first = first;
-    // One segment can lie on a chord twice, where it was snapped to a vertex and back.
+    // One segment can lie on a chord twice, if it was snapped to a vertex and back.
     const auto drawn_before = [](const Owner& a, const Owner& b) {
       if (a.segment != b.segment) return a.segment < b.segment;
       return std::min(a.u_from, a.u_to) < std::min(b.u_from, b.u_to);

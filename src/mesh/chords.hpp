@@ -20,8 +20,8 @@ struct Owner {
   std::int32_t next = kNone;  ///< the next owner of the same chord
 };
 
-/// What lies on a stretch of a constraint: a list of owners, and whether the frame runs here.
-/// Where the frame runs twice over one edge it cancels out: the frame is a cycle modulo 2.
+/// The load of a stretch of a constraint: a list of owners, and whether the frame runs here. Where
+/// the frame runs twice over one edge it cancels out: the frame is a cycle modulo 2.
 struct Load {
   std::int32_t first = kNone;
   std::int32_t count = 0;
@@ -45,25 +45,25 @@ inline constexpr std::size_t kOwnersPerSegment = 4;
 class ChordStore {
  public:
   ChordStore() = default;
-  /// Charges its memory to `budget`, whatever Context it grows in.
+  /// Makes an empty store. Charges its memory to `budget`, whichever Context it grows in.
   explicit ChordStore(Budget& budget) : charge_(budget) {}
 
   const Chord& operator[](std::int32_t index) const { return chord_[index]; }
   std::size_t size() const { return chord_.size(); }
   std::size_t live_owner_count() const { return live_owners_; }
-  /// Charges what the tables have grown to. A table that is nearly full counts as if it had grown
+  /// Charges the growth of the tables. A table that is nearly full counts as if it had grown
   /// already. Error: limit (memory).
   Status charge(const Context& context) {
     return charge_.raise_to(
         context, room_bytes(chord_) + room_bytes(owner_) + room_bytes(free_chord_), "curve pieces");
   }
 
-  /// Becomes the same. Errors: limit (memory), cancelled.
+  /// Copies another store. Errors: limit (memory), cancelled.
   Status copy_from(const Context& context, const ChordStore& other);
 
   const Owner& owner(std::int32_t index) const { return owner_[index]; }
 
-  /// The whole of one segment.
+  /// Makes a load of one whole segment.
   Load whole(std::uint32_t segment);
 
   /// Splits a load at fraction s (0 to 1) of its stretch. The first half keeps the slots of `load`.
@@ -79,11 +79,12 @@ class ChordStore {
 
   void discard(Load load);
 
-  /// Takes the owners whose segment s has is_removed[s] off a chord. True if any was taken.
+  /// Removes the owners whose segment s has is_removed[s] from a chord. Returns whether any was
+  /// removed.
   bool take_off(std::int32_t chord_index, std::span<const std::uint8_t> is_removed);
 
-  /// Adds a chord from one vertex to another that lie at these fractions of `whole`, a chord of
-  /// `other`, with its part of the owners.
+  /// Adds a chord from one vertex to another. They lie at these fractions of `whole`, a chord of
+  /// `other`; the new chord gets its part of the owners.
   std::int32_t add_part(const ChordStore& other, const Chord& whole, Vertex from, Vertex to,
                         double at_from, double at_to);
 
@@ -91,7 +92,7 @@ class ChordStore {
   /// the next change. Errors: limit (memory; a second table of owners exists meanwhile), cancelled.
   Status seal(const Context& context);
 
-  /// After `seal`: the owners of a chord.
+  /// Returns the owners of a chord. Call it after `seal`.
   const Owner* begin(const Chord& c) const {
     return c.load.count > 0 ? owner_.data() + c.load.first : nullptr;
   }

@@ -3,11 +3,12 @@
 #include <utility>
 
 #include "base/poll.hpp"
+#include "base/try.hpp"
 
 namespace sfumato::mesh {
 namespace {
 
-/// The chord of `baked` for edge e.
+/// Returns the chord of `baked` for edge e.
 std::int32_t bake_edge(const Triangulation& mesh, HalfEdge e, const ChordStore& chords,
                        const std::vector<VertexOrigin>& origins, ChordStore& baked) {
   const std::int32_t index = mesh.chord[e];
@@ -33,11 +34,10 @@ Status bake_chords(const Context& context, Budget& budget, Triangulation& mesh, 
       mesh.chord[e] = mesh.chord[mesh.twin(e)] = chord;
       if (++edges % kEdgesPerCharge != 0) continue;
       if (context.cancelled()) return context.cancel_status();
-      if (Status status = baked.charge(context); !status) return status;
+      SFUMATO_TRY(baked.charge(context));
     }
   }
-  Status status = baked.charge(context);
-  if (!status) return status;
+  SFUMATO_TRY(baked.charge(context));
   chords = std::move(baked);
   origins.assign(origins.size(), {});
   return context.check();

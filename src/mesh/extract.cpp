@@ -6,11 +6,12 @@
 #include <vector>
 
 #include "base/poll.hpp"
+#include "base/try.hpp"
 
 namespace sfumato::mesh {
 namespace {
 
-/// Says what lies on edge e, which is on a chord: constraint `index` with as many pieces as that.
+/// Describes the load of edge e, which is on a chord: constraint `index`, which has as many pieces.
 void set_constraint(const ExtractSource& source, HalfEdge e, std::int32_t index,
                     TriangleMesh& out) {
   const Triangulation& mesh = source.mesh;
@@ -37,7 +38,7 @@ std::uint32_t piece_count(const ExtractSource& source, HalfEdge e) {
   return static_cast<std::uint32_t>(source.chords[source.mesh.chord[e]].load.count);
 }
 
-/// The index of a new constraint with what lies on edge e.
+/// Returns the index of a new constraint with the load of edge e.
 std::int32_t add_constraint(const ExtractSource& source, HalfEdge e, TriangleMesh& out) {
   const auto index = static_cast<std::int32_t>(out.constraint.size());
   const auto begin = static_cast<std::uint32_t>(out.piece.size());
@@ -48,7 +49,7 @@ std::int32_t add_constraint(const ExtractSource& source, HalfEdge e, TriangleMes
   return index;
 }
 
-/// Corners and neighbours of one slot, whose number is `number`.
+/// Copies corners and neighbours of one slot, whose number is `number`.
 void copy_triangle(const Triangle& t, std::int32_t number, const std::int32_t* vertex_number,
                    const std::int32_t* triangle_number, std::uint32_t* corner, std::int32_t* twin) {
   const std::int32_t first = 3 * number;
@@ -60,8 +61,8 @@ void copy_triangle(const Triangle& t, std::int32_t number, const std::int32_t* v
   }
 }
 
-/// Corners and neighbours of all. Pointers, since stores to one vector could move another's data
-/// for all that the compiler knows.
+/// Copies corners and neighbours of all slots. It uses pointers: for the compiler, stores to one
+/// vector could move another's data.
 Status copy_triangles(const Context& context, const ExtractSource& from, TriangleMesh& out) {
   const std::int32_t* const vertex_number = from.numbering.vertex.data();
   const std::int32_t* const triangle_number = from.numbering.triangle.data();
@@ -77,7 +78,7 @@ Status copy_triangles(const Context& context, const ExtractSource& from, Triangl
   return context.check();
 }
 
-/// Whether a chord lies on some edge of the triangle; the hull counts as one.
+/// Returns whether a chord lies on any edge of the triangle; the hull counts as one.
 bool has_wall(const Triangle& t) {
   return ((t.across[0] | t.across[1] | t.across[2]) & 1) != 0;
 }
@@ -86,7 +87,7 @@ bool is_constrained(const Triangle& t, int k) {
   return (t.across[k] & 1) && t.across[k] != kHull;
 }
 
-/// Calls visit(e, h) for every constrained edge, once: its half-edge e of the triangulation, which
+/// Calls visit(e, h) once for every constrained edge: its half-edge e of the triangulation, which
 /// is h in `out`.
 template <class Visit>
 Status for_each_constraint(const Context& context, const ExtractSource& from,
@@ -115,8 +116,7 @@ void put_constraint(std::int32_t constraint, std::int32_t half_edge, TriangleMes
 
 Status place_vertices(const Context& context, const ExtractSource& from, TableMemory& memory,
                       TriangleMesh& out) {
-  Status status = memory.resize(context, out.vertex_position, from.numbering.vertex_count);
-  if (!status) return status;
+  SFUMATO_TRY(memory.resize(context, out.vertex_position, from.numbering.vertex_count));
   RarePoll<65536> poll(context);
   for (std::size_t v = 0; v < from.mesh.point.size(); ++v) {
     if (poll.cancelled()) return context.cancel_status();
@@ -134,17 +134,16 @@ Status place_triangles(const Context& context, const ExtractSource& from, TableM
   return status ? copy_triangles(context, from, out) : status;
 }
 
-/// All but them is there.
+/// Places all constraints. Everything except the constraints is in place.
 Status place_all_constraints(const Context& context, const ExtractSource& from, TableMemory& memory,
                              TriangleMesh& out) {
   std::size_t constraints = 0, pieces = 0;
-  Status status = for_each_constraint(context, from, out, [&](HalfEdge e, std::int32_t) {
+  SFUMATO_TRY(for_each_constraint(context, from, out, [&](HalfEdge e, std::int32_t) {
     constraints += 1;
     pieces += piece_count(from, e);
-  });
-  if (status) status = memory.reserve(context, out.constraint, constraints);
-  if (status) status = memory.reserve(context, out.piece, pieces);
-  if (!status) return status;
+  }));
+  SFUMATO_TRY(memory.reserve(context, out.constraint, constraints));
+  SFUMATO_TRY(memory.reserve(context, out.piece, pieces));
   return for_each_constraint(context, from, out, [&](HalfEdge e, std::int32_t h) {
     put_constraint(add_constraint(from, e, out), h, out);
   });
@@ -156,18 +155,17 @@ Result<TriangleMesh> extract(const Context& context, const ExtractSource& from,
                              TableMemory& memory) {
   TriangleMesh out;
   out.lattice_step = from.lattice.step;
-  Status status = place_vertices(context, from, memory, out);
-  if (status) status = place_triangles(context, from, memory, out);
-  if (status) status = place_all_constraints(context, from, memory, out);
-  if (status) status = context.check();
-  if (!status) return status;
+  SFUMATO_TRY(place_vertices(context, from, memory, out));
+  SFUMATO_TRY(place_triangles(context, from, memory, out));
+  SFUMATO_TRY(place_all_constraints(context, from, memory, out));
+  SFUMATO_TRY(context.check());
   return out;
 }
 
 namespace {
 
 /// Constraints whose edges are gone, by their number of pieces. Refinement only cuts edges on
-/// chords, so that each of these finds a new edge in the same update; after an edit some may not,
+/// chords, so that each of these finds a new edge in the same update. After an edit some may not,
 /// and stay without an edge and without pieces.
 class FreedConstraints {
  public:
@@ -177,7 +175,7 @@ class FreedConstraints {
                              by_piece_count_[constraint.piece_end - constraint.piece_begin], index);
   }
 
-  /// Takes what lies on them from those that are left.
+  /// Empties the remaining constraints.
   void empty_rest(TriangleMesh& mesh) const {
     for (const auto& [count, indices] : by_piece_count_) {
       for (const std::int32_t index : indices) {
@@ -187,7 +185,7 @@ class FreedConstraints {
     }
   }
 
-  /// kNone where none is left.
+  /// Returns a constraint, or kNone where none is left.
   std::int32_t take(std::uint32_t pieces) {
     const auto place = by_piece_count_.find(pieces);
     if (place == by_piece_count_.end() || place->second.empty()) return kNone;
@@ -201,7 +199,7 @@ class FreedConstraints {
   TableMemory memory_{"curve pieces"};
 };
 
-/// Brings a TriangleMesh up to date: see update_extract.
+/// Updates a TriangleMesh: see update_extract.
 class MeshUpdate {
  public:
   MeshUpdate(const Context& context, const ExtractSource& from,
@@ -223,13 +221,13 @@ class MeshUpdate {
   }
 
  private:
-  /// The half-edges of `out` of a slot are this and the two after it.
+  /// Returns the first of the three half-edges of a slot in `out`.
   std::int32_t first_half_edge(std::int32_t slot) const {
     return 3 * from_.numbering.triangle[slot];
   }
 
-  /// Takes their constraints from the triangles that changed. One is free once both its half-edges
-  /// are without it; the neighbour that did not change keeps it.
+  /// Removes constraints from the triangles that changed. A constraint is free once neither of its
+  /// half-edges has it; a neighbour that did not change keeps it.
   Status free_constraints() {
     const auto half_edges = static_cast<std::int32_t>(out_.triangle_vertex.size());
     for (const std::int32_t slot : changed_) {
@@ -241,7 +239,7 @@ class MeshUpdate {
         if (constraint == kNone) continue;
         const std::int32_t twin = out_.half_edge_twin[h];
         if (twin != kNone && out_.half_edge_constraint[twin] != kNone) continue;
-        if (Status status = freed_.add(context_, out_, constraint); !status) return status;
+        SFUMATO_TRY(freed_.add(context_, out_, constraint));
       }
     }
     return ok_status();
@@ -252,12 +250,11 @@ class MeshUpdate {
     const std::size_t vertices = out_.vertex_position.size();
     const std::size_t half_edges = std::size_t{3} * from_.numbering.triangle_count;
     const std::size_t most = 3 * mesh.triangle.capacity();
-    Status status = memory_.grow(context_, out_.vertex_position, from_.numbering.vertex_count,
-                                 mesh.point.capacity());
-    if (status) status = memory_.grow(context_, out_.triangle_vertex, half_edges, most);
+    SFUMATO_TRY(memory_.grow(context_, out_.vertex_position, from_.numbering.vertex_count,
+                             mesh.point.capacity()));
+    SFUMATO_TRY(memory_.grow(context_, out_.triangle_vertex, half_edges, most));
     for (std::vector<std::int32_t>* table : {&out_.half_edge_twin, &out_.half_edge_constraint})
-      if (status) status = memory_.grow(context_, *table, half_edges, most, kNone);
-    if (!status) return status;
+      SFUMATO_TRY(memory_.grow(context_, *table, half_edges, most, kNone));
     // The newest vertices are the last, and have the highest numbers.
     std::size_t more = out_.vertex_position.size() - vertices;
     for (std::size_t v = mesh.point.size(); more > 0; --v) {
@@ -267,7 +264,7 @@ class MeshUpdate {
       out_.vertex_position[number] = from_.lattice.position(mesh.point[v - 1]);
       --more;
     }
-    return status;
+    return ok_status();
   }
 
   Status copy_changed() {
@@ -295,7 +292,7 @@ class MeshUpdate {
         const std::int32_t twin = out_.half_edge_twin[h];
         std::int32_t constraint = twin == kNone ? kNone : out_.half_edge_constraint[twin];
         if (constraint == kNone) {
-          if (Status status = make_room(4 * slot + k); !status) return status;
+          SFUMATO_TRY(make_room(4 * slot + k));
           constraint = place_constraint(4 * slot + k);
         }
         put_constraint(constraint, h, out_);
@@ -304,7 +301,7 @@ class MeshUpdate {
     return ok_status();
   }
 
-  /// For one more constraint, with what lies on edge e.
+  /// Makes room for one more constraint, with the load of edge e.
   Status make_room(HalfEdge e) {
     Status status = memory_.make_room(context_, out_.constraint);
     return status ? memory_.make_room(context_, out_.piece, piece_count(from_, e)) : status;

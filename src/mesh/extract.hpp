@@ -15,7 +15,7 @@
 
 namespace sfumato::mesh {
 
-/// The input from which a TriangleMesh is extracted.
+/// The source of a TriangleMesh.
 struct ExtractSource {
   const Triangulation& mesh;
   const ChordStore& chords;
@@ -24,23 +24,23 @@ struct ExtractSource {
   const Numbering& numbering;
 };
 
-/// The numbered part of a triangulation as flat arrays, allocated from `memory`. Errors: limit
-/// (memory), cancelled. Cost: O(slots + pieces).
+/// Returns the numbered part of a triangulation as flat arrays, allocated from `memory`. Errors:
+/// limit (memory), cancelled. Cost: O(slots + pieces).
 Result<TriangleMesh> extract(const Context& context, const ExtractSource& from,
                              TableMemory& memory);
 
 /// Updates in place `out`, which `extract` made from `memory`. Triangles, vertices and constraints
-/// that still exist keep their numbers. Except for the numbers of constraints, and for some
-/// without an edge or pieces after curves were inserted, the result is what `extract` would make.
+/// that still exist keep their numbers. The result is the one that `extract` would make, except for
+/// the numbers of constraints, and for some without an edge or pieces after curves were inserted.
 ///
 /// changed   the slots that changed since then, including new ones; all are numbered
-/// Errors    limit (memory), cancelled; `out` is unusable then
+/// Errors    limit (memory), cancelled; `out` is then unusable
 /// Cost      O(changed + new vertices), and occasionally the cost of moving to larger arrays
 Status update_extract(const Context& context, const ExtractSource& from,
                       std::span<const std::int32_t> changed, TableMemory& memory,
                       TriangleMesh& out);
 
-/// Makes `mesh`, a copy of `before` that update_extract has changed since, `before` again.
+/// Restores `mesh`, a copy of `before` that update_extract has changed, to `before`.
 ///
 /// changed   the triangles that changed
 /// Cost      O(changed)

@@ -4,14 +4,16 @@
 #include <array>
 #include <bit>
 
+#include "base/try.hpp"
+
 namespace sfumato::mesh {
 namespace {
 
 constexpr int kHilbertBits = 11;
 constexpr int kRadixBits = 11;
 
-/// Distance along the Hilbert curve over 2^11 × 2^11 cells. `swapped` and `inverted` say how the
-/// curve lies in the current quadrant.
+/// Returns the distance along the Hilbert curve over 2^11 × 2^11 cells. `swapped` and `inverted`
+/// describe the curve's orientation in the current quadrant.
 std::uint32_t hilbert_key(std::uint32_t x, std::uint32_t y) {
   std::uint32_t key = 0, swapped = 0, inverted = 0;
   for (int bit = kHilbertBits - 1; bit >= 0; --bit) {
@@ -37,7 +39,7 @@ struct Item {
   std::uint32_t index;
 };
 
-/// Stable counting sort by `digit` (below 2^kRadixBits).
+/// Does a stable counting sort by `digit` (below 2^kRadixBits).
 template <class Digit>
 void sort_by(std::vector<Item>& items, std::vector<Item>& scratch, Digit digit) {
   std::array<std::uint32_t, (1u << kRadixBits) + 1> start{};
@@ -60,9 +62,8 @@ Result<std::vector<std::uint32_t>> insertion_order(const Context& context,
   TableMemory working("mesh input");
   std::vector<Item> items, scratch;
   std::vector<std::uint32_t> order;
-  Status status = working.resize_all(context, count, items, scratch);
-  if (status) status = memory.resize(context, order, count);
-  if (!status) return status;
+  SFUMATO_TRY(working.resize_all(context, count, items, scratch));
+  SFUMATO_TRY(memory.resize(context, order, count));
   for (std::uint32_t i = 0; i < count; ++i) {
     const Point p = points[i];
     items[i] = {hilbert_key(static_cast<std::uint32_t>(p.x) >> shift,

@@ -5,6 +5,7 @@
 
 #include "base/poll.hpp"
 #include "base/table_memory.hpp"
+#include "base/try.hpp"
 
 namespace sfumato::mesh {
 
@@ -13,15 +14,14 @@ Status flood_inside(const Context& context, Triangulation& mesh, const ChordStor
   for (Triangle& t : mesh.triangle) t.inside = kUnknown;
   TableMemory memory("the triangle mesh");
   std::vector<std::int32_t> stack;
-  Status status = memory.push_back(context, stack, triangle_of(mesh.spoke[0]));
-  if (!status) return status;
+  SFUMATO_TRY(memory.push_back(context, stack, triangle_of(mesh.spoke[0])));
   mesh.triangle[stack[0]].inside = 0;
   RarePoll<4096> poll(context);
   while (!stack.empty()) {
     if (poll.cancelled()) return context.cancel_status();
     const std::int32_t t = stack.back();
     stack.pop_back();
-    if (status = memory.make_room(context, stack, 3); !status) return status;
+    SFUMATO_TRY(memory.make_room(context, stack, 3));
     for (HalfEdge e = 4 * t; e < 4 * t + 3; ++e) {
       if (mesh.across(e) == kHull) continue;
       const bool frame = mesh.is_wall(e) && chords[mesh.chord[e]].load.frame;

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/try.hpp"
 #include "mesh/lattice.hpp"
 
 namespace sfumato::mesh {
@@ -19,7 +20,7 @@ Status violation(const char* what, std::size_t index) {
   return violation(std::string(what) + " " + std::to_string(index));
 }
 
-/// Positions in lattice steps from the smallest coordinates.
+/// Computes positions in lattice steps from the smallest coordinates.
 Status to_lattice(const TriangleMesh& mesh, std::vector<Point>& points) {
   int exponent = 0;
   if (!(mesh.lattice_step > 0) || std::frexp(mesh.lattice_step, &exponent) != 0.5) {
@@ -129,8 +130,8 @@ Status check_shape(const TriangleMesh& mesh, const std::vector<Point>& points) {
   return ok_status();
 }
 
-/// A fan is the triangles around a vertex that hang together by edges: all of them, or those from
-/// one hull edge to another.
+/// Fans: the triangles around a vertex that are connected by edges, either all of them, or a part
+/// from one hull edge to another.
 struct Fans {
   std::vector<std::uint32_t> fan_of_corner;  ///< per half-edge: the fan of its origin
   std::vector<std::uint32_t> vertex_of_fan;
@@ -143,7 +144,7 @@ Fans find_fans(const TriangleMesh& mesh) {
   fans.fan_of_corner.assign(mesh.triangle_vertex.size(), kUnseen);
   for (std::uint32_t h = 0; h < mesh.triangle_vertex.size(); ++h) {
     if (fans.fan_of_corner[h] != kUnseen) continue;
-    // Back to the fan's first corner, if it has one: over the edge h itself.
+    // Back to the fan's first corner, if it has one: over the edge h.
     std::uint32_t first = h;
     bool open = false;
     for (;;) {
@@ -165,15 +166,16 @@ Fans find_fans(const TriangleMesh& mesh) {
   return fans;
 }
 
-/// The corner at the origin of h holds the direction +x (its first edge counts, its second does
-/// not). Precondition: the triangle is positive, so that the corner is below 180 degrees.
+/// Returns whether the corner at the origin of h contains the direction +x (its first edge counts,
+/// its second does not). Precondition: the triangle is positive, so that the corner is below 180
+/// degrees.
 bool holds_positive_x(const TriangleMesh& mesh, const std::vector<Point>& points, std::uint32_t h) {
   const Point p = points[mesh.origin(h)];
   const Point a = points[mesh.target(h)], b = points[mesh.apex(h)];
   return (a.y < p.y || (a.y == p.y && a.x > p.x)) && b.y > p.y;
 }
 
-/// No triangle covers another: around every vertex the triangles go round once at most.
+/// Checks that no triangle covers another: around every vertex the triangles make at most one turn.
 Status check_turns(const TriangleMesh& mesh, const std::vector<Point>& points, const Fans& fans) {
   std::vector<std::uint32_t> turns_of_vertex(points.size(), 0);
   std::vector<std::uint8_t> closed_fans(points.size(), 0), fan_count(points.size(), 0);
@@ -218,7 +220,7 @@ std::uint32_t component_count(const TriangleMesh& mesh) {
   return count;
 }
 
-/// The next hull edge around the fan at the target of hull edge h.
+/// Returns the next hull edge around the fan at the target of hull edge h.
 std::uint32_t next_on_hull(const TriangleMesh& mesh, std::uint32_t h) {
   std::uint32_t e = next_half_edge(h);
   while (mesh.half_edge_twin[e] != kNone) {
@@ -238,8 +240,8 @@ std::uint32_t hull_loop_count(const TriangleMesh& mesh) {
   return loops;
 }
 
-/// Pieces of the plane with holes: vertices − edges + triangles = 2 · pieces − boundaries, where a
-/// vertex at which two parts only touch counts once for each.
+/// Checks pieces of the plane with holes: vertices − edges + triangles = 2 · pieces − boundaries. A
+/// vertex where two parts only touch counts once for each.
 Status check_euler(const TriangleMesh& mesh, const Fans& fans) {
   std::int64_t hull_edges = 0;
   for (const std::int32_t twin : mesh.half_edge_twin) hull_edges += twin == kNone;
@@ -251,7 +253,8 @@ Status check_euler(const TriangleMesh& mesh, const Fans& fans) {
   return euler == expected ? ok_status() : violation("Euler's formula does not hold");
 }
 
-/// A free hull is that of the whole domain: a rectangle, and the triangles fill it.
+/// Checks the area. A free hull is that of the whole domain: a rectangle, and the triangles fill
+/// it.
 Status check_area(const TriangleMesh& mesh, const std::vector<Point>& points) {
   std::int64_t doubled_area = 0, hull_edges = 0, free_hull_edges = 0;
   Point high;
@@ -275,14 +278,14 @@ Status check_area(const TriangleMesh& mesh, const std::vector<Point>& points) {
 
 Status is_valid(const TriangleMesh& mesh) {
   std::vector<Point> points;
-  if (Status status = to_lattice(mesh, points); !status) return status;
+  SFUMATO_TRY(to_lattice(mesh, points));
   for (const auto check : {check_indices, check_adjacency, check_constraints}) {
-    if (Status status = check(mesh); !status) return status;
+    SFUMATO_TRY(check(mesh));
   }
-  if (Status status = check_shape(mesh, points); !status) return status;
+  SFUMATO_TRY(check_shape(mesh, points));
   const Fans fans = find_fans(mesh);
-  if (Status status = check_turns(mesh, points, fans); !status) return status;
-  if (Status status = check_euler(mesh, fans); !status) return status;
+  SFUMATO_TRY(check_turns(mesh, points, fans));
+  SFUMATO_TRY(check_euler(mesh, fans));
   return check_area(mesh, points);
 }
 

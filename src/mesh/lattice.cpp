@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/try.hpp"
 #include "sfumato/base/box.hpp"
 #include "sfumato/base/limits.hpp"
 
@@ -10,7 +11,7 @@ namespace {
 
 __extension__ typedef __int128 Int128;
 
-/// The largest power of two not above `value`. Precondition: value > 0 and finite.
+/// Returns the largest power of two not above `value`. Precondition: value > 0 and finite.
 double power_of_two_below(double value) {
   int exponent = 0;
   std::frexp(value, &exponent);
@@ -18,7 +19,7 @@ double power_of_two_below(double value) {
 }
 
 bool in_range(Vec2 p) {
-  // Frames are inflated a little by their callers, so that they may pass the limit of documents.
+  // Callers inflate frames a little, so that frames may exceed the limit of documents.
   const double most = 4 * limits::kCoordinate;
   return std::fabs(p.x) <= most && std::fabs(p.y) <= most;
 }
@@ -59,7 +60,7 @@ bool in_circle_exact(Point a, Point b, Point c, Point d) {
 
 Result<Lattice> choose_lattice(const curves::FlatCurves& flat, const MeshOptions& options) {
   Box box;
-  if (Status status = checked_box(flat, options, box); !status) return status;
+  SFUMATO_TRY(checked_box(flat, options, box));
   const double frame_side = std::min(options.frame.width(), options.frame.height());
   const double weld = std::min(options.weld_px * options.unit_size, frame_side / 32);
   const double pad = std::max(box.width(), box.height()) / 16 + 8 * weld;

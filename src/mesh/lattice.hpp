@@ -28,19 +28,19 @@ inline constexpr int kLatticeBits = 29;
 /// noise.
 inline constexpr double kLeastWeldSteps = 16;
 
-/// Twice the signed area of (a, b, c). Exact.
+/// Returns twice the signed area of (a, b, c). Exact.
 constexpr std::int64_t orient2d(Point a, Point b, Point c) {
   return std::int64_t{b.x - a.x} * (c.y - a.y) - std::int64_t{b.y - a.y} * (c.x - a.x);
 }
 
-/// Exact.
+/// Returns the squared distance. Exact.
 constexpr std::int64_t distance_squared(Point a, Point b) {
   const std::int64_t x = a.x - b.x;
   const std::int64_t y = a.y - b.y;
   return x * x + y * y;
 }
 
-/// (b - a) · (c - a). Exact.
+/// Returns (b - a) · (c - a). Exact.
 constexpr std::int64_t dot_from(Point a, Point b, Point c) {
   return std::int64_t{b.x - a.x} * (c.x - a.x) + std::int64_t{b.y - a.y} * (c.y - a.y);
 }
@@ -49,7 +49,7 @@ constexpr std::int64_t dot_from(Point a, Point b, Point c) {
 typedef std::int32_t IntegerPair __attribute__((vector_size(8)));
 typedef double Pair __attribute__((vector_size(16)));
 
-/// a - b. Exact.
+/// Returns a - b. Exact.
 inline Pair difference(const Point& a, const Point& b) {
   return __builtin_convertvector(std::bit_cast<IntegerPair>(a) - std::bit_cast<IntegerPair>(b),
                                  Pair);
@@ -65,17 +65,17 @@ inline double cross(Pair a, Pair b) {
   return a[0] - a[1];
 }
 
-/// in_circle by 128-bit integers.
+/// Does in_circle() by 128-bit integers.
 bool in_circle_exact(Point a, Point b, Point c, Point d);
 
-/// d lies strictly inside the circle through a, b, c (positively oriented). Exact.
+/// Returns whether d lies strictly inside the circle through a, b, c (positively oriented). Exact.
 inline bool in_circle(const Point& a, const Point& b, const Point& c, const Point& d) {
   const Pair ad = difference(a, d), bd = difference(b, d), cd = difference(c, d);
   const double a2 = squared(ad), b2 = squared(bd), c2 = squared(cd);
   const double determinant = a2 * cross(bd, cd) + b2 * cross(cd, ad) + c2 * cross(ad, bd);
   // Shewchuk's static bound is (10 + 96 e) e times the permanent, e = 2^-53: 1.11e-15; here the
-  // differences are exact besides. |bx cy| + |cx by| <= (b2 + c2) / 2 and so on: the permanent is
-  // at most a third of the squared sum.
+  // differences are also exact. |bx cy| + |cx by| <= (b2 + c2) / 2 and so on: the permanent is at
+  // most a third of the squared sum.
   const double sum = a2 + b2 + c2;
   const double error = sum * sum * 4e-16;
   if (std::fabs(determinant) > error) [[likely]]
@@ -83,7 +83,8 @@ inline bool in_circle(const Point& a, const Point& b, const Point& c, const Poin
   return in_circle_exact(a, b, c, d);
 }
 
-/// The position of vertex v along the chord from a to b: its projection as a fraction, 0 to 1.
+/// Returns the position of vertex v along the chord from a to b: its projection as a fraction, 0 to
+/// 1.
 inline double fraction_along(Point a, Point b, Point v) {
   const double s =
       static_cast<double>(dot_from(a, b, v)) / static_cast<double>(distance_squared(a, b));
@@ -101,27 +102,26 @@ struct Lattice {
   Point frame_max;
   std::int64_t weld_squared = 0;  ///< steps²
 
-  /// The nearest lattice point. Precondition: p lies in the domain.
+  /// Returns the nearest lattice point. Precondition: p lies in the domain.
   Point nearest(Vec2 p) const {
     return {static_cast<std::int32_t>(p.x * inverse_step - origin.x + 0.5),
             static_cast<std::int32_t>(p.y * inverse_step - origin.y + 0.5)};
   }
 
-  /// User units. Exact.
+  /// Returns user units. Exact.
   Vec2 position(Point p) const { return {(origin.x + p.x) * step, (origin.y + p.y) * step}; }
 
-  /// The lattice point nearest to (x, y) steps, inside the domain.
+  /// Returns the lattice point nearest to (x, y) steps, inside the domain.
   Point rounded(double x, double y) const {
     return {static_cast<std::int32_t>(std::clamp(x, 0.0, double(width)) + 0.5),
             static_cast<std::int32_t>(std::clamp(y, 0.0, double(height)) + 0.5)};
   }
 };
 
-/// A step of about unit_size / 2^12 (a power of two), coarser where the padded bounding box of
-/// curves and frame would exceed 2^kLatticeBits steps. The weld is at most 1/32 of the frame's
-/// shorter side, but never below kLeastWeldSteps.
-/// Errors: bad_input (a coordinate that is not finite or beyond limits::kCoordinate, an empty
-/// frame, a unit size or weld that is not above 0).
+/// Chooses a step of about unit_size / 2^12 (a power of two), coarser where the padded bounding box
+/// of curves and frame would exceed 2^kLatticeBits steps. The weld is at most 1/32 of the frame's
+/// shorter side, but never below kLeastWeldSteps. Errors: bad_input (a coordinate that is not
+/// finite or beyond limits::kCoordinate, an empty frame, a unit size or weld that is not above 0).
 Result<Lattice> choose_lattice(const curves::FlatCurves& flat, const MeshOptions& options);
 
 }  // namespace sfumato::mesh

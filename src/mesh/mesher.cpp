@@ -12,6 +12,7 @@
 #include "base/limit_error.hpp"
 #include "base/poll.hpp"
 #include "base/table_memory.hpp"
+#include "base/try.hpp"
 #include "mesh/arrangement.hpp"
 #include "mesh/insertion_order.hpp"
 #include "mesh/inside.hpp"
@@ -26,17 +27,15 @@ Status check_sizes(const Limits& limits, const curves::FlatCurves& flat) {
   return limit_error(limits, &Limits::segments, "segments in one layer");
 }
 
-/// Inserts all curve vertices; per vertex the vertex that it became.
+/// Inserts all curve vertices. Returns per curve vertex its vertex of the mesh.
 Result<std::vector<Vertex>> insert_points(Arrangement& arrangement, std::span<const Point> points,
                                           const Lattice& lattice, TableMemory& memory) {
   const std::int32_t extent = std::max(lattice.width, lattice.height);
-  const Result<std::vector<std::uint32_t>> order =
-      insertion_order(arrangement.context(), points, extent, memory);
-  if (!order) return order.status();
+  SFUMATO_TRY_ASSIGN(const std::vector<std::uint32_t>& order,
+                     insertion_order(arrangement.context(), points, extent, memory));
   std::vector<Vertex> vertex_of;
-  Status status = memory.resize(arrangement.context(), vertex_of, points.size());
-  if (!status) return status;
-  for (const std::uint32_t i : *order) vertex_of[i] = arrangement.insert_point(points[i]);
+  SFUMATO_TRY(memory.resize(arrangement.context(), vertex_of, points.size()));
+  for (const std::uint32_t i : order) vertex_of[i] = arrangement.insert_point(points[i]);
   if (!arrangement.status()) return arrangement.status();
   return vertex_of;
 }
@@ -48,12 +47,11 @@ Status arrange(Arrangement& arrangement, const curves::FlatCurves& flat, const L
       arrangement.insert_point(high), arrangement.insert_point({low.x, high.y})};
   TableMemory memory("mesh input");
   std::vector<Point> points;
-  Status status = memory.resize(arrangement.context(), points, flat.vertex.size());
-  if (!status) return status;
+  SFUMATO_TRY(memory.resize(arrangement.context(), points, flat.vertex.size()));
   for (std::size_t i = 0; i < points.size(); ++i) points[i] = lattice.nearest(flat.vertex[i]);
-  const Result<std::vector<Vertex>> inserted = insert_points(arrangement, points, lattice, memory);
-  if (!inserted) return inserted.status();
-  const std::vector<Vertex>& vertex_of = *inserted;
+  SFUMATO_TRY_ASSIGN(const std::vector<Vertex>& inserted,
+                     insert_points(arrangement, points, lattice, memory));
+  const std::vector<Vertex>& vertex_of = inserted;
   for (int k = 0; k < 4; ++k) arrangement.insert_frame_side(corner[k], corner[(k + 1) % 4]);
   arrangement.set_segments(points);
   for (std::uint32_t s = 0; s < flat.vertex.size(); ++s) {
@@ -73,9 +71,8 @@ Result<KeptConstraints> kept_constraints(const Context& context, const TriangleM
                                          TableMemory& memory) {
   const auto count = static_cast<std::size_t>(std::ranges::count(keep, 1));
   KeptConstraints kept;
-  Status status = memory.reserve(context, kept.constraint, count);
-  if (status) status = memory.reserve(context, kept.point, 2 * count);
-  if (!status) return status;
+  SFUMATO_TRY(memory.reserve(context, kept.constraint, count));
+  SFUMATO_TRY(memory.reserve(context, kept.point, 2 * count));
   for (std::uint32_t c = 0; c < mesh.constraint.size(); ++c) {
     if (!keep[c]) continue;
     kept.constraint.push_back(c);
@@ -85,7 +82,7 @@ Result<KeptConstraints> kept_constraints(const Context& context, const TriangleM
   return kept;
 }
 
-/// Puts the pieces of the constraints that they stand for in the place of the stand-ins.
+/// Replaces each stand-in by the pieces of its constraint.
 Status restore_pieces(const Context& context, const TriangleMesh& original,
                       std::span<const std::uint32_t> constraint, TableMemory& memory,
                       TriangleMesh& mesh) {
@@ -97,7 +94,7 @@ Status restore_pieces(const Context& context, const TriangleMesh& original,
   for (const Constraint& c : mesh.constraint) {
     count += original_of(c).piece_end - original_of(c).piece_begin;
   }
-  if (Status status = memory.reserve(context, mesh.piece, count); !status) return status;
+  SFUMATO_TRY(memory.reserve(context, mesh.piece, count));
   for (Constraint& c : mesh.constraint) {
     const SegmentPiece& whole = stand_in[c.piece_begin];
     const Constraint& before = original_of(c);
@@ -122,29 +119,25 @@ Mesher::~Mesher() = default;
 
 Result<Mesher> Mesher::build(Context& context, const curves::FlatCurves& flat,
                              const MeshOptions& options) {
-  if (Status status = check_sizes(context.limits, flat); !status) return status;
-  Result<Lattice> lattice = choose_lattice(flat, options);
-  if (!lattice) return lattice.status();
+  SFUMATO_TRY(check_sizes(context.limits, flat));
+  SFUMATO_TRY_ASSIGN(auto&& lattice, choose_lattice(flat, options));
   auto state = std::make_unique<State>(context.budget);
   state->options = options;
-  state->lattice = *lattice;
-  Status status = state->mesh.grow(context, flat.vertex.size() * 5 / 4 + 64);
-  if (!status) return status;
-  state->mesh.start(lattice->width, lattice->height);
-  Arrangement arrangement(context, state->mesh, state->chords, lattice->weld_squared);
-  status = arrange(arrangement, flat, *lattice);
-  if (status) status = state->chords.seal(context);
-  if (status) status = flood_inside(context, state->mesh, state->chords);
-  if (status) status = state->refiner.start(context);
-  if (!status) return status;
+  state->lattice = lattice;
+  SFUMATO_TRY(state->mesh.grow(context, flat.vertex.size() * 5 / 4 + 64));
+  state->mesh.start(lattice.width, lattice.height);
+  Arrangement arrangement(context, state->mesh, state->chords, lattice.weld_squared);
+  SFUMATO_TRY(arrange(arrangement, flat, lattice));
+  SFUMATO_TRY(state->chords.seal(context));
+  SFUMATO_TRY(flood_inside(context, state->mesh, state->chords));
+  SFUMATO_TRY(state->refiner.start(context));
   state->set_quality();
   return Mesher(std::move(state));
 }
 
 Result<TriangleMesh> Mesher::visibility_mesh(const Context& context) {
   Numbering numbering{{}, {}, 0, 0, {State::kPurpose, state_->budget}};
-  Status status = number_everything(context, state_->mesh, numbering);
-  if (!status) return status;
+  SFUMATO_TRY(number_everything(context, state_->mesh, numbering));
   return state_->extract_anew(context, numbering);
 }
 
@@ -153,35 +146,30 @@ Result<TriangleMesh> Mesher::thinned_mesh(const Context& context, const Triangle
                                           TableMemory& memory) const {
   const Lattice& lattice = state_->lattice;
   TableMemory scratch("mesh input");
-  const Result<KeptConstraints> found =
-      kept_constraints(context, visibility, keep, lattice, scratch);
-  if (!found) return found.status();
-  const KeptConstraints& kept = *found;
+  SFUMATO_TRY_ASSIGN(const KeptConstraints& found,
+                     kept_constraints(context, visibility, keep, lattice, scratch));
+  const KeptConstraints& kept = found;
   Triangulation mesh;
   ChordStore chords;
-  Status status = mesh.grow(context, kept.point.size() * 5 / 4 + 64);
-  if (!status) return status;
+  SFUMATO_TRY(mesh.grow(context, kept.point.size() * 5 / 4 + 64));
   mesh.start(lattice.width, lattice.height);
-  // They cross nowhere and pass no vertex: nothing is left to weld.
+  // The constraints cross nowhere and pass no vertex: there is nothing to weld.
   Arrangement arrangement(context, mesh, chords, 0);
-  const Result<std::vector<Vertex>> inserted =
-      insert_points(arrangement, kept.point, lattice, scratch);
-  if (!inserted) return inserted.status();
-  const std::vector<Vertex>& vertex_of = *inserted;
+  SFUMATO_TRY_ASSIGN(const std::vector<Vertex>& inserted,
+                     insert_points(arrangement, kept.point, lattice, scratch));
+  const std::vector<Vertex>& vertex_of = inserted;
   arrangement.set_segments(kept.point);
   for (std::uint32_t i = 0; i < kept.point.size(); i += 2) {
     arrangement.insert_segment(vertex_of[i], vertex_of[i + 1], i);
   }
   std::vector<VertexOrigin> origins;
   Numbering numbering;
-  status = arrangement.status();
-  if (status) status = chords.seal(context);
-  if (status) status = scratch.resize(context, origins, mesh.point.size());
-  if (status) status = number_everything(context, mesh, numbering);
-  if (!status) return status;
+  SFUMATO_TRY(arrangement.status());
+  SFUMATO_TRY(chords.seal(context));
+  SFUMATO_TRY(scratch.resize(context, origins, mesh.point.size()));
+  SFUMATO_TRY(number_everything(context, mesh, numbering));
   Result<TriangleMesh> out = extract(context, {mesh, chords, origins, lattice, numbering}, memory);
-  if (out) status = restore_pieces(context, visibility, kept.constraint, memory, *out);
-  if (!status) return status;
+  if (out) SFUMATO_TRY(restore_pieces(context, visibility, kept.constraint, memory, *out));
   return out;
 }
 
@@ -197,8 +185,7 @@ Status Mesher::refine_triangles(const Context& context, std::span<const std::uin
   State& s = *state_;
   TableMemory memory("the triangle mesh");
   std::vector<Refiner::Target> targets;
-  Status status = memory.reserve(context, targets, triangles.size());
-  if (!status) return status;
+  SFUMATO_TRY(memory.reserve(context, targets, triangles.size()));
   for (const std::uint32_t t : triangles) {
     if (t < s.patched.size()) targets.push_back(s.patched[t]);
   }
@@ -230,12 +217,10 @@ Status Mesher::update_patch_mesh(const Context& context, TriangleMesh& mesh, Tab
                                  std::vector<std::uint32_t>& changed) {
   State& s = *state_;
   if (s.numbering.triangle_count == 0) {
-    Result<TriangleMesh> anew = patch_mesh(context);
-    if (!anew) return anew.status();
-    mesh = std::move(*anew);
-    Status status = memory.resize(context, changed, mesh.triangle_count());
-    if (status) std::iota(changed.begin(), changed.end(), 0u);
-    return status;
+    SFUMATO_TRY_ASSIGN(mesh, patch_mesh(context));
+    SFUMATO_TRY(memory.resize(context, changed, mesh.triangle_count()));
+    std::iota(changed.begin(), changed.end(), 0u);
+    return ok_status();
   }
   Status status = number_inside(context, s.mesh, s.numbering);
   if (status) {

@@ -2,6 +2,7 @@
 #include <memory>
 #include <span>
 
+#include "base/try.hpp"
 #include "mesh/arrangement.hpp"
 #include "mesh/edit.hpp"
 #include "mesh/inside.hpp"
@@ -16,12 +17,11 @@ bool is_within(const Lattice& lattice, Vec2 p) {
   return x >= 1 && y >= 1 && x <= lattice.width - 1.0 && y <= lattice.height - 1.0;
 }
 
-/// The lattice points of the polylines from where the list of them ends.
+/// Appends the lattice points of the polylines that follow the current list.
 Status append_drawn(const Context& context, const curves::FlatCurves& flat, const Lattice& lattice,
                     TableMemory& memory, std::vector<Point>& drawn) {
   const std::size_t first = drawn.size();
-  Status status = memory.make_room(context, drawn, flat.vertex.size() - first);
-  if (!status) return status;
+  SFUMATO_TRY(memory.make_room(context, drawn, flat.vertex.size() - first));
   for (std::size_t v = first; v < flat.vertex.size(); ++v) {
     drawn.push_back(is_within(lattice, flat.vertex[v]) ? lattice.nearest(flat.vertex[v]) : Point{});
   }
@@ -33,9 +33,8 @@ Status insert(Arrangement& arrangement, const curves::FlatCurves& flat,
   arrangement.set_segments(drawn);
   TableMemory memory("mesh input");
   std::vector<Vertex> vertex_of;
-  Status status = memory.resize(arrangement.context(), vertex_of, flat.vertex.size() - first);
-  if (!status) return status;
-  // All vertices before the first segment.
+  SFUMATO_TRY(memory.resize(arrangement.context(), vertex_of, flat.vertex.size() - first));
+  // Inserts all vertices before the first segment.
   for (std::size_t i = 0; i < vertex_of.size(); ++i) {
     vertex_of[i] = arrangement.insert_point(drawn[first + i]);
   }
@@ -50,8 +49,7 @@ Status insert(Arrangement& arrangement, const curves::FlatCurves& flat,
 
 Result<Mesher> Mesher::copy(const Context& context) const {
   Mesher copy(std::make_unique<State>(context.budget));
-  Status status = copy.copy_from(context, *this);
-  if (!status) return status;
+  SFUMATO_TRY(copy.copy_from(context, *this));
   return copy;
 }
 
@@ -74,7 +72,7 @@ Status Mesher::copy_from(const Context& context, const Mesher& other) {
   if (status) status = s.chords.copy_from(context, from.chords);
   if (status) status = s.refiner.copy_origins(context, from.refiner);
   if (status) status = s.drawn_memory.assign(context, from.drawn, s.drawn);
-  // A patch mesh that did not follow the last changes is extracted anew.
+  // A patch mesh that did not follow the last changes must be extracted again.
   if (!from.mesh.changed.empty()) {
     s.forget_numbers();
     return status;
@@ -88,8 +86,7 @@ Result<std::vector<std::int32_t>> Mesher::kept_triangles(const Context& context,
                                                          TableMemory& memory) const {
   const std::vector<Refiner::Target>& patched = before.state_->patched;
   std::vector<std::int32_t> kept;
-  Status status = memory.resize(context, kept, patched.size(), kNone);
-  if (!status) return status;
+  SFUMATO_TRY(memory.resize(context, kept, patched.size(), kNone));
   const State& s = *state_;
   for (std::size_t t = 0; t < kept.size(); ++t) {
     if (static_cast<std::size_t>(patched[t].triangle) >= s.mesh.triangle.size()) continue;
@@ -104,8 +101,7 @@ Result<std::vector<std::uint8_t>> Mesher::same_triangles(const Context& context,
                                                          TableMemory& memory) const {
   const std::vector<Triangle>& then = before.state_->mesh.triangle;
   std::vector<std::uint8_t> is_same;
-  Status status = memory.resize(context, is_same, then.size());
-  if (!status) return status;
+  SFUMATO_TRY(memory.resize(context, is_same, then.size()));
   for (std::size_t t = 0; t < then.size(); ++t) {
     is_same[t] = state_->mesh.triangle[t].stamp == then[t].stamp;
   }
@@ -122,7 +118,7 @@ Result<TriangleMesh> Mesher::copy_mesh(const Context& context, const TriangleMes
     if (status) status = s.extracted.reserve(context, to, from.size() + more);
     if (status) status = s.extracted.append(context, from, to);
   };
-  // What an edit has added by now.
+  // The numbers of vertices and triangles that edits have added so far.
   const bool is_numbered = follows_changes();
   const std::size_t vertices =
       s.mesh.point.size() - (is_numbered ? s.numbering.vertex.size() : mesh.vertex_position.size());
@@ -146,15 +142,13 @@ Status Mesher::update_visibility_mesh(const Context& context, std::span<const st
   Numbering everything{{}, {}, 0, 0, {State::kPurpose, s.budget}};
   TableMemory scratch(State::kPurpose);
   std::vector<std::int32_t> slots;
-  Status status = number_everything(context, s.mesh, everything);
-  if (status) status = scratch.reserve(context, slots, s.mesh.triangle.size());
-  if (!status) return status;
+  SFUMATO_TRY(number_everything(context, s.mesh, everything));
+  SFUMATO_TRY(scratch.reserve(context, slots, s.mesh.triangle.size()));
   for (std::size_t t = 0; t < s.mesh.triangle.size(); ++t) {
     if (t >= is_same.size() || !is_same[t]) slots.push_back(static_cast<std::int32_t>(t));
   }
   changed.clear();
-  status = memory.reserve(context, changed, slots.size());
-  if (!status) return status;
+  SFUMATO_TRY(memory.reserve(context, changed, slots.size()));
   changed.assign(slots.begin(), slots.end());
   const ExtractSource source{s.mesh, s.chords, s.refiner.origins(), s.lattice, everything};
   return update_extract(context, source, slots, s.extracted, mesh);
@@ -201,13 +195,13 @@ Status Mesher::edit(const Context& context, const curves::FlatCurves& flat, cons
   if (status) status = s.refiner.start(context);
   if (moves_frame) {
     s.mesh.forget_changes();
-    s.forget_numbers();  // vertices outside may have come in
+    s.forget_numbers();  // vertices outside may have become inside
   }
   if (!status || !refines) {
     s.mesh.take_touched([](std::int32_t) {});
     return status;
   }
-  if (moves_frame) return refine(context);  // what came in was not tracked
+  if (moves_frame) return refine(context);  // triangles that became inside were not tracked
   const std::size_t vertices = s.mesh.point.size();
   status = s.refiner.refine_touched(context);
   s.has_cut_chords = s.mesh.point.size() > vertices;

@@ -33,18 +33,18 @@ struct Mesher::State {
   Triangulation mesh;
   ChordStore chords;
   Refiner refiner;
-  Numbering numbering;                   ///< of the patch mesh, as it was made or updated last
-  std::vector<Refiner::Target> patched;  ///< per triangle of it: slot and stamp
-  TableMemory memory;                    ///< of `patched`, and of lists of what changed
-  TableMemory extracted;                 ///< of the mesh that was handed out last
-  std::vector<Point> drawn;              ///< once it was edited: per vertex of the polylines
+  Numbering numbering;                   ///< for the patch mesh, as it was made or updated last
+  std::vector<Refiner::Target> patched;  ///< per triangle of the patch mesh: slot and stamp
+  TableMemory memory;                    ///< for `patched`, and for lists of changes
+  TableMemory extracted;                 ///< for the mesh that was returned last
+  std::vector<Point> drawn;              ///< after an edit: per vertex of the polylines
   TableMemory drawn_memory;
   bool has_cut_chords = false;     ///< refinement may have cut edges, so that chords are not edges
-  std::uint32_t change_count = 0;  ///< of refinements and edits
-  const State* copied_from = nullptr;      ///< last, and never looked into
-  std::uint32_t change_count_of_copy = 0;  ///< what that one's was
+  std::uint32_t change_count = 0;  ///< number of refinements and edits
+  const State* copied_from = nullptr;      ///< last source of a copy; never dereferenced
+  std::uint32_t change_count_of_copy = 0;  ///< the change_count of that source
 
-  /// Sets what lattice and options ask of the refiner.
+  /// Sets the refiner's options from lattice and mesh options.
   void set_quality() {
     const double step = lattice.step;
     refiner.set_quality(options.min_angle_deg,
@@ -54,10 +54,10 @@ struct Mesher::State {
                         options.small_edge / step);
   }
 
-  /// The patch mesh is to be extracted anew.
+  /// Forgets the numbers: the patch mesh must be extracted again.
   void forget_numbers() { numbering = Numbering{{}, {}, 0, 0, {kPurpose, budget}}; }
 
-  /// The mesh with these numbers; the charge of the one before it ends.
+  /// Returns the mesh with these numbers; the charge of the last mesh ends.
   Result<TriangleMesh> extract_anew(const Context& context, const Numbering& numbers) {
     extracted = TableMemory(kPurpose, budget);
     return extract(context, {mesh, chords, refiner.origins(), lattice, numbers}, extracted);

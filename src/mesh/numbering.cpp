@@ -3,15 +3,16 @@
 #include <numeric>
 
 #include "base/poll.hpp"
+#include "base/try.hpp"
 
 namespace sfumato::mesh {
 namespace {
 
-/// A vertex that is about to be numbered.
+/// A vertex that will be numbered next.
 constexpr std::int32_t kAwaited = -2;
 
-/// Numbers the triangles inside and their vertices from neighbour to neighbour: refinement left
-/// them in an order that jumps about, and what follows reads them again and again.
+/// Numbers the triangles inside and their vertices from neighbour to neighbour. Refinement leaves
+/// them in an order that jumps about, and later steps read them many times.
 Status number_depth_first(const Context& context, const Triangulation& mesh, Numbering& numbering) {
   const auto wanted = [&](std::int32_t t) {
     return mesh.triangle[t].inside && numbering.triangle[t] == kNone;
@@ -20,14 +21,13 @@ Status number_depth_first(const Context& context, const Triangulation& mesh, Num
   std::vector<std::int32_t> stack;
   RarePoll<16384> poll(context);
   for (std::size_t seed = 0; seed < mesh.triangle.size(); ++seed) {
-    Status status = memory.push_back(context, stack, static_cast<std::int32_t>(seed));
-    if (!status) return status;
+    SFUMATO_TRY(memory.push_back(context, stack, static_cast<std::int32_t>(seed)));
     while (!stack.empty()) {
       if (poll.cancelled()) return context.cancel_status();
       const std::int32_t t = stack.back();
       stack.pop_back();
       if (!wanted(t)) continue;
-      if (status = memory.make_room(context, stack, 3); !status) return status;
+      SFUMATO_TRY(memory.make_room(context, stack, 3));
       numbering.triangle[t] = static_cast<std::int32_t>(numbering.triangle_count++);
       for (int k = 0; k < 3; ++k) {
         std::int32_t& vertex = numbering.vertex[mesh.triangle[t].vertex[k]];
@@ -50,26 +50,22 @@ Status Numbering::copy_from(const Context& context, const Numbering& other) {
 }
 
 Status number_everything(const Context& context, const Triangulation& mesh, Numbering& numbering) {
-  Status status = numbering.memory.resize(context, numbering.triangle, mesh.triangle.size());
-  if (status) status = numbering.memory.resize(context, numbering.vertex, mesh.point.size());
-  if (!status) return status;
+  SFUMATO_TRY(numbering.memory.resize(context, numbering.triangle, mesh.triangle.size()));
+  SFUMATO_TRY(numbering.memory.resize(context, numbering.vertex, mesh.point.size()));
   std::iota(numbering.triangle.begin(), numbering.triangle.end(), 0);
   std::iota(numbering.vertex.begin(), numbering.vertex.end(), 0);
   numbering.triangle_count = static_cast<std::uint32_t>(mesh.triangle.size());
   numbering.vertex_count = static_cast<std::uint32_t>(mesh.point.size());
-  return status;
+  return ok_status();
 }
 
 Status number_inside(const Context& context, const Triangulation& mesh, Numbering& numbering) {
   const std::size_t known = numbering.triangle.size(), known_vertices = numbering.vertex.size();
   TableMemory& memory = numbering.memory;
-  Status status = memory.grow(context, numbering.triangle, mesh.triangle.size(),
-                              mesh.triangle.capacity(), kNone);
-  if (status) {
-    status =
-        memory.grow(context, numbering.vertex, mesh.point.size(), mesh.point.capacity(), kNone);
-  }
-  if (!status) return status;
+  SFUMATO_TRY(memory.grow(context, numbering.triangle, mesh.triangle.size(),
+                          mesh.triangle.capacity(), kNone));
+  SFUMATO_TRY(
+      memory.grow(context, numbering.vertex, mesh.point.size(), mesh.point.capacity(), kNone));
   if (known == 0) return number_depth_first(context, mesh, numbering);
   RarePoll<65536> poll(context);
   for (const std::int32_t t : mesh.changed) {

@@ -8,28 +8,31 @@
 
 #include "base/limit_error.hpp"
 #include "base/poll.hpp"
+#include "base/try.hpp"
 #include "mesh/triangle_mesh.hpp"
 
 namespace sfumato::mesh {
 namespace {
 
-/// No edge is asked to become shorter than this share of the weld for the sake of an angle: the
-/// arrangement has hardly a detail below the weld. Angles above 25 degrees could run away else.
+/// The shortest edge, as a share of the weld, that may be required for the sake of an angle: the
+/// arrangement has hardly a detail below the weld. Without this bound angles above 25 degrees could
+/// make it run forever.
 constexpr double kShortestEdgePerWeld = 0.25;
 
-/// Two vertices stand on one shell where their distances from its centre differ by less than this
-/// share, or by less than rounding to the lattice can do.
+/// Two vertices are on one shell where their distances from its centre differ by less than this
+/// share, or by less than rounding to the lattice can cause.
 constexpr double kShellShare = 0.0005;
 constexpr double kShellSteps = 2;
 
-/// An off-centre stands a little nearer than where the new triangle would just pass (Üngör 2004).
+/// An off-centre lies a little nearer than the point where the new triangle would just pass (Üngör
+/// 2004).
 constexpr double kOffCenterShare = 0.475;
 
 constexpr int kShrinkAttempts = 3;
 constexpr std::uint32_t kSplitsPerPoll = 1024;
 constexpr double kPi = 3.14159265358979323846;
 
-/// cos by its series: the same bits with every libm. For 0 to 33 degrees.
+/// Returns the cosine by its series: the same bits with every libm. For 0 to 33 degrees.
 double cosine_of_degrees(double degrees) {
   const double x = degrees * (kPi / 180);
   double term = 1, sum = 1;
@@ -76,18 +79,19 @@ void Refiner::charge_lists() {
   if (!status && status_.ok()) status_ = status;
 }
 
-/// Bytes of the queues and of the mesh's lists, which follow the size of its tables.
+/// Returns the bytes of the queues and of the mesh's lists, which follow the size of its tables.
 std::size_t Refiner::list_bytes() const {
   std::size_t bytes = capacity_bytes(encroached_) + mesh_.list_bytes();
   for (const Bucket& bucket : bucket_) bytes += capacity_bytes(bucket.items);
   return bytes;
 }
 
-/// Counts the pieces that a cut adds to the mesh that leaves.
+/// Counts the pieces that a cut adds to the extracted mesh.
 bool Refiner::count_pieces(const Chord& chord) {
   owner_pieces_ += static_cast<std::size_t>(chord.load.count);
   if (owner_pieces_ > kOwnersPerSegment * context_->limits.segments) {
-    status_ = make_error(StatusCode::limit, "overlapping curves are cut into too many pieces");
+    status_ =
+        make_limit_error(&Limits::segments, "overlapping curves are cut into too many pieces");
     return false;
   }
   return true;
@@ -122,8 +126,8 @@ void Refiner::check_triangle(std::int32_t t) {
   lowest_ = std::min(lowest_, index);
 }
 
-/// The edge joins two chords that meet at a vertex, on one shell around it: to split what lies
-/// before it would go on for ever.
+/// Returns whether the edge joins two chords that meet at a vertex, on one shell around it:
+/// splitting triangles in front of it would never end.
 bool Refiner::spans_small_input_angle(HalfEdge e) const {
   if (mesh_.is_constrained(e)) return false;
   const Vertex u = mesh_.origin(e), w = mesh_.target(e);
@@ -140,7 +144,8 @@ bool Refiner::spans_small_input_angle(HalfEdge e) const {
   return std::fabs(r_u - r_w) <= std::max(kShellShare * r_u, kShellSteps);
 }
 
-/// The angle at p over the segment from a to b is at least 180° minus twice the minimum angle.
+/// Returns whether the angle at p over the segment from a to b is at least 180° minus twice the
+/// minimum angle.
 bool Refiner::in_lens(Point a, Point b, Point p) const {
   const double ax = a.x - p.x, ay = a.y - p.y;
   const double bx = b.x - p.x, by = b.y - p.y;
@@ -189,7 +194,7 @@ bool Refiner::cavity_encroaches(Point p) {
   return any;
 }
 
-/// The circumcentre, or the off-centre over the edge where that is nearer to it.
+/// Returns the circumcentre, or the off-centre over the edge where that is nearer to it.
 Point Refiner::steiner_point(HalfEdge edge, double off_center) const {
   const Point a = mesh_.origin_point(edge), b = mesh_.target_point(edge);
   const Point c = mesh_.apex_point(edge);
@@ -237,7 +242,8 @@ void Refiner::refine_triangle(const Bad& bad) {
   if (changed && mesh_.triangle[t].stamp == bad.stamp) check_triangle(t);
 }
 
-/// Splits what is in `encroached_` and what becomes encroached by that. True if any was split.
+/// Splits the subsegments in `encroached_` and the subsegments that become encroached by it.
+/// Returns whether any was split.
 bool Refiner::split_queued_subsegments() {
   bool any = false;
   while (!encroached_.empty() && status_.ok()) {
@@ -250,8 +256,9 @@ bool Refiner::split_queued_subsegments() {
   return any;
 }
 
-/// Where to cut: in the middle, or at a power of two from an end where other chords begin, so that
-/// chords at a small angle are cut at equal distances and do not encroach upon each other for ever.
+/// Returns where to cut: in the middle, or at a power of two from an end where other chords begin.
+/// Chords at a small angle are then cut at equal distances and do not encroach upon each other
+/// forever.
 double Refiner::split_fraction(HalfEdge e, double length) const {
   const HalfEdge f = mesh_.twin(e);
   const bool at_origin = mesh_.is_wall(previous(e)) || mesh_.is_wall(next(f));
@@ -264,8 +271,8 @@ double Refiner::split_fraction(HalfEdge e, double length) const {
   return at_target ? 1 - s : s;
 }
 
-/// The lattice point at fraction s of e, or one beside it where rounding would turn a triangle
-/// over.
+/// Finds the lattice point at fraction s of e, or one beside it where rounding would turn a
+/// triangle over.
 bool Refiner::split_point(HalfEdge e, double s, Point& p) const {
   const Point a = mesh_.origin_point(e), b = mesh_.target_point(e);
   const double x = a.x + s * (b.x - a.x);
@@ -310,7 +317,7 @@ bool Refiner::next_bad(Bad& bad) {
   return false;
 }
 
-/// Works off both queues.
+/// Empties both queues.
 Status Refiner::run(const Context& context) {
   context_ = &context;
   status_ = ok_status();
@@ -336,8 +343,8 @@ Status Refiner::run(const Context& context) {
   return status_;
 }
 
-/// How many triangles an area has at least, of which none is too large. Near curves cuts end before
-/// that where the bound is finer than they may be.
+/// Returns the least number of triangles of an area if none is too large. Near curves refinement
+/// may end before that bound.
 double Refiner::least_triangles(double area) const {
   const double finest = 2 * shortest_edge_;
   return area / std::max(0.5 * doubled_area_, finest * finest);
@@ -398,8 +405,8 @@ void Refiner::halve_longest_edge(std::int32_t t) {
   }
 }
 
-/// A vertex at the circumcentre, or, where chords are in the way, in the middle of these while they
-/// are longer than the bound; else in the middle of the longest edge.
+/// Inserts a vertex at the circumcentre, or, where chords are in the way, in the middle of these
+/// while they are longer than the bound; else in the middle of the longest edge.
 void Refiner::shrink(Target target, double smallest_edge2) {
   const std::int32_t t = target.triangle;
   const auto is_long = [&](HalfEdge e) {
@@ -440,7 +447,7 @@ Status Refiner::refine_targets(const Context& context, std::span<const Target> t
     shrink(target, smallest_edge * smallest_edge);
     if (!status_.ok()) return status_;
   }
-  if (Status status = context.check(); !status) return status;
+  SFUMATO_TRY(context.check());
   return run(context);
 }
 

@@ -13,7 +13,7 @@
 
 namespace sfumato::mesh {
 
-/// Where a vertex came from: the arrangement, the inside of a chord, or nothing (free).
+/// The origin of a vertex: the arrangement, the inside of a chord, or neither (free).
 struct VertexOrigin {
   static constexpr std::int32_t kArrangement = -1;
   static constexpr std::int32_t kFree = -2;
@@ -22,7 +22,7 @@ struct VertexOrigin {
   float fraction = 0;                 ///< of that chord
 };
 
-/// Fraction of chord `c` (whose index is `chord_index`) at one of its vertices.
+/// Returns the fraction of chord `c` (whose index is `chord_index`) at one of its vertices.
 inline float fraction_at(const Chord& c, std::int32_t chord_index, Vertex v, VertexOrigin origin) {
   if (v == c.from) return 0;
   if (v == c.to) return 1;
@@ -50,8 +50,8 @@ class Refiner {
   ///                it
   void set_quality(double min_angle_deg, double doubled_area, double weld, double small_edge);
 
-  /// Takes over the origins of another mesh's vertices, of which its own is a copy. Errors: limit
-  /// (memory), cancelled.
+  /// Copies the origins of another mesh's vertices; this mesh must be a copy of that one. Errors:
+  /// limit (memory), cancelled.
   Status copy_origins(const Context& context, const Refiner& other) {
     owner_pieces_ = 0;
     return memory_.assign(context, other.origin_, origin_);
@@ -76,11 +76,11 @@ class Refiner {
   /// limit, cancelled.
   Status refine_touched(const Context& context);
 
-  /// Per vertex of the triangulation.
+  /// Returns the origins, per vertex of the triangulation.
   const std::vector<VertexOrigin>& origins() const { return origin_; }
   std::vector<VertexOrigin>& origins() { return origin_; }
-  /// Call before everything except set_quality, and whenever an arrangement has added vertices.
-  /// Errors: limit (memory), cancelled.
+  /// Starts. Call it before everything except set_quality, and whenever an arrangement has added
+  /// vertices. Errors: limit (memory), cancelled.
   Status start(const Context& context) {
     return memory_.resize(context, origin_, mesh_.point.size());
   }
@@ -135,7 +135,7 @@ class Refiner {
   Status status_;
   std::vector<VertexOrigin> origin_;
 
-  double sin2_ = 0;        ///< of the minimum angle
+  double sin2_ = 0;        ///< for the minimum angle
   double lens_ = 0;        ///< cos² of twice the minimum angle
   double off_center_ = 0;  ///< height of an off-centre over its edge, in edge lengths
   double doubled_area_ = 0;

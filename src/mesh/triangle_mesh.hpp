@@ -20,7 +20,7 @@ struct SegmentPiece {
   float u_to = 1;  ///< less than u_from if the segment runs against the constraint
 };
 
-/// An edge of the mesh on which curves, or only the frame, lie.
+/// An edge of the mesh with curves on it, or only the frame.
 struct Constraint {
   std::uint32_t from = 0;  ///< vertex
   std::uint32_t to = 0;    ///< vertex
@@ -29,8 +29,8 @@ struct Constraint {
 };
 
 /// A triangulation in flat index arrays. Half-edge h = 3 t + k runs from corner k of triangle t to
-/// corner (k + 1) % 3; t lies on the side where cross(edge, p - start) > 0, which is the *right*
-/// of the edge on the screen (y down).
+/// corner (k + 1) % 3; t lies on the side where cross(edge, p - start) > 0, which is the *right* of
+/// the edge on the screen (y down).
 struct TriangleMesh {
   double lattice_step = 0;  ///< a power of two, user units: positions are whole multiples of it
   std::vector<Vec2> vertex_position;               ///< layer frame
@@ -49,12 +49,13 @@ struct TriangleMesh {
   std::span<const SegmentPiece> pieces(const Constraint& c) const {
     return {piece.data() + c.piece_begin, piece.data() + c.piece_end};
   }
-  /// Whether a curve lies on the half-edge. False for free edges and where only the frame runs.
+  /// Returns whether a curve lies on the half-edge. False for free edges and where only the frame
+  /// runs.
   bool has_curves(std::uint32_t h) const {
     const std::int32_t c = half_edge_constraint[h];
     return c != kNone && !pieces(constraint[static_cast<std::size_t>(c)]).empty();
   }
-  /// Whether a segment s with is_chosen[s] lies on the half-edge.
+  /// Returns whether a segment s with is_chosen[s] lies on the half-edge.
   bool has_segment(std::uint32_t h, std::span<const std::uint8_t> is_chosen) const {
     const std::int32_t c = half_edge_constraint[h];
     if (c == kNone) return false;

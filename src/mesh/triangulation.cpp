@@ -3,12 +3,13 @@
 #include <algorithm>
 
 #include "base/limit_error.hpp"
+#include "base/try.hpp"
 #include "sfumato/base/limits.hpp"
 
 namespace sfumato::mesh {
 namespace {
 
-/// After so many steps a walk breaks ties at random: among chords it could go round in circles.
+/// After this many steps a walk breaks ties at random: among chords it could go round in circles.
 constexpr int kPatientSteps = 64;
 
 }  // namespace
@@ -31,34 +32,32 @@ Status Triangulation::grow(const Context& context, std::size_t vertex_count) {
   if (triangle.size() + 2 > triangles) {
     return limit_error(context.limits, &Limits::triangles, "triangles in one layer");
   }
-  Status status = memory_.reserve(context, point, vertices);
-  if (status) status = memory_.reserve(context, spoke, vertices);
-  if (status) status = memory_.reserve(context, triangle, triangles);
-  if (status) status = memory_.reserve(context, changed, triangle.capacity());
-  if (status) status = memory_.resize(context, chord, 4 * triangle.capacity());
-  return status;
+  SFUMATO_TRY(memory_.reserve(context, point, vertices));
+  SFUMATO_TRY(memory_.reserve(context, spoke, vertices));
+  SFUMATO_TRY(memory_.reserve(context, triangle, triangles));
+  SFUMATO_TRY(memory_.reserve(context, changed, triangle.capacity()));
+  return memory_.resize(context, chord, 4 * triangle.capacity());
 }
 
 Status Triangulation::copy_from(const Context& context, const Triangulation& other) {
   clear_lists();
   triangle.clear();
   logged_slots_ = 0;
-  Status status = grow(context, other.point.size() * 9 / 8 + 256);
-  if (status) status = memory_.assign(context, other.point, point);
-  if (status) status = memory_.assign(context, other.spoke, spoke);
-  if (status) status = memory_.assign(context, other.triangle, triangle);
-  if (status) status = memory_.reserve(context, log_, triangle.size());
-  if (!status) return status;
+  SFUMATO_TRY(grow(context, other.point.size() * 9 / 8 + 256));
+  SFUMATO_TRY(memory_.assign(context, other.point, point));
+  SFUMATO_TRY(memory_.assign(context, other.spoke, spoke));
+  SFUMATO_TRY(memory_.assign(context, other.triangle, triangle));
+  SFUMATO_TRY(memory_.reserve(context, log_, triangle.size()));
   std::copy_n(other.chord.begin(), std::min(chord.size(), 4 * triangle.size()), chord.begin());
   for (Triangle& t : triangle) t.listed = 0;
   width = other.width;
   height = other.height;
   logged_slots_ = static_cast<std::int32_t>(triangle.size());
-  return status;
+  return ok_status();
 }
 
-// A change of a triangle may change in its neighbours what lies across the common edge, and which
-// half-edge is that of a vertex which the triangle has, or had before.
+// A change of a triangle may change its neighbours' entries across the common edge, and the
+// half-edge of each vertex that the triangle has or had.
 void Triangulation::take_back(const Triangulation& other) {
   point.resize(other.point.size());
   spoke.resize(other.spoke.size());
@@ -86,7 +85,7 @@ void Triangulation::set_across(HalfEdge e, std::int32_t value, std::int32_t chor
   if (value & 1) chord[e] = chord_index;
 }
 
-/// Makes e and the half-edge that `value` names twins.
+/// Makes e and the half-edge in `value` twins.
 void Triangulation::set_adjacent(HalfEdge e, std::int32_t value, std::int32_t chord_index) {
   set_across(e, value, chord_index);
   if (value == kHull) return;
@@ -276,7 +275,7 @@ bool Triangulation::can_split_edge(HalfEdge e, Point p) const {
   return sees(e) && sees(twin(e));
 }
 
-/// (a, b, apex) becomes (a, v, apex) and a new (v, b, apex), whose half-edge v → b is returned.
+/// Makes (a, v, apex) and a new (v, b, apex) of (a, b, apex). Returns the half-edge v → b.
 HalfEdge Triangulation::bisect_triangle(HalfEdge e, Vertex v) {
   const std::int32_t n = add_triangle();
   const std::int32_t t = triangle_of(e);

@@ -12,8 +12,8 @@ namespace sfumato::mesh {
 
 using Vertex = std::int32_t;
 
-/// 4 t + k: from corner k of triangle t to corner (k + 1) % 3. Its triangle lies where orient2d is
-/// positive.
+/// A half-edge, 4 t + k: from corner k of triangle t to corner (k + 1) % 3. Its triangle lies where
+/// orient2d is positive.
 using HalfEdge = std::int32_t;
 
 constexpr std::int32_t triangle_of(HalfEdge e) {
@@ -38,7 +38,7 @@ struct alignas(32) Triangle {
   std::int32_t stamp;  ///< counts the changes of this slot
   std::int32_t across[3];
   std::int16_t inside;  ///< 1 where the triangle lies inside the frame
-  std::int16_t listed;  ///< kTouched, kChanged, kLogged: the lists that it is in
+  std::int16_t listed;  ///< kTouched, kChanged, kLogged: the lists that contain it
 };
 inline constexpr std::int32_t kHull = -1;
 inline constexpr std::int16_t kTouched = 1;
@@ -62,8 +62,9 @@ struct CavityEdge {
 };
 
 /// A constrained Delaunay triangulation of the lattice rectangle: storage, point location,
-/// insertion (Bowyer–Watson with chords as walls) and flips. Slots are never freed. Does not deal
-/// with welding or quality. Every vertex but the four corners lies strictly inside the rectangle.
+/// insertion (Bowyer–Watson with chords as walls) and flips. Slots are never freed. It does not
+/// handle welding or quality. Every vertex except the four corners lies strictly inside the
+/// rectangle.
 struct Triangulation {
   std::vector<Point> point;
   std::vector<HalfEdge> spoke;  ///< per vertex: a half-edge that starts there
@@ -75,7 +76,7 @@ struct Triangulation {
   std::int32_t width = 0;
   std::int32_t height = 0;
 
-  /// Two triangles over [0, width] × [0, height]; vertices 0 to 3 are the corners.
+  /// Starts with two triangles over [0, width] × [0, height]; vertices 0 to 3 are the corners.
   void start(std::int32_t domain_width, std::int32_t domain_height);
 
   Vertex origin(HalfEdge e) const { return triangle[triangle_of(e)].vertex[corner_of(e)]; }
@@ -93,35 +94,35 @@ struct Triangulation {
   Point target_point(HalfEdge e) const { return point[target(e)]; }
   Point apex_point(HalfEdge e) const { return point[apex(e)]; }
 
-  /// p lies strictly inside the circle of triangle t. Exact.
+  /// Returns whether p lies strictly inside the circle of triangle t. Exact.
   bool circumcircle_contains(const Triangle& t, Point p) const {
     return in_circle(point[t.vertex[0]], point[t.vertex[1]], point[t.vertex[2]], p);
   }
 
-  /// Puts a chord on an edge, or takes it off. Not on the hull. The triangles on both sides count
-  /// as changed.
+  /// Puts a chord on an edge, or removes it. Not on the hull. The triangles on both sides count as
+  /// changed.
   void constrain(HalfEdge e, std::int32_t chord_index);
   void unconstrain(HalfEdge e);
 
-  /// The same for another load of the chord on an edge.
+  /// Marks the sides of an edge as changed, for another load of its chord.
   void touch_sides(HalfEdge e) {
     touch(triangle_of(e));
     touch(triangle_of(twin(e)));
   }
 
-  /// All triangles around a vertex count as changed.
+  /// Marks all triangles around a vertex as changed.
   void touch_around(Vertex v);
 
-  /// The half-edge from u to w, or kNone.
+  /// Returns the half-edge from u to w, or kNone.
   HalfEdge find_edge(Vertex u, Vertex w) const;
 
-  /// Visibility walk from triangle `start`. A walk that is blocked by walls stops at the first
-  /// wall.
+  /// Walks towards a point from triangle `start` (visibility walk). A walk that is blocked by walls
+  /// stops at the first wall.
   template <bool blocked_by_walls>
   Location locate(Point p, std::int32_t start_triangle);
 
-  /// Bowyer–Watson: finds the triangles whose circumcircles hold p, from the one that p lies in;
-  /// `cavity` is the boundary of their union, in positive order.
+  /// Finds the triangles whose circumcircles contain p, starting from the triangle of p
+  /// (Bowyer–Watson); `cavity` becomes the boundary of their union, in positive order.
   void find_cavity(Point p, std::int32_t start_triangle);
 
   /// Replaces the cavity of the last `find_cavity` by the star of a new vertex at p.
@@ -135,8 +136,8 @@ struct Triangulation {
   /// Replaces the edge by the other diagonal. Precondition: free, convex quadrilateral.
   void flip_edge(HalfEdge e);
 
-  /// Flips the edges in `pending`, and those that this makes illegal, until the mesh is constrained
-  /// Delaunay (Lawson).
+  /// Flips the edges in `pending`, and the edges that become illegal by that, until the mesh is
+  /// constrained Delaunay (Lawson).
   void legalize();
   std::vector<HalfEdge> pending;
 
@@ -146,33 +147,33 @@ struct Triangulation {
     take(touched, kTouched, visit);
   }
 
-  /// The same for `changed`.
+  /// Does the same for `changed`.
   template <class Visit>
   void take_changed(Visit visit) {
     take(changed, kChanged, visit);
   }
 
-  /// Whether there is room for one more insertion; `grow` makes it. `grow` reserves the chords
-  /// last, so room for them implies room in the other tables.
+  /// Returns whether there is room for one more insertion; `grow` makes it. `grow` reserves the
+  /// chords last, so room for them implies room in the other tables.
   bool has_room() const {
     return 4 * (triangle.size() + 2) <= chord.size() && point.size() < point.capacity();
   }
   Status grow(const Context& context, std::size_t vertex_count);
 
-  /// Becomes the same mesh, with room for some more, in the memory that it has where that is large
-  /// enough, and logs its changes from then on. Not while triangles of `other` are listed as
-  /// touched. Errors: limit (memory), cancelled.
+  /// Copies a mesh, with room for some more, in the existing memory where that is large enough, and
+  /// logs its changes from then on. Not while triangles of `other` are listed as touched. Errors:
+  /// limit (memory), cancelled.
   Status copy_from(const Context& context, const Triangulation& other);
 
-  /// Whether it still knows what has changed since copy_from().
+  /// Returns whether it still knows all changes since copy_from().
   bool knows_changes() const { return logged_slots_ > 0; }
   void forget_changes() { logged_slots_ = 0; }
 
-  /// The same as copy_from() if it knows what has changed since that, of a mesh that is as it was
-  /// then. Cost: O(changes).
+  /// Does copy_from(), by undoing the logged changes since then. Precondition: knows_changes(), and
+  /// `other` has not changed. Cost: O(changes).
   void take_back(const Triangulation& other);
 
-  /// Bytes of the lists that grow during an insertion.
+  /// Returns the bytes of the lists that grow during an insertion.
   std::size_t list_bytes() const { return capacity_bytes(touched, pending, cavity, dead_, stack_); }
 
   std::vector<CavityEdge> cavity;  ///< boundary of the last `find_cavity`
@@ -221,7 +222,7 @@ struct Triangulation {
   }
   void take_back_slot(const Triangulation& other, std::int32_t t);
 
-  std::vector<std::int32_t> log_;  ///< of the first logged_slots_ triangles, those that changed
+  std::vector<std::int32_t> log_;  ///< the triangles among the first logged_slots_ that changed
   std::int32_t logged_slots_ = 0;
   std::vector<std::int32_t> dead_;
   std::vector<HalfEdge> stack_;

@@ -7,11 +7,12 @@
 
 namespace sfumato::options {
 
-/// All names of limits, and which of them was probably meant: "curves, stops; did you mean stops?".
+/// Returns all names of limits and the one that was probably meant: "curves, stops; did you mean
+/// stops?".
 std::string expected_limits(std::string_view given);
 
-/// Sets the limit of this name from text as "300k". Returns what was expected instead; empty:
-/// nothing, and the limit is set.
+/// Sets the limit of this name from a text such as "300k". Returns what to use instead if the text
+/// is wrong; empty if the limit is set.
 std::string set_limit(std::string_view name, std::string_view digits, Limits& limits);
 
 }  // namespace sfumato::options

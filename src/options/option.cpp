@@ -28,7 +28,7 @@ bool is_within(const NumberRange& range, double number) {
   return is_high_enough && number <= range.highest;
 }
 
-/// A colour as drawings have it; `none` and `transparent` are none.
+/// Reads a colour as in drawings; `none` and `transparent` mean no colour.
 bool read_color(std::string_view text, Value& value) {
   const Result<css::Color> color = css::parse_color(text);
   if (text == "none" || (color && color->alpha == 0)) return true;
@@ -117,8 +117,11 @@ std::optional<Value> parse_value(const OptionInfo& option, std::string_view text
 }
 
 std::string complaint_about_value(const OptionInfo& option, std::string_view text) {
-  return "\"" + std::string(text) + "\" given, expected " + expected_value(option) +
-         text::did_you_mean(text, option.words);
+  std::string complaint = "invalid value \"" + std::string(text) + "\"; use " +
+                          expected_value(option) + text::did_you_mean(text, option.words);
+  if (option.kind != ValueKind::color) return complaint;
+  const Result<css::Color> color = css::parse_color(text);
+  return color ? complaint : complaint + "; " + color.status().message;
 }
 
 std::string value_name(const OptionInfo& option) {

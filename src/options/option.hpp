@@ -39,7 +39,7 @@ struct WholeRange {
   std::uint64_t highest = UINT64_MAX;
 };
 
-/// A value that was read. What counts besides `text` depends on the kind.
+/// Holds a value that was read. Its kind decides which member besides `text` counts.
 struct Value {
   std::string_view text;
   std::optional<double> number;  ///< none: Option::instead was given
@@ -50,7 +50,7 @@ struct Value {
   std::optional<Rgb> color;  ///< none: no colour
 };
 
-/// What options are about: a heading of the command's help each.
+/// Sections of the command's help.
 enum class Group : std::uint8_t {
   none,  ///< not the command's
   drawing,
@@ -79,8 +79,8 @@ enum Call : unsigned {
   kWeights = 2048
 };
 
-/// One option of the command and of the C interface: what both say about it, and which values it
-/// takes. Where a text names an option, it does so as spelled() explains.
+/// Describes one option of the command and of the C interface: its texts and the values that it
+/// takes. Texts name other options in the form that spelled() explains.
 struct OptionInfo {
   const char* key;
   ValueKind kind;
@@ -90,31 +90,31 @@ struct OptionInfo {
   std::span<const std::string_view> words{};  ///< of ValueKind::word
   const char* expected = nullptr;             ///< null: follows from words or wholes
   const char* value_name = nullptr;           ///< in the help; null: the words
-  const char* excludes = nullptr;             ///< the key of what may not be given too
-  const char* help = nullptr;                 ///< lines of the command's help
+  const char* excludes = nullptr;  ///< the key of an option that cannot be combined with this one
+  const char* help = nullptr;      ///< lines of the command's help
   Group group = Group::none;
   unsigned calls = 0;  ///< of enum Call
 };
 
-/// An option of a table, and how it changes a Target.
+/// Holds an option of a table and the function by which it changes a Target.
 template <class Target>
 struct Option {
   OptionInfo info;
   void (*set)(Target& target, const Value& value);
 };
 
-/// A text with its options named as their user writes them. "@svg=vector" and "@svg" become
-/// "svg=vector" and "svg"; for the command they get two dashes, and a blank in the place of "=".
+/// Returns a text with the options named as their user writes them. "@svg=vector" and "@svg" become
+/// "svg=vector" and "svg". For the command they get two dashes, and a blank instead of "=".
 std::string spelled(std::string_view text, bool for_command);
 
-/// Reads a value. Empty: the text is none of the option's values.
+/// Reads a value. Returns nothing if the text is not a value of the option.
 std::optional<Value> parse_value(const OptionInfo& option, std::string_view text);
 
-/// What is wrong with a text that parse_value() refused, and what was probably meant: "\"x\" given,
-/// expected one of 8|16".
+/// Returns what is wrong with a text that parse_value() refused, and what was probably meant:
+/// "invalid value \"x\"; use one of 8|16".
 std::string complaint_about_value(const OptionInfo& option, std::string_view text);
 
-/// The value's name in the help: "N", "8|16".
+/// Returns the value's name in the help: "N", "8|16".
 std::string value_name(const OptionInfo& option);
 
 }  // namespace sfumato::options

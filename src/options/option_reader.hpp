@@ -18,8 +18,8 @@ class OptionReader {
  public:
   explicit OptionReader(Call call) : call_(call) {}
 
-  /// Takes those options of a table that the call knows, and sets them in `target`, which must
-  /// outlive this.
+  /// Takes the options of a table that the call knows, and sets them in `target`, which must
+  /// outlive this object.
   template <class Target>
   void take(std::span<const Option<Target>> table, Target& target) {
     for (const Option<Target>& option : table) {
@@ -29,12 +29,12 @@ class OptionReader {
     }
   }
 
-  /// Takes "limit.NAME=VALUE" too.
+  /// Also takes "limit.NAME=VALUE".
   void take_limits(Limits& limits) { limits_ = &limits; }
 
-  /// Sets what the text says, as OptionString describes it. Errors: bad_input, with the option's
-  /// key in the message: one that the call does not know or that is given twice, a value that it
-  /// does not take. Some targets may have been set then.
+  /// Sets the options of a text that has the form of OptionString. Errors: bad_input, with the
+  /// option's key in the message: the call does not know the option, it is given twice, or it does
+  /// not take the value. Some targets may be set even then.
   Status read(std::string_view text);
 
  private:

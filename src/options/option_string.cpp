@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/try.hpp"
 #include "formats/text/suggestion.hpp"
 
 namespace sfumato::options {
@@ -9,7 +10,7 @@ namespace {
 
 constexpr std::string_view kBlanks = " \t\n\r\f";
 
-/// Takes what stands before the first of `ends` off the text.
+/// Removes the part before the first of `ends` from the text and returns it.
 std::string_view take_until(std::string_view& text, std::string_view ends) {
   const std::string_view taken = text.substr(0, text.find_first_of(ends));
   text.remove_prefix(taken.size());
@@ -28,7 +29,7 @@ bool is_key(std::string_view text) {
 
 }  // namespace
 
-/// The text begins behind the opening quote.
+/// Reads a quoted value. The text begins after the opening quote.
 Result<std::string> OptionString::quoted_value(std::string_view key) {
   std::string value;
   while (!rest_.empty() && rest_.front() != '"') {
@@ -37,10 +38,10 @@ Result<std::string> OptionString::quoted_value(std::string_view key) {
     value += rest_[is_escape ? 1 : 0];
     rest_.remove_prefix(is_escape ? 2 : 1);
   }
-  if (rest_.empty()) return complaint(key, "a quote that is not closed");
+  if (rest_.empty()) return complaint(key, "a quote that is not closed; add the closing quote");
   rest_.remove_prefix(1);
   if (rest_.empty() || kBlanks.find(rest_.front()) != std::string_view::npos) return value;
-  return complaint(key, "something follows a closing quote, expected a blank");
+  return complaint(key, "something follows a closing quote; put a blank between");
 }
 
 Result<Assignment> OptionString::next() {
@@ -48,21 +49,19 @@ Result<Assignment> OptionString::next() {
   if (rest_.empty()) return Assignment{};
   const std::string_view key = take_until(rest_, " \t\n\r\f=");
   if (!is_key(key)) {
-    return make_error(StatusCode::bad_input, text::quoted(key) + " is no option");
+    return make_error(StatusCode::bad_input, "unknown option " + text::quoted(key));
   }
   Assignment found{std::string(key), std::nullopt};
   if (rest_.empty() || rest_.front() != '=') return found;
   rest_.remove_prefix(1);
   if (!rest_.empty() && rest_.front() == '"') {
     rest_.remove_prefix(1);
-    Result<std::string> value = quoted_value(key);
-    if (!value) return value.status();
-    found.value = std::move(*value);
+    SFUMATO_TRY_ASSIGN(found.value, quoted_value(key));
     return found;
   }
   const std::string_view value = take_until(rest_, kBlanks);
   if (value.find('"') != std::string_view::npos) {
-    return complaint(key, "a quote within a value, expected it around the whole value");
+    return complaint(key, "a quote within a value; put quotes around the whole value");
   }
   found.value = value;
   return found;

@@ -8,21 +8,22 @@
 
 namespace sfumato::options {
 
-/// A key and its value as they stand in a string of options.
+/// A key and its value in a string of options.
 struct Assignment {
   std::string key;
-  std::optional<std::string> value;  ///< none: the key stands alone
+  std::optional<std::string> value;  ///< none: the key has no value
 };
 
-/// Cuts a string of options into its parts: "key=value key key=\"a value\"". Blanks separate. A
-/// value with blanks or quotes is quoted as a whole, and \" and \\ stand for a quote and a
-/// backslash in it.
+/// Splits a string of options into its parts: "key=value key key=\"a value\"". Blanks separate the
+/// parts. A value with blanks or quotes is quoted as a whole; in it, \" and \\ stand for a quote
+/// and a backslash.
 class OptionString {
  public:
-  /// The text must outlive this.
+  /// The text must outlive this object.
   explicit OptionString(std::string_view text) : rest_(text) {}
 
-  /// The next part; an empty key at the end. Errors: bad_input, with the key in the message.
+  /// Returns the next part; an empty key at the end. Errors: bad_input, with the key in the
+  /// message.
   Result<Assignment> next();
 
  private:

@@ -4,7 +4,7 @@
 
 #include "options/tables.hpp"
 
-// The tables of options that bound work, and of those that the C interface alone has.
+// The tables of the options that limit work and of the options that only the C interface has.
 
 namespace sfumato::options {
 namespace {
@@ -20,7 +20,7 @@ constexpr Option<Resources> kResourceOptions[] = {
       .wholes = {1, kLargestMemoryMib},
       .expected = "a whole number of MiB, at least 1",
       .value_name = "MIB",
-      .help = "Give up before taking more memory [2048]",
+      .help = "Stop rather than use more memory [2048]",
       .group = Group::resources,
       .calls = kContext},
      [](Resources& r, const Value& v) {
@@ -32,7 +32,7 @@ constexpr Option<Resources> kResourceOptions[] = {
       .instead = "off",
       .expected = "a number of seconds above 0, or off",
       .value_name = "SECONDS|off",
-      .help = "Give a drawing up after this time [60]",
+      .help = "Stop a drawing that takes longer than this [60]",
       .group = Group::resources,
       .calls = kContext},
      [](Resources& r, const Value& v) { r.seconds = v.number; }},
@@ -80,7 +80,7 @@ constexpr Option<DocumentSettings> kDocumentOptions[] = {
      }},
     {{.key = "background",
       .kind = ValueKind::color,
-      .expected = "an opaque colour of CSS, as gold, #rrggbb or rgb(255 165 0), or none",
+      .expected = "an opaque CSS colour such as gold, #rrggbb or rgb(255 165 0), or none",
       .calls = kNewDocument},
      [](DocumentSettings& s, const Value& v) { s.background = v.color; }},
 };

@@ -27,34 +27,35 @@ enum class OutputKind : std::uint8_t {
   json
 };
 
-/// Whether the kind consists of pixels alone.
+/// Returns whether the kind consists of pixels alone.
 constexpr bool is_image(OutputKind kind) {
   return kind <= OutputKind::rgba64le;
 }
 
-/// Whether it is a raw frame.
+/// Returns whether it is a raw frame.
 constexpr bool is_frame(OutputKind kind) {
   return kind >= OutputKind::rgb24 && kind <= OutputKind::rgba64le;
 }
 
-/// Whether pixels of the kind always have an alpha channel; others have one where it is needed, if
-/// they know_alpha().
+/// Returns whether pixels of the kind always have an alpha channel. Other kinds have one only if it
+/// is needed and they know_alpha().
 constexpr bool has_alpha(OutputKind kind) {
   return kind == OutputKind::rgba || kind == OutputKind::rgba64le;
 }
 
-/// Where not, what is transparent stands on white.
+/// Returns whether the kind can have an alpha channel. Without one, transparent parts are drawn on
+/// white.
 constexpr bool knows_alpha(OutputKind kind) {
   return kind != OutputKind::jpeg && kind != OutputKind::eps && kind != OutputKind::rgb24 &&
          kind != OutputKind::rgb48le;
 }
 
-/// Whether a channel of the kind has 16 bits whatever is asked for.
+/// Returns whether a channel of the kind always has 16 bits.
 constexpr bool is_deep_frame(OutputKind kind) {
   return kind == OutputKind::rgb48le || kind == OutputKind::rgba64le;
 }
 
-/// Whether the kind is the solution itself, as tables of numbers.
+/// Returns whether the kind is the solution itself, as tables of numbers.
 constexpr bool is_table(OutputKind kind) {
   return kind >= OutputKind::npz;
 }
@@ -65,19 +66,19 @@ struct KnownOutput {
   OutputKind kind;
 };
 
-/// All extensions of files that are known.
+/// Returns all known extensions of files.
 std::span<const KnownOutput> known_outputs();
 
-/// Those of raw frames: "rgb24".
+/// Returns the known extensions of raw frames: "rgb24".
 std::span<const KnownOutput> known_frames();
 
-/// The kind for an extension, in any case and without its dot: "png".
+/// Returns the kind for an extension, in any case and without its dot: "png".
 std::optional<OutputKind> kind_of_extension(std::string_view extension);
 
-/// The same for raw frames.
+/// Returns the same for raw frames.
 std::optional<OutputKind> frame_of_extension(std::string_view extension);
 
-/// What ffmpeg calls pixels of raw frames.
+/// Returns ffmpeg's name for the pixels of raw frames.
 std::string_view name_of_frame(OutputKind kind);
 
 }  // namespace sfumato::options

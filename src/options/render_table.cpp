@@ -2,8 +2,8 @@
 
 #include "options/tables.hpp"
 
-// The table of options by which drawings are solved, drawn and written. A file of data: it grows by
-// an entry an option.
+// The table of the options for solving, drawing and writing drawings. This is a file of data: each
+// option adds an entry.
 
 namespace sfumato::options {
 namespace {
@@ -21,7 +21,7 @@ constexpr std::string_view kSvgModes[] = {"image", "vector"};
 constexpr std::string_view kPdfFlattens[] = {"auto", "always", "never"};
 constexpr std::string_view kDevices[] = {"cpu", "gpu"};
 
-/// What the words of an option stand for, in their order.
+/// Returns the meaning of a word: kMeanings has one for each word of the option, in their order.
 template <auto... kMeanings>
 auto meaning(const Value& value) {
   return std::array{kMeanings...}[value.word];
@@ -32,7 +32,7 @@ constexpr Option<Settings> kRenderOptions[] = {
       .kind = ValueKind::box,
       .expected = "x,y,width,height in user units, width and height above 0, no edge beyond 1e7",
       .value_name = "X,Y,W,H",
-      .help = "The part to draw, in user units [the artboard]",
+      .help = "Draw only this part, in user units [the artboard]",
       .group = Group::place,
       .calls = kSolve | kRaster | kExport | kField | kWeights},
      [](Settings& s, const Value& v) { s.diffuse.viewport = v.box; }},
@@ -41,7 +41,7 @@ constexpr Option<Settings> kRenderOptions[] = {
       .wholes = {1, kLargestCount},
       .expected = "a whole number of pixels, at least 1",
       .value_name = "PIXELS",
-      .help = "Width; the height follows unless given [the drawing's]",
+      .help = "Set the width; the height follows [the drawing's]",
       .group = Group::place,
       .calls = kSolve | kRaster | kExport | kField | kWeights},
      [](Settings& s, const Value& v) { s.size.width = static_cast<int>(v.whole); }},
@@ -50,7 +50,7 @@ constexpr Option<Settings> kRenderOptions[] = {
       .wholes = {1, kLargestCount},
       .expected = "a whole number of pixels, at least 1",
       .value_name = "PIXELS",
-      .help = "Height; the width follows unless given [the drawing's]",
+      .help = "Set the height; the width follows [the drawing's]",
       .group = Group::place,
       .calls = kSolve | kRaster | kExport | kField | kWeights},
      [](Settings& s, const Value& v) { s.size.height = static_cast<int>(v.whole); }},
@@ -58,16 +58,16 @@ constexpr Option<Settings> kRenderOptions[] = {
       .kind = ValueKind::number,
       .expected = "a number above 0",
       .value_name = "NUMBER",
-      .help =
-          "Instead: pixels per user unit [1, or what the drawing's\nown width and height make it]",
+      .help = "Set the size as pixels per user unit instead of @width\nand @height [1, or from the "
+              "drawing's width and height]",
       .group = Group::place,
       .calls = kSolve | kRaster | kExport | kField | kWeights},
      [](Settings& s, const Value& v) { s.size.scale = v.number; }},
     {{.key = "method",
       .kind = ValueKind::word,
       .words = kMethods,
-      .help = "exact: closed form on a mesh; rays: random rays on a mesh;\npixels: closed form at "
-              "every pixel, slow [exact]",
+      .help = "Choose how to solve: exact (closed form on a mesh), rays\n(random rays on a mesh) "
+              "or pixels (closed form at every\npixel, slow) [exact]",
       .group = Group::solution,
       .calls = kSolve},
      [](Settings& s, const Value& v) {
@@ -79,7 +79,7 @@ constexpr Option<Settings> kRenderOptions[] = {
       .kind = ValueKind::whole,
       .wholes = {1, limits::kRays},
       .value_name = "N",
-      .help = "Rays per node of @method=rays [64]",
+      .help = "Shoot N rays at each node with @method=rays [64]",
       .group = Group::solution,
       .calls = kSolve},
      [](Settings& s, const Value& v) {
@@ -89,7 +89,7 @@ constexpr Option<Settings> kRenderOptions[] = {
       .kind = ValueKind::whole,
       .expected = "a whole number",
       .value_name = "N",
-      .help = "Of the random rays [0]",
+      .help = "Set the seed of the random rays [0]",
       .group = Group::solution,
       .calls = kSolve},
      [](Settings& s, const Value& v) { s.diffuse.gather.seed = v.whole; }},
@@ -97,7 +97,8 @@ constexpr Option<Settings> kRenderOptions[] = {
       .kind = ValueKind::number,
       .expected = "a number of user units above 0",
       .value_name = "UNITS",
-      .help = "Largest distance between a curve and its chords\n[0.04 pixels, at most 0.05 on an "
+      .help = "Set the largest distance between a curve and its chords\n[0.04 pixels, at most 0.05 "
+              "on an "
               "artboard of 512]",
       .group = Group::solution,
       .calls = kSolve | kField | kWeights},
@@ -105,8 +106,8 @@ constexpr Option<Settings> kRenderOptions[] = {
     {{.key = "ends",
       .kind = ValueKind::word,
       .words = kEnds,
-      .help = "Ahead of an open curve's end: its colours turn into each\nother, or meet in the "
-              "paper's sliver [soft]",
+      .help = "Choose how colours meet beyond an open curve's end:\nblended (soft), or in a thin "
+              "wedge (paper) [soft]",
       .group = Group::solution,
       .calls = kSolve | kField},
      [](Settings& s, const Value& v) {
@@ -124,7 +125,8 @@ constexpr Option<Settings> kRenderOptions[] = {
       .instead = "off",
       .expected = "a number above 0 and at most 255, or off",
       .value_name = "E|off",
-      .help = "Refine where a patch misses by more, in code values of\n255; off: the plain mesh "
+      .help = "Refine the mesh where it is wrong by more than E code\nvalues of 255; off: do not "
+              "refine "
               "[1; with 16 bits 0.25]",
       .group = Group::mesh,
       .calls = kSolve | kField | kWeights},
@@ -134,9 +136,9 @@ constexpr Option<Settings> kRenderOptions[] = {
      }},
     {{.key = "max-area",
       .kind = ValueKind::fraction,
-      .expected = "a fraction above 0 and at most 1, as 0.04 or 4%",
+      .expected = "a fraction above 0 and at most 1, such as 0.04 or 4%",
       .value_name = "FRACTION",
-      .help = "Largest triangle, as a fraction of the artboard [4%]",
+      .help = "Set the largest triangle, as a fraction of the artboard [4%]",
       .group = Group::mesh,
       .calls = kSolve},
      [](Settings& s, const Value& v) { s.diffuse.max_area_fraction = *v.number; }},
@@ -145,14 +147,14 @@ constexpr Option<Settings> kRenderOptions[] = {
       .numbers = {0, kLargestMinAngleDeg, false},
       .expected = "degrees from 0 to 33",
       .value_name = "DEGREES",
-      .help = "Smallest angle of a triangle, where the curves allow it [22]",
+      .help = "Set the smallest angle of triangles, where the curves\nallow it [22]",
       .group = Group::mesh,
       .calls = kSolve},
      [](Settings& s, const Value& v) { s.diffuse.min_angle_deg = *v.number; }},
     {{.key = "order",
       .kind = ValueKind::word,
       .words = kOrders,
-      .help = "Interpolation inside a triangle [cubic]",
+      .help = "Choose how to interpolate inside a triangle [cubic]",
       .group = Group::mesh,
       .calls = kSolve},
      [](Settings& s, const Value& v) {
@@ -160,7 +162,7 @@ constexpr Option<Settings> kRenderOptions[] = {
      }},
     {{.key = "mesh-overlay",
       .kind = ValueKind::flag,
-      .help = "Draw the mesh on top",
+      .help = "Draw the mesh on top of the picture",
       .group = Group::mesh,
       .calls = kRaster | kExport},
      [](Settings& s, const Value&) { s.raster.mesh_overlay = true; }},
@@ -169,18 +171,18 @@ constexpr Option<Settings> kRenderOptions[] = {
       .expected = "x,y,width,height in whole pixels, x and y at least 0, width and height at least "
                   "1, no edge beyond 16777216",
       .value_name = "X,Y,W,H",
-      .help = "Of the image that @width, @height and @scale say: W x H\npixels from (X, Y) on, "
-              "with the "
-              "bytes that it has there [all]",
+      .help = "Render only W x H pixels at (X, Y) of the full image; they\nmatch a full render "
+              "[the full image]",
       .group = Group::image,
       .calls = kRaster | kExport},
      [](Settings& s, const Value& v) { s.window = v.pixels; }},
     {{.key = "background",
       .kind = ValueKind::color,
-      .expected = "an opaque colour of CSS, as gold, #rrggbb or rgb(255 165 0), or none",
+      .expected = "an opaque CSS colour such as gold, #rrggbb or rgb(255 165 0), or none",
       .value_name = "COLOR",
-      .help = "Behind transparent parts; none: not even the drawing's\nown [the drawing's own, "
-              "else none; JPEG and EPS: white]",
+      .help = "Set the colour behind transparent parts; none: ignore the\ndrawing's too [the "
+              "drawing's, "
+              "or none; JPEG, EPS: white]",
       .group = Group::image,
       .calls = kRaster | kExport | kPayload},
      [](Settings& s, const Value& v) {
@@ -190,20 +192,21 @@ constexpr Option<Settings> kRenderOptions[] = {
     {{.key = "depth",
       .kind = ValueKind::word,
       .words = kDepths,
-      .help = "Bits per channel [8]",
+      .help = "Set the bits per channel [8]",
       .group = Group::image,
       .calls = kExport},
      [](Settings& s, const Value& v) { s.depth = meaning<8, 16>(v); }},
     {{.key = "dither",
       .kind = ValueKind::flag,
-      .help = "Blue noise below a code value where colours change, for 8\nbits [with PNG and WebP]",
+      .help = "Hide colour steps in 8-bit images with blue noise below\none code value [on with "
+              "PNG and WebP]",
       .group = Group::image,
       .calls = kRaster | kExport},
      [](Settings& s, const Value&) { s.dither = true; }},
     {{.key = "no-dither",
       .kind = ValueKind::flag,
       .excludes = "dither",
-      .help = "Round to the nearest code value [with JPEG]",
+      .help = "Round to the nearest code value [on with JPEG]",
       .group = Group::image,
       .calls = kRaster | kExport},
      [](Settings& s, const Value&) { s.dither = false; }},
@@ -211,19 +214,19 @@ constexpr Option<Settings> kRenderOptions[] = {
       .kind = ValueKind::whole,
       .wholes = {1, 100},
       .value_name = "N",
-      .help = "Of JPEG and WebP [90]",
+      .help = "Set the quality of JPEG and WebP, 1 to 100 [90]",
       .group = Group::image,
       .calls = kExport | kEncode},
      [](Settings& s, const Value& v) { s.output.quality = static_cast<int>(v.whole); }},
     {{.key = "lossless",
       .kind = ValueKind::flag,
-      .help = "WebP that keeps every pixel",
+      .help = "Write a WebP that keeps every pixel",
       .group = Group::image,
       .calls = kExport | kEncode},
      [](Settings& s, const Value&) { s.output.lossless = true; }},
     {{.key = "no-antialias",
       .kind = ValueKind::flag,
-      .help = "Hard edges at curves",
+      .help = "Draw hard edges at curves",
       .group = Group::image,
       .calls = kRaster | kExport},
      [](Settings& s, const Value&) { s.raster.antialias = false; }},
@@ -231,8 +234,7 @@ constexpr Option<Settings> kRenderOptions[] = {
       .kind = ValueKind::number,
       .expected = "a number above 0",
       .value_name = "NUMBER",
-      .help =
-          "Make the mesh for a picture this many times larger, to\nbe enlarged [2; vector SVG 1]",
+      .help = "Make the mesh fine enough to enlarge the picture this\nmany times [2; vector SVG 1]",
       .group = Group::vector,
       .calls = kSolve},
      [](Settings& s, const Value& v) { s.output.detail = v.number; }},
@@ -240,14 +242,16 @@ constexpr Option<Settings> kRenderOptions[] = {
       .kind = ValueKind::number,
       .expected = "a number above 0",
       .value_name = "NUMBER",
-      .help = "Of what stands as pixels there; a user unit is 1/96\ninch [300; SVG and GLB 192]",
+      .help = "Set the resolution of parts stored as pixels; a user unit\nis 1/96 inch [300; SVG "
+              "and GLB 192]",
       .group = Group::vector,
       .calls = kExport},
      [](Settings& s, const Value& v) { s.output.dpi = v.number; }},
     {{.key = "svg",
       .kind = ValueKind::word,
       .words = kSvgModes,
-      .help = "image: one PNG in an SVG; vector: triangles of gradients\n[image]",
+      .help = "Choose the kind of SVG: image (one PNG in it) or vector\n(triangles of gradients) "
+              "[image]",
       .group = Group::vector,
       .calls = kExport},
      [](Settings& s, const Value& v) {
@@ -255,14 +259,15 @@ constexpr Option<Settings> kRenderOptions[] = {
      }},
     {{.key = "force",
       .kind = ValueKind::flag,
-      .help = "A vector SVG however large it is",
+      .help = "Write a vector SVG even if it is very large",
       .group = Group::vector,
       .calls = kExport},
      [](Settings& s, const Value&) { s.output.force = true; }},
     {{.key = "pdf-flatten",
       .kind = ValueKind::word,
       .words = kPdfFlattens,
-      .help = "Layers of a PDF as pixels; auto: those that take some\nprograms minutes [auto]",
+      .help = "Store layers of a PDF as pixels; auto: only layers that\nare slow to show in some "
+              "programs [auto]",
       .group = Group::vector,
       .calls = kExport},
      [](Settings& s, const Value& v) {
@@ -272,27 +277,29 @@ constexpr Option<Settings> kRenderOptions[] = {
     {{.key = "title",
       .kind = ValueKind::text,
       .value_name = "TEXT",
-      .help = "Of HTML, PDF and EPS [the drawing's file name]",
+      .help = "Set the title of HTML, PDF and EPS [the drawing's file\nname]",
       .group = Group::vector,
       .calls = kExport},
      [](Settings& s, const Value& v) { s.output.title = v.text; }},
     {{.key = "device",
       .kind = ValueKind::word,
       .words = kDevices,
-      .help = "What draws pixels; gpu: by OpenGL ES, where there is\none [cpu]",
+      .help = "Choose the device that draws pixels; gpu: OpenGL ES, if\navailable [cpu]",
       .group = Group::running},
      [](Settings& s, const Value& v) { s.device = meaning<Device::cpu, Device::gpu>(v); }},
     {{.key = "gather",
       .kind = ValueKind::word,
       .words = kDevices,
-      .help = "What gathers colours; gpu: by compute shaders of\nOpenGL ES 3.1, where there is one "
+      .help = "Choose the device that computes colours; gpu: OpenGL ES\n3.1 compute shaders, if "
+              "available "
               "[cpu]",
       .group = Group::running},
      [](Settings& s, const Value& v) { s.gather = meaning<Device::cpu, Device::gpu>(v); }},
     {{.key = "coherent",
       .kind = ValueKind::flag,
-      .help = "Drawings are frames of a film: each goes on with the mesh\nof the one before, so "
-              "that nothing flickers",
+      .help =
+          "Treat the drawings as frames of a film: each starts from\nthe mesh of the frame before, "
+          "to avoid flicker",
       .group = Group::running,
       .calls = kSolve},
      [](Settings& s, const Value&) { s.coherent = true; }},
@@ -300,7 +307,7 @@ constexpr Option<Settings> kRenderOptions[] = {
       .kind = ValueKind::whole,
       .wholes = {1, limits::kThreads},
       .value_name = "N",
-      .help = "Threads; the picture is the same for any number [all cores]",
+      .help = "Use N threads; the picture does not depend on N [all cores]",
       .group = Group::running,
       .calls = kContext},
      [](Settings& s, const Value& v) { s.threads = static_cast<int>(v.whole); }},

@@ -13,20 +13,20 @@
 #include "sfumato/solve/diffuse.hpp"
 #include "sfumato/trace/trace.hpp"
 
-/// What options set. Empty optionals were not given.
+/// Structures that options set. An empty optional means that the option was not given.
 namespace sfumato::options {
 
-/// Bounds on the memory and time of work, and the limits on its input.
+/// Holds bounds on the memory and time of work, and the limits on its input.
 struct Resources {
   Limits limits{};
   std::size_t memory_bytes = limits::kMemoryBytes;
   std::optional<double> seconds{};  ///< none: no limit
 };
 
-/// The deadline, counted from now.
+/// Returns the deadline, counted from now.
 std::optional<Deadline> deadline_of(const Resources& resources);
 
-/// The size that the user requested: pixels, or pixels per user unit (not both).
+/// Holds the requested size: pixels, or pixels per user unit (not both).
 struct SizeRequest {
   std::optional<int> width{};
   std::optional<int> height{};
@@ -37,11 +37,11 @@ struct SizeRequest {
 /// one.
 enum class Method : std::uint8_t { exact, rays, pixels };
 
-/// What draws pixels, or gathers.
+/// The device that draws pixels or gathers colours.
 enum class Device : std::uint8_t { cpu, gpu };
 
-/// How a picture is written. settle() gives those a value that are not given, but for `dpi`, whose
-/// default is the format's.
+/// Holds how a picture is written. settle() fills in the values that are not given, except `dpi`,
+/// whose default depends on the format.
 struct OutputOptions {
   std::optional<int> quality{};  ///< of JPEG and lossy WebP
   bool lossless = false;
@@ -54,7 +54,7 @@ struct OutputOptions {
   std::string title;
 };
 
-/// Everything that says how a drawing is solved, drawn and written.
+/// Holds everything about how a drawing is solved, drawn and written.
 struct Settings {
   SizeRequest size;
   std::optional<PixelRect> window{};  ///< of the image that this size would be; none: all of it
@@ -67,43 +67,44 @@ struct Settings {
   /// As requested, except width, height, viewport and the alpha channel.
   RasterOptions raster;
   int depth = 8;                 ///< bits per channel
-  std::optional<bool> dither{};  ///< settle() decides for RasterOptions::dither
-  bool no_background = false;    ///< not even the drawing's own, always alpha
+  std::optional<bool> dither{};  ///< settle() sets RasterOptions::dither from it
+  bool no_background = false;    ///< ignore the drawing's own background too, always write alpha
   OutputOptions output;
-  bool coherent = false;  ///< each of many drawings goes on with the mesh of the one before
+  bool coherent = false;  ///< each drawing starts from the mesh of the drawing before
   int threads = 0;        ///< 0: all cores
 };
 
-/// Of a context that is made from options.
+/// Settings of a context that is made from options.
 struct ContextSettings {
   std::optional<SimdLevel> simd{};  ///< none: the best that the machine has
 };
 
-/// Of a picture that the C interface keeps solved.
+/// Settings of a picture that the C interface keeps solved.
 struct PictureSettings {
   std::optional<std::size_t> drag_triangles{};  ///< Solution::expect_drags(), if given
 };
 
-/// Of a look for probable mistakes.
+/// Settings of a search for probable mistakes.
 struct LintSettings {
   bool verbose = false;  ///< with notes
 };
 
-/// Of a trace of a picture; of colours from one, what ColorFit has.
+/// Settings for tracing a picture, or for fitting the colours of a drawing to it (the members that
+/// ColorFit has).
 struct TraceSettings {
   TraceOptions trace{};
-  std::optional<double> detail{};     ///< 0 to 1, in the place of TraceOptions::points
+  std::optional<double> detail{};     ///< 0 to 1, instead of TraceOptions::points
   bool keeps_colors = false;          ///< as ColorFit
   std::optional<std::string> only{};  ///< as parse_curves() reads it
 };
 
-/// The control points that a detail from 0 to 1 stands for: 250 to 16,000.
+/// Returns the number of control points for a detail from 0 to 1: 250 to 16,000.
 int points_of_detail(double detail);
 
-/// What the settings say of colours, but `only`, whose memory is the caller's affair.
+/// Returns the settings of a fit of colours, except `only`, whose memory the caller charges.
 ColorFit color_fit_of(const TraceSettings& settings);
 
-/// Of a document that is made from options.
+/// Settings of a document that is made from options.
 struct DocumentSettings {
   std::optional<Box> artboard{};
   InterpolationSpace interpolation = InterpolationSpace::srgb;

@@ -7,17 +7,17 @@
 
 namespace sfumato::options {
 
-/// All options by which drawings are solved, drawn and written, in the order of the help.
+/// Returns all options for solving, drawing and writing drawings, in the order of the help.
 std::span<const Option<Settings>> render_options();
 
-/// Those that bound work; `limit` is set by set_limit().
+/// Returns the options that bound work; set_limit() sets `limit`.
 std::span<const Option<Resources>> resource_options();
 
-/// Those by which pictures are traced, in the order of the help.
+/// Returns the options for tracing pictures, in the order of the help.
 std::span<const Option<TraceSettings>> trace_options();
 
-/// Those that the C interface alone has from here: for a new context, for a new document, for a
-/// picture, and for hints.
+/// The following options belong to the C interface alone: for a new context, a new document, a
+/// picture, and hints.
 std::span<const Option<ContextSettings>> context_options();
 std::span<const Option<PictureSettings>> picture_options();
 std::span<const Option<LintSettings>> lint_options();

@@ -7,15 +7,15 @@
 #include <string>
 #include <utility>
 
-#include "base/ascii.hpp"
-#include "base/number.hpp"
+#include "base/text/ascii.hpp"
+#include "base/text/number.hpp"
 #include "sfumato/base/limits.hpp"
 #include "sfumato/raster/rasterize.hpp"
 
 namespace sfumato::options {
 namespace {
 
-/// The whole of `text` as a whole number; empty where anything is left over.
+/// Returns the whole of `text` as a whole number; empty if anything is left over.
 std::optional<std::uint64_t> parse_all(std::string_view text) {
   std::uint64_t value{};
   const char* text_end = text.data() + text.size();
@@ -24,7 +24,8 @@ std::optional<std::uint64_t> parse_all(std::string_view text) {
   return value;
 }
 
-/// Four values with commas between them: read(part, index, value) says whether it is one.
+/// Reads four values with commas between them. read(part, index, value) returns whether a part is
+/// valid.
 template <class Value, class Read>
 bool read_list(std::string_view text, std::array<Value, 4>& values, const Read& read) {
   for (std::size_t i = 0; i < 4; ++i) {
@@ -39,7 +40,7 @@ bool read_list(std::string_view text, std::array<Value, 4>& values, const Read& 
 }  // namespace
 
 std::optional<double> parse_number(std::string_view text) {
-  // Documents may have blanks around a number and a plus sign before it, options not.
+  // Unlike documents, options allow no blanks around a number and no plus sign before it.
   const auto may_begin = [](char c) { return is_digit(c) || c == '-' || c == '.'; };
   if (text.empty() || !may_begin(text.front()) || is_ascii_blank(text.back())) return std::nullopt;
   return sfumato::parse_number(text);
@@ -87,7 +88,7 @@ std::optional<Box> parse_viewport(std::string_view text) {
   const bool is_read =
       read_list(text, number, [](std::string_view part, std::size_t i, double& out) {
         const std::optional<double> value = parse_number(part);
-        // A size may reach from one end to the other.
+        // A size may reach from one end of the range to the other.
         const double most = (i < 2 ? 1 : 2) * limits::kCoordinate;
         out = value.value_or(0);
         return value && std::abs(*value) <= most;

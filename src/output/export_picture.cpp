@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/try.hpp"
 #include "sfumato/codecs/jpeg_encode.hpp"
 #include "sfumato/codecs/png.hpp"
 #include "sfumato/export/eps/eps.hpp"
@@ -20,8 +21,8 @@ namespace {
 using Bytes = std::vector<std::uint8_t>;
 using options::OutputKind;
 
-/// The longer side of the picture that a browser without WebGL 2 shows, pixels, and its quality. It
-/// fills the window as the drawing would, of whatever size that is.
+/// The longer side in pixels, and the quality, of the picture for browsers without WebGL 2. It
+/// fills the window as the drawing would, whatever the size of the window.
 #if defined(__wasm__)
 constexpr int kFallbackSide = 320;  // as a PNG, which is larger
 constexpr const char* kFallbackType = "image/png";
@@ -30,6 +31,10 @@ constexpr int kFallbackSide = 640;
 constexpr int kFallbackQuality = 80;
 constexpr const char* kFallbackType = "image/jpeg";
 #endif
+/// The most pixels that all items of the stack paint together, about a second of work. A picture of
+/// many items is smaller.
+constexpr double kMostFallbackPixels = 3e8;
+constexpr double kLeastFallbackSide = 64;
 
 Result<Bytes> encode_fallback(Context& context, const Image& image) {
 #if defined(__wasm__)
@@ -43,16 +48,17 @@ Result<Bytes> make_html(Context& context, const Picture& picture, const std::str
                         ExportNotes* notes) {
   RasterOptions small;
   const Box& viewport = picture.viewport;
-  const double scale = kFallbackSide / std::max(viewport.width(), viewport.height());
+  const double items = std::max<double>(1, static_cast<double>(picture.stack.size()));
+  const double side =
+      std::clamp(std::sqrt(kMostFallbackPixels / items), kLeastFallbackSide, kFallbackSide * 1.0);
+  const double scale = side / std::max(viewport.width(), viewport.height());
   small.width = std::max(1, static_cast<int>(std::round(viewport.width() * scale)));
   small.height = std::max(1, static_cast<int>(std::round(viewport.height() * scale)));
-  const Result<Image> image = rasterize(context, picture, small);
-  if (!image) return image.status();
-  Result<Bytes> fallback = encode_fallback(context, *image);
-  if (!fallback) return fallback;
+  SFUMATO_TRY_ASSIGN(const Image& image, rasterize(context, picture, small));
+  SFUMATO_TRY_ASSIGN(auto&& fallback, encode_fallback(context, image));
   return export_html(
       context, picture,
-      {.title = title, .fallback = std::move(*fallback), .fallback_type = kFallbackType}, notes);
+      {.title = title, .fallback = std::move(fallback), .fallback_type = kFallbackType}, notes);
 }
 
 Result<Bytes> make_svg(Context& context, const Picture& picture, const DrawingOptions& drawing,

@@ -13,17 +13,16 @@
 
 namespace sfumato::output {
 
-/// What a file that can be enlarged is made from besides the picture.
+/// Holds the other inputs, besides the picture, of a file that can be enlarged.
 struct DrawingOptions {
   options::OutputKind kind = options::OutputKind::html;  ///< no image
   options::OutputOptions output;                         ///< settled
-  double scale = 1;      ///< output pixels per user unit, by which a page has its size
+  double scale = 1;      ///< output pixels per user unit, which sets the size of a page
   double max_error = 1;  ///< with which the picture was solved
 };
 
-/// A solved picture as a file of any kind but images. Notes, unless null, are added to.
-/// Errors: those of the exporters, and of rasterize() for the picture that an HTML page begins
-/// with.
+/// Exports a solved picture as a file of any kind except images. Appends to notes unless null.
+/// Errors: as the exporters, and as rasterize() for the first picture of an HTML page.
 Result<std::vector<std::uint8_t>> export_picture(Context& context, const Picture& picture,
                                                  const DrawingOptions& options, ExportNotes* notes);
 

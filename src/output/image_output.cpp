@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/table_memory.hpp"
+#include "base/try.hpp"
 #include "sfumato/codecs/jpeg_encode.hpp"
 #include "sfumato/codecs/png.hpp"
 #include "sfumato/codecs/webp_encode.hpp"
@@ -13,7 +14,8 @@
 namespace sfumato::output {
 namespace {
 
-/// Of a row of pixels with four channels. Without a branch for each, so that lanes can look.
+/// Returns whether all pixels of a row with four channels are opaque. There is no branch per pixel,
+/// so that the compiler can vectorise the loop.
 template <std::size_t kChannelBytes>
 bool is_opaque(const std::uint8_t* row, std::size_t width) {
   std::uint8_t all = 255;
@@ -23,8 +25,8 @@ bool is_opaque(const std::uint8_t* row, std::size_t width) {
   return all == 255;
 }
 
-/// Moves pixels of four channels to where those of three stand, `to` or before. Each is moved with
-/// its alpha, which the next one overwrites.
+/// Moves pixels of four channels to the places of pixels of three channels, `to` or before. Each
+/// pixel moves with its alpha, which the next pixel overwrites.
 template <std::size_t kChannelBytes>
 void move_colors(const std::uint8_t* from, std::size_t width, std::uint8_t* to) {
   for (std::size_t x = 0; x < width; ++x) {
@@ -53,12 +55,11 @@ Status drop_opaque_alpha_of(const Context& context, PixelFormat without, Image& 
   return ok_status();
 }
 
-/// The pixels alone, channels of 16 bits with their low byte first.
+/// Returns the pixels alone; channels of 16 bits have their low byte first.
 Result<std::vector<std::uint8_t>> raw_frame(const Context& context, const Image& image) {
   TableMemory memory("a raw frame");
   std::vector<std::uint8_t> bytes;
-  Status status = memory.append(context, image.bytes, bytes);
-  if (!status) return status;
+  SFUMATO_TRY(memory.append(context, image.bytes, bytes));
   if (std::endian::native == std::endian::big && bytes_per_channel(image.format) == 2) {
     for (std::size_t i = 0; i + 1 < bytes.size(); i += 2) std::swap(bytes[i], bytes[i + 1]);
   }

@@ -11,11 +11,11 @@
 
 namespace sfumato::output {
 
-/// The format with alpha and the same number of bits.
+/// Returns the format with alpha and the same number of bits.
 PixelFormat with_alpha(PixelFormat format);
 
-/// The format in which an output of this kind is drawn: with alpha where the kind always has it, or
-/// where there is no background. format: settled.
+/// Returns the format for drawing an output of this kind: with alpha if the kind always has it, or
+/// if there is no background. format: settled.
 PixelFormat drawn_format(PixelFormat format, options::OutputKind kind, bool has_background);
 
 /// Removes the alpha channel if the image is opaque everywhere. Errors: cancelled.

@@ -2,20 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include "base/limit_error.hpp"
-#include "base/number_text.hpp"
+#include "base/text/number_text.hpp"
 #include "sfumato/base/limits.hpp"
 
 namespace sfumato::output {
 namespace {
-
-std::string in_pixels(double length) {
-  if (length < 1e9) return number_text(length);
-  return rounded_number_text(std::min(length, std::numeric_limits<double>::max()), 3);
-}
 
 Vec2 scales(const SizeRequest& request, const Box& viewport, Vec2 own_scale) {
   Vec2 scale = request.scale ? Vec2{*request.scale, *request.scale} : own_scale;
@@ -48,8 +42,8 @@ Result<OutputSize> output_size(const Limits& limits, const SizeRequest& request,
   const double width = std::max(1.0, std::round(viewport.width() * scale.x));
   const double height = std::max(1.0, std::round(viewport.height() * scale.y));
   const double longer = std::max(width, height);
-  const std::string complaint = "the picture would be " + in_pixels(width) + " x " +
-                                in_pixels(height) + " pixels, the limit is ";
+  const std::string complaint = "the picture would be " + length_text(width) + " x " +
+                                length_text(height) + " pixels, the limit is ";
   if (has_window && longer > RasterWindow::kLargestSide) {
     return make_error(StatusCode::limit,
                       complaint + std::to_string(RasterWindow::kLargestSide) + " pixels on a side");

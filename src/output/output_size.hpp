@@ -21,21 +21,22 @@ struct OutputSize {
   double pixels_per_unit = 1;  ///< the larger of the two directions
 };
 
-/// Pixels per user unit at the document's own size.
+/// Returns the pixels per user unit at the document's own size.
 Vec2 own_scale(const Document& document);
 
-/// Pixels per user unit of the requested size, the larger of the two directions.
+/// Returns the pixels per user unit of the requested size, the larger of the two directions.
 double output_scale(const SizeRequest& request, const Box& viewport, Vec2 own_scale = {1, 1});
 
-/// The size of the image that shows `viewport`, of which a window may be all that is drawn. One of
-/// width and height alone sets the other by the viewport's aspect; both stretch the picture;
-/// without them it is viewport × scale, by default own_scale. Sizes are rounded to the nearest
-/// pixel, at least 1. Errors: limit (of the side of an image, or of one that is drawn in windows).
+/// Returns the size of the image that shows `viewport`; the caller may draw only a window of it.
+/// Width or height alone sets the other by the viewport's aspect. Both stretch the picture. Without
+/// them the size is viewport × scale, by default own_scale. Sizes are rounded to the nearest pixel,
+/// at least 1. Errors: limit (of the side of an image, or of an image that is drawn in windows).
 Result<OutputSize> output_size(const Limits& limits, const SizeRequest& request,
                                const Box& viewport, Vec2 own_scale = {1, 1},
                                bool has_window = false);
 
-/// Makes the image what a window shows of one of this size, or all of that.
+/// Sets the image to the part of an image of this size that the window shows, or to the whole image
+/// without a window.
 void set_size(const OutputSize& size, const std::optional<PixelRect>& window,
               RasterOptions& options);
 

@@ -7,28 +7,29 @@
 #include <vector>
 
 #include "base/limit_error.hpp"
+#include "base/try.hpp"
 #include "document/rules.hpp"
 #include "sfumato/base/limits.hpp"
 
 namespace sfumato::picture {
 namespace {
 
-/// Pixels per unit, and pixels from the image to the artboard's origin. Beyond, squares of pixel
-/// coordinates could overflow.
+/// The largest pixels per unit, and pixels from the image to the artboard's origin. Beyond, squares
+/// of pixel coordinates could overflow.
 constexpr double kLargestScale = 1e100;
 
 Status bad(std::string message) {
   return make_error(StatusCode::bad_input, std::move(message));
 }
 
-/// By the largest, without a way out, so that many are looked at together.
+/// Compares only the largest, without an early exit, so that several are compared at once.
 bool all_below(const std::vector<std::uint32_t>& indices, std::size_t bound) {
   std::uint32_t largest = 0;
   for (const std::uint32_t index : indices) largest = std::max(largest, index);
   return indices.empty() || largest < bound;
 }
 
-/// own_channels: those that are no shader's weight.
+/// own_channels: the number of channels that are not a shader's weight.
 bool is_whole(const PatchField& field, int own_channels, const Picture& picture,
               const PatchLayer& layer) {
   const std::size_t channels = static_cast<std::size_t>(own_channels) + field.shader.size();
@@ -77,12 +78,13 @@ bool is_whole(const ExactField& field, int channels, const ExactLayer& layer) {
          std::ranges::all_of(field.end, is_placed);
 }
 
-/// The triangulation of rays reaches beyond the outermost coordinates by a part of its size.
+/// Returns whether positions lie around the coordinates. The triangulation for rays extends beyond
+/// the outermost coordinates by a fraction of its size.
 bool are_around_coordinates(const std::vector<Vec2>& positions) {
   return std::ranges::all_of(positions, [](Vec2 p) { return rules::is_coordinate(p / 2); });
 }
 
-/// All exact fields that the layer has, or none.
+/// Returns whether the layer has all of its exact fields, or none.
 bool is_exact(const PatchLayer& layer) {
   const ExactLayer& exact = layer.exact;
   if (exact.field.empty()) return true;
@@ -122,12 +124,18 @@ bool is_moderate(const Affine& m) {
                      [](double entry) { return std::fabs(entry) <= kLargestScale; });
 }
 
+bool can_be_drawn(const Box& viewport) {
+  const double x_scale = kLargestImageSide / viewport.width();
+  const double y_scale = kLargestImageSide / viewport.height();
+  return is_moderate(
+      {x_scale, 0, 0, y_scale, -viewport.min.x * x_scale, -viewport.min.y * y_scale});
+}
+
 Status check_picture(const Context& context, const Picture& picture) {
-  if (Status status = rules::check_interpolation(picture.interpolation); !status) return status;
-  if (Status status = rules::check_background(picture.background); !status) return status;
-  if (Status status = validate(context, picture.shaders); !status) return status;
-  for (const PatchLayer& layer : picture.layers)
-    if (Status status = check_layer(context, layer, picture); !status) return status;
+  SFUMATO_TRY(rules::check_interpolation(picture.interpolation));
+  SFUMATO_TRY(rules::check_background(picture.background));
+  SFUMATO_TRY(validate(context, picture.shaders));
+  for (const PatchLayer& layer : picture.layers) SFUMATO_TRY(check_layer(context, layer, picture));
   return rules::check_stack(context, picture.stack, picture.layers.size());
 }
 

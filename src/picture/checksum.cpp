@@ -15,12 +15,12 @@ constexpr std::uint64_t kPrime4 = 0x85EBCA77C2B2AE63;
 constexpr std::uint64_t kPrime5 = 0x27D4EB2F165667C5;
 
 constexpr std::size_t kStripe = 32;
-/// Bytes between two looks at the cancel flag.
+/// Bytes between two polls of the cancel flag.
 constexpr std::size_t kPart = std::size_t{2} << 20;
 
 using Lanes = std::array<std::uint64_t, 4>;
 
-/// A number of the algorithm, which is little-endian.
+/// Returns a number of the algorithm, which is little-endian.
 template <class Number>
 std::uint64_t number_at(const std::uint8_t* at) {
   if constexpr (std::endian::native == std::endian::little) {
@@ -55,7 +55,7 @@ std::uint64_t merged(const Lanes& lanes) {
   return hash;
 }
 
-/// With the bytes behind the last stripe.
+/// Adds the bytes after the last stripe.
 std::uint64_t with_tail(std::uint64_t hash, const std::uint8_t* at, const std::uint8_t* end) {
   for (; end - at >= 8; at += 8) {
     hash = std::rotl(hash ^ round(0, number_at<std::uint64_t>(at)), 27) * kPrime1 + kPrime4;

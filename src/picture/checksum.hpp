@@ -9,8 +9,8 @@
 
 namespace sfumato::picture {
 
-/// XXH64 (Yann Collet), the checksum of picture files, with seed 0. It keeps up with reading, as
-/// zlib's CRC-32 would not, and compiles to WebAssembly as it is, where no library is. Error:
+/// Returns XXH64 (Yann Collet), the checksum of picture files, with seed 0. It is as fast as
+/// reading, which zlib's CRC-32 is not, and it compiles to WebAssembly without a library. Error:
 /// cancelled.
 Result<std::uint64_t> checksum(const Context& context, std::span<const std::uint8_t> bytes);
 

@@ -16,12 +16,12 @@ struct FieldPixels {
   std::vector<std::uint8_t> hit;  ///< 0: no colour is seen, the pixel is transparent
 };
 
-/// A source of the fields of layers, used in place of their patches. Called from several threads.
+/// A source of the fields of layers, used instead of their patches. Called from several threads.
 class FieldSource {
  public:
   virtual ~FieldSource() = default;
 
-  /// The fields of Picture::layers[layer] at the pixel centres of `rect`.
+  /// Returns the fields of Picture::layers[layer] at the pixel centres of `rect`.
   virtual Status read(std::uint32_t layer, const Affine& layer_from_image, const PixelRect& rect,
                       FieldPixels* out) const = 0;
 };

@@ -22,20 +22,20 @@ inline constexpr std::array<std::array<double, 3>, kNodesPerTriangle> kNodeBaryc
     {1.0 / 3, 1.0 / 3, 1.0 / 3},
 }};
 
-/// Of a triangle's ten nodes the one at its centroid.
+/// The node at a triangle's centroid.
 inline constexpr int kCenterNode = 9;
 
-/// Of the two nodes on edge k, which runs from corner k to the next, the one nearer to corner k.
+/// Returns the node on edge k, which runs from corner k to the next, that is nearer to corner k.
 constexpr auto near_node(std::integral auto k) {
   return 3 + 2 * k;
 }
 
-/// The other one.
+/// Returns the other node on edge k.
 constexpr auto far_node(std::integral auto k) {
   return 4 + 2 * k;
 }
 
-/// The node a third of the way from corner i to corner j.
+/// Returns the node a third of the way from corner i to corner j.
 constexpr int edge_node(int i, int j) {
   return j == (i + 1) % 3 ? near_node(i) : far_node(j);
 }
@@ -44,8 +44,8 @@ using PatchBasis = std::array<double, kNodesPerTriangle>;
 
 namespace picture {
 
-/// Eq. 18. Three other forms of this cubic stand where they are needed. Each rounds in its own
-/// order, so that none follows from this one to the bit:
+/// Returns eq. 18. Three other forms of this cubic exist where they are needed. Each rounds in its
+/// own order, so that none follows from this one to the bit:
 ///
 /// raster/kernels/patch_polynomial.hpp: monomials of differences to one node, so that a constant is
 /// exact. Tests: RasterClosedForms.ten_nodes_reproduce_a_cubic_anywhere, and against this one
@@ -64,8 +64,8 @@ constexpr PatchBasis cubic_basis(double w, double u, double v) {
           4.5 * v * w * (3 * w - 1),           27 * w * u * v};
 }
 
-/// Eq. 17, each edge centre read from the cubic through the edge's four nodes:
-/// (−Zi + 9 Zij + 9 Zji − Zj) / 16.
+/// Returns eq. 17, with each edge centre from the cubic through the edge's four nodes: (−Zi + 9 Zij
+/// + 9 Zji − Zj) / 16.
 constexpr PatchBasis quadratic_basis(double w, double u, double v) {
   PatchBasis basis{w * (2 * w - 1), u * (2 * u - 1), v * (2 * v - 1), 0, 0, 0, 0, 0, 0, 0};
   const double edge[3] = {4 * w * u, 4 * u * v, 4 * v * w};
@@ -80,7 +80,7 @@ constexpr PatchBasis quadratic_basis(double w, double u, double v) {
 
 }  // namespace picture
 
-/// The ten basis values at barycentric (w, u, v) of corners 0, 1, 2: eq. 18 (cubic), eq. 17
+/// Returns the ten basis values at barycentric (w, u, v) of corners 0, 1, 2: eq. 18 (cubic), eq. 17
 /// (quadratic, its edge centres taken from the cubic), or barycentric (linear). They sum to 1.
 constexpr PatchBasis patch_basis(PatchOrder order, double w, double u, double v) {
   switch (order) {

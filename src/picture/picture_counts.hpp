@@ -6,11 +6,11 @@
 
 namespace sfumato::picture {
 
-/// What the tables of all layers of a picture hold together.
+/// The sizes of the tables of all layers of a picture together.
 struct PictureCounts {
   std::uint64_t triangles = 0;
   std::uint64_t vertices = 0;
-  std::uint64_t nodes = 0;  ///< with those of opacity
+  std::uint64_t nodes = 0;  ///< including nodes of opacity
 };
 
 PictureCounts count_tables(const Picture& picture);

@@ -14,6 +14,7 @@
 #include "base/parallel.hpp"
 #include "base/public_verb.hpp"
 #include "base/table_memory.hpp"
+#include "base/try.hpp"
 #include "document/rules.hpp"
 #include "picture/check_picture.hpp"
 #include "picture/checksum.hpp"
@@ -30,7 +31,7 @@ constexpr std::uint32_t kByteOrder = 0x01020304;
 constexpr std::uint32_t kOtherOrder = 0x04030201;
 constexpr double kMostError = 255;
 
-// Where the parts of the header lie. The checksum is that of all bytes behind it.
+// The places of the parts of the header. The checksum covers all bytes after it.
 constexpr std::size_t kVersionAt = 7;
 constexpr std::size_t kOrderAt = 8;
 constexpr std::size_t kSizeAt = 12;
@@ -54,7 +55,7 @@ Number number_at(Bytes file, std::size_t at) {
 
 bool are_finite(const std::vector<float>& values) {
   constexpr std::uint32_t kExponent = 0x7f800000;
-  std::uint32_t others = 0;  // without a way out, so that many are looked at together
+  std::uint32_t others = 0;  // without an early exit, so that several are compared at once
   for (const float value : values) {
     others |= (std::bit_cast<std::uint32_t>(value) & kExponent) == kExponent ? 1 : 0;
   }
@@ -67,7 +68,7 @@ bool are_flags(const std::vector<std::uint8_t>& values) {
   return bits <= 1;
 }
 
-/// A layer that nothing shows has the frame that is empty.
+/// Returns whether a box can be a frame. The frame of a layer that no instance shows is empty.
 bool is_frame(const Box& box) {
   const double sides[] = {box.min.x, box.min.y, box.max.x, box.max.y};
   return box == Box{} || std::ranges::all_of(sides, [](double s) { return std::isfinite(s); });
@@ -103,17 +104,20 @@ Status check_layer(const Context& context, const PatchLayer& layer) {
   return ok_status();
 }
 
-/// What holds of a picture in a file, whoever wrote it.
+/// Checks the conditions that hold for a picture in every file.
 Status check_content(const Context& context, const Picture& picture, const PictureOrigin& origin) {
-  if (Status status = check_origin(origin); !status) return status;
+  SFUMATO_TRY(check_origin(origin));
   if (!rules::has_area(picture.artboard) || !rules::has_area(picture.viewport)) {
     return bad("a picture without an area");
+  }
+  if (!picture::can_be_drawn(picture.viewport)) {
+    return bad("a viewport too small or too far away to be drawn");
   }
   if (picture.layers.size() > context.limits.layers) {
     return limit_error(context.limits, &Limits::layers, "layers");
   }
   for (const PatchLayer& layer : picture.layers) {
-    if (Status status = check_layer(context, layer); !status) return status;
+    SFUMATO_TRY(check_layer(context, layer));
   }
   return picture::check_picture(context, picture);
 }
@@ -135,11 +139,11 @@ void write_parts(const Picture& picture, const PictureOrigin& origin, Sink& sink
 
 Result<std::vector<std::uint8_t>> write(const Context& context, const Picture& picture,
                                         const PictureOrigin& origin) {
-  if (Status status = check_content(context, picture, origin); !status) return status;
+  SFUMATO_TRY(check_content(context, picture, origin));
   picture::ByteCount count(kHeaderBytes);
   write_parts(picture, origin, count);
-  // What nobody could read is not written.
-  if (Status status = check_length(context.limits, count.position()); !status) return status;
+  // A file that no reader could read is not written.
+  SFUMATO_TRY(check_length(context.limits, count.position()));
   OutputBuffer file(context, "the picture file");
   file.reserve(count.position());
   picture::BufferSink sink(file);
@@ -150,16 +154,15 @@ Result<std::vector<std::uint8_t>> write(const Context& context, const Picture& p
   sink.append(&size, sizeof size);
   sink.append(&no_checksum, sizeof no_checksum);
   write_parts(picture, origin, sink);
-  Result<std::vector<std::uint8_t>> bytes = file.finish();
-  if (!bytes) return bytes;
-  const Result<std::uint64_t> sum = picture::checksum(context, Bytes(*bytes).subspan(kHeaderBytes));
-  if (!sum) return sum.status();
-  std::memcpy(bytes->data() + kChecksumAt, &*sum, sizeof *sum);
-  return bytes;
+  SFUMATO_TRY_ASSIGN(auto&& bytes, file.finish());
+  SFUMATO_TRY_ASSIGN(const std::uint64_t sum,
+                     picture::checksum(context, Bytes(bytes).subspan(kHeaderBytes)));
+  std::memcpy(bytes.data() + kChecksumAt, &sum, sizeof sum);
+  return std::move(bytes);
 }
 
 Status check_header(const Context& context, Bytes file) {
-  if (Status status = check_length(context.limits, file.size()); !status) return status;
+  SFUMATO_TRY(check_length(context.limits, file.size()));
   if (!is_picture_file(file)) return bad("not a solved picture");
   if (file.size() < kHeaderBytes) return bad("a solved picture that is cut off");
   if (file[kVersionAt] != kPictureFileVersion) {
@@ -178,9 +181,9 @@ Status check_header(const Context& context, Bytes file) {
 }
 
 Status check_sum(const Context& context, Bytes file) {
-  const Result<std::uint64_t> sum = picture::checksum(context, file.subspan(kHeaderBytes));
-  if (!sum) return sum.status();
-  if (*sum == number_at<std::uint64_t>(file, kChecksumAt)) return ok_status();
+  SFUMATO_TRY_ASSIGN(const std::uint64_t sum,
+                     picture::checksum(context, file.subspan(kHeaderBytes)));
+  if (sum == number_at<std::uint64_t>(file, kChecksumAt)) return ok_status();
   return damaged("the checksum of its bytes is another");
 }
 
@@ -194,16 +197,15 @@ Status read_parts(const Context& context, Bytes file, TableMemory& memory, Pictu
   return check_content(context, picture, origin);
 }
 
-/// The parts are read as if the checksum was right, which is found out at the same time.
+/// Reads the parts as if the checksum was right; it is checked at the same time.
 Result<Picture> read(const Context& context, Bytes file, PictureOrigin* origin) {
-  if (Status status = check_header(context, file); !status) return status;
+  SFUMATO_TRY(check_header(context, file));
   TableMemory memory("the picture");
   PictureOrigin found;
   Picture picture;
-  Status status = run_both(
+  SFUMATO_TRY(run_both(
       context, [&] { return check_sum(context, file); },
-      [&] { return read_parts(context, file, memory, picture, found); });
-  if (!status) return status;
+      [&] { return read_parts(context, file, memory, picture, found); }));
   if (origin) *origin = found;
   return picture;
 }

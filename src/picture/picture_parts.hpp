@@ -13,16 +13,16 @@
 #include "sfumato/picture/picture.hpp"
 #include "sfumato/picture/picture_file.hpp"
 
-/// The parts of a picture file in the order in which they stand there (docs/picture-file.md), once
-/// for all that goes through them: an Archive writes, counts or reads.
+/// The parts of a picture file in the order of the file (docs/picture-file.md), defined once for an
+/// Archive that writes, counts or reads.
 ///
 ///   archive.number(x)       a number or an enum
 ///   archive.flag(x)         a bool
 ///   archive.table(v)        a vector of numbers
 ///   archive.text(s)         a string
 ///   archive.resize(v)       the length of a vector whose items follow one by one
-///   archive.alternative(v)  which alternative a variant holds
-///   archive.ok()            whether to go on
+///   archive.alternative(v)  the number of a variant's alternative
+///   archive.ok()            whether to continue
 ///
 /// The parts are const for an archive that writes.
 namespace sfumato::picture {
@@ -30,7 +30,7 @@ namespace sfumato::picture {
 template <class T, class Part>
 concept Is = std::same_as<std::remove_const_t<T>, Part>;
 
-/// What the archive passes as its bytes stand in memory.
+/// A type that the archive passes as its bytes in memory.
 template <class T>
 concept Number = std::is_arithmetic_v<T> || std::is_enum_v<T>;
 
@@ -63,7 +63,7 @@ void pass(Archive& archive, Is<Affine> auto& map) {
   for (auto* entry : {&map.a, &map.b, &map.c, &map.d, &map.e, &map.f}) pass(archive, *entry);
 }
 
-/// Items one by one, for what has padding in memory or tables of its own.
+/// Passes items one by one, because they have padding in memory or their own tables.
 template <class Archive, class Items>
 void pass_items(Archive& archive, Items& items) {
   if (!archive.resize(items)) return;
@@ -112,6 +112,7 @@ void pass(Archive& archive, Is<RadialGradient> auto& gradient) {
   pass(archive, gradient.center);
   pass(archive, gradient.focus);
   pass(archive, gradient.radius);
+  pass(archive, gradient.focal_radius);
 }
 
 template <class Archive, class Variant>

@@ -19,8 +19,7 @@
 
 namespace sfumato::picture {
 
-/// The fewest bytes that an item of these takes in a file: no more items are made room for than
-/// there may be.
+/// The fewest bytes of an item in a file: room is made only for as many items as the file can hold.
 template <class Item>
 inline constexpr std::size_t kLeastBytes = sizeof(Item);
 template <>
@@ -38,12 +37,12 @@ inline constexpr std::size_t kLeastBytes<PatchLayer> = 10 * sizeof(std::uint64_t
 template <>
 inline constexpr std::size_t kLeastBytes<PictureItem> = sizeof(std::uint8_t);
 
-/// An Archive of picture_parts.hpp that reads bytes of a stranger. After the first failure it
-/// changes nothing more.
+/// An Archive of picture_parts.hpp that reads untrusted bytes. After the first failure it changes
+/// nothing more.
 class PartReader {
  public:
   /// begun    where the parts begin in the bytes of the file
-  /// memory   of the tables that are read
+  /// memory   for the tables that are read
   PartReader(const Context& context, std::span<const std::uint8_t> file, std::size_t begun,
              TableMemory& memory)
       : context_(context), file_(file), position_(begun), memory_(memory) {}
@@ -72,7 +71,7 @@ class PartReader {
   bool alternative(std::variant<Part...>& variant);
 
   bool ok() const { return status_.ok(); }
-  /// Ok, or bad_input, limit (memory), cancelled.
+  /// Returns ok, or bad_input, limit (memory), cancelled.
   const Status& status() const { return status_; }
   bool at_end() const { return position_ == file_.size(); }
 
@@ -87,7 +86,7 @@ class PartReader {
     std::memcpy(to, file_.data() + position_, size);
     position_ += size;
   }
-  /// The length of a table; 0 where that is more than there is left.
+  /// Returns the length of a table; 0 where it exceeds the remaining bytes.
   std::size_t read_count(std::size_t least_bytes) {
     std::uint64_t count = 0;
     number(count);
@@ -95,7 +94,7 @@ class PartReader {
     return ok() ? static_cast<std::size_t>(count) : 0;
   }
   void skip_padding();
-  /// Items that take much more room than in the file are counted before there is room for them.
+  /// Items that take much more room than in the file are counted before room is made for them.
   template <class Item>
   void check_limit(std::size_t count) {
     const Limits& limits = context_.limits;
@@ -123,7 +122,7 @@ inline void PartReader::skip_padding() {
   }
 }
 
-/// By way of a small array: the bytes may lie at any address.
+/// Goes through a small array: the bytes may lie at any address.
 template <class Item>
 void PartReader::table(std::vector<Item>& items) {
   const std::size_t count = read_count(sizeof(Item));

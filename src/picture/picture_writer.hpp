@@ -13,10 +13,10 @@
 
 namespace sfumato::picture {
 
-/// Tables begin at a multiple of this in the file, so that they can be used where they lie.
+/// Tables begin at a multiple of this in the file, so that they can be used in place.
 inline constexpr std::size_t kTableAlignment = 16;
 
-/// Bytes from a position in the file to the next place where a table may begin.
+/// Returns the bytes from a position in the file to the next place where a table may begin.
 constexpr std::size_t padding_at(std::size_t position) {
   return (kTableAlignment - position % kTableAlignment) % kTableAlignment;
 }

@@ -1,5 +1,7 @@
 #include "raster/compositor.hpp"
 
+#include "base/try.hpp"
+
 namespace sfumato::raster {
 
 Compositor::Compositor(const Context& context, const PaintList& list, const SpanKernels& kernels,
@@ -38,12 +40,12 @@ Tile Compositor::target(const PixelRect& rect) {
   return level.tile.part(rect);
 }
 
-/// The pixels of the tile that an instance may paint.
+/// Returns the pixels of the tile that an instance may paint.
 PixelRect Compositor::pixels_of(const PaintItem& item, const TriangleList& triangles) const {
   const PixelRect whole = levels_.back().tile.rect();
   const PixelRect rect = pixels_in(kernels_.box_of_triangles(item.layer, triangles), whole);
   if (rect.empty() || item.layer.soft_edge_count == 0) return rect;
-  // Blurs fall on what is transparent, where a layer has no triangles.
+  // Blurs extend into transparent parts, where a layer has no triangles.
   return intersection(grown(rect, list_.margin_px()), whole);
 }
 
@@ -63,9 +65,8 @@ Status Compositor::paint_shaded(const PaintItem& item, const TriangleList& trian
   const PixelRect rect = pixels_of(item, triangles);
   if (rect.empty()) return ok_status();
   const ShadingInput input{list_.space(), &list_.shaders(), item.layer_from_image};
-  const Result<Tile> source = layer_painter_->paint(item.layer, input, triangles, rect);
-  if (!source) return source.status();
-  kernels_.blend(*source, item.opacity, item.blend, target(rect));
+  SFUMATO_TRY_ASSIGN(const Tile& source, layer_painter_->paint(item.layer, input, triangles, rect));
+  kernels_.blend(source, item.opacity, item.blend, target(rect));
   return ok_status();
 }
 
@@ -74,7 +75,7 @@ Status Compositor::paint_stroke(const StrokePainter& stroke) {
   const PixelRect rect = pixels_in(stroke.bounds_px(), whole);
   if (rect.empty()) return ok_status();
   const Tile tile = target(rect);
-  // Painting over what is opaque leaves the ones of this plane as they are.
+  // Painting over opaque pixels leaves the ones of this plane unchanged.
   if (!tile.alpha) opaque_.resize(kTileFloats, 1);
   return stroke.paint(context_, tile.x0, tile.y0, tile.width, tile.height, tile.color[0],
                       tile.color[1], tile.color[2], tile.alpha ? tile.alpha : opaque_.data(),
@@ -118,8 +119,7 @@ Status Compositor::paint(std::size_t tile_index, const Tile& root) {
     if (context_.cancelled()) return context_.cancel_status();
     const ListedItem& listed = list_.item(index);
     if (column < listed.tiles.x0 || column >= listed.tiles.x1) continue;
-    Status status = paint_item(listed, tile_index);
-    if (!status) return status;
+    SFUMATO_TRY(paint_item(listed, tile_index));
   }
   return ok_status();
 }

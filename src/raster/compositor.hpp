@@ -3,27 +3,27 @@
 #include <optional>
 #include <vector>
 
-#include "raster/coverage.hpp"
+#include "raster/coverage/coverage.hpp"
 #include "raster/kernels/span_kernels.hpp"
-#include "raster/layer_painter.hpp"
+#include "raster/layers/layer_painter.hpp"
 #include "raster/paint_list.hpp"
 
 namespace sfumato::raster {
 
 /// Paints the stack of a picture into tiles, one after another. Opaque items are painted directly;
-/// other layers and groups are painted separately, then blended where they painted something.
+/// other layers and groups are painted separately, then blended where they painted.
 class Compositor {
  public:
-  /// All must outlive this. source: as in LayerPainter; if it is not null, the list must not be
-  /// plain.
+  /// Makes a compositor. All arguments must outlive it. source: as in LayerPainter; if it is not
+  /// null, the list must not be plain.
   Compositor(const Context& context, const PaintList& list, const SpanKernels& kernels,
              bool antialias, const picture::FieldSource* source);
 
-  /// Paints over the content of `root`, the whole tile. Errors: cancelled, those of the source; the
+  /// Paints over the content of `root`, the whole tile. Errors: cancelled, and the source's; the
   /// tile is then partly painted.
   Status paint(std::size_t tile_index, const Tile& root);
 
-  /// Memory of one object.
+  /// Returns the memory of one object.
   static std::size_t bytes(const PaintList& list);
 
  private:
@@ -39,8 +39,8 @@ class Compositor {
   Status paint_shaded(const PaintItem& item, const TriangleList& triangles);
   Status paint_stroke(const StrokePainter& stroke);
   void close_group(const PaintItem& item);
-  /// The pixels in `rect` of the uppermost level, to be painted on; transparent where nothing was
-  /// painted.
+  /// Returns the pixels in `rect` of the uppermost level, for painting; transparent where nothing
+  /// was painted.
   Tile target(const PixelRect& rect);
 
   const Context& context_;

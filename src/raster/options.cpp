@@ -4,6 +4,7 @@
 #include <string>
 
 #include "base/limit_error.hpp"
+#include "base/try.hpp"
 #include "document/rules.hpp"
 
 namespace sfumato::raster {
@@ -17,7 +18,7 @@ std::string size_text(int width, int height) {
 Status check_whole_size(int width, int height) {
   if (width < 1 || height < 1) {
     return make_error(StatusCode::bad_input, "a window of an image of " + size_text(width, height) +
-                                                 "; expected at least 1 x 1");
+                                                 "; use at least 1 x 1");
   }
   if (std::max(width, height) > RasterWindow::kLargestSide) {
     return make_error(StatusCode::limit,
@@ -29,11 +30,11 @@ Status check_whole_size(int width, int height) {
 
 Status check_window(const RasterOptions& options) {
   const RasterWindow& window = *options.window;
-  Status status = check_whole_size(window.of_width, window.of_height);
-  if (!status) return status;
+  SFUMATO_TRY(check_whole_size(window.of_width, window.of_height));
   const bool is_inside = window.x >= 0 && window.y >= 0 &&
                          options.width <= window.of_width - window.x &&
                          options.height <= window.of_height - window.y;
+  Status status;
   if (is_inside) return status;
   return make_error(StatusCode::bad_input,
                     "a window of " + size_text(options.width, options.height) + " at (" +
@@ -54,7 +55,7 @@ Status check_colors(const RasterOptions& options) {
 Status check_options(const Limits& limits, const RasterOptions& options) {
   const std::string size = size_text(options.width, options.height);
   if (options.width < 1 || options.height < 1) {
-    return make_error(StatusCode::bad_input, "an image of " + size + "; expected at least 1 x 1");
+    return make_error(StatusCode::bad_input, "an image of " + size + "; use at least 1 x 1");
   }
   if (static_cast<std::size_t>(std::max(options.width, options.height)) > limits.image_side) {
     return make_limit_error(&Limits::image_side,
@@ -62,7 +63,7 @@ Status check_options(const Limits& limits, const RasterOptions& options) {
                                 limit_text(limits, &Limits::image_side, "pixels on a side"));
   }
   if (options.window) {
-    if (Status status = check_window(options); !status) return status;
+    SFUMATO_TRY(check_window(options));
   }
   return check_colors(options);
 }

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "raster/tile_bins.hpp"
+#include "raster/coverage/tile_bins.hpp"
 #include "sfumato/base/color.hpp"
 #include "sfumato/base/status.hpp"
 #include "sfumato/raster/rasterize.hpp"
@@ -13,10 +13,10 @@ namespace sfumato::raster {
 /// Errors: bad_input, limit.
 Status check_options(const Limits& limits, const RasterOptions& options);
 
-/// The same of options whose size is that of an image that is painted in windows.
+/// Checks the options of an image that is painted in windows.
 Status check_whole(const RasterOptions& options);
 
-/// The size of the larger image, and the pixels of it that are painted. The options were checked.
+/// Returns the size of the larger image, and its painted pixels. The options were checked.
 TileGrid grid_of(const RasterOptions& options);
 
 /// The value of a pixel where nothing is painted.
@@ -25,7 +25,8 @@ struct Backdrop {
   float alpha = 1;
 };
 
-/// The options' background, else the document's, else white or, in formats with alpha, transparent.
+/// Returns the options' background, else the document's, else white or, in formats with alpha,
+/// transparent.
 Backdrop choose_backdrop(const RasterOptions& options, const std::optional<Rgb>& document);
 
 }  // namespace sfumato::raster

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/try.hpp"
+
 namespace sfumato::raster {
 namespace {
 
-/// Instances on more tiles get lists of their own, as long as these lists are of no more triangles
-/// in all than the largest layer may have.
+/// Instances on more tiles get separate lists, as long as all of these lists together have no more
+/// triangles than the largest layer may have.
 constexpr std::size_t kTilesWithoutBins = 4;
 constexpr std::size_t kBinnedTriangles = limits::kTriangles;
 
@@ -43,7 +45,7 @@ class PaintList::Builder {
   std::size_t binned_triangles_ = 0;
 };
 
-/// What stands in a group counts for it.
+/// Marks tiles. A group includes the items in it.
 void PaintList::Builder::touch(const TileRange& tiles) {
   if (open_groups_.empty()) return;
   TileRange& group = list_.items_[open_groups_.back()].tiles;
@@ -54,9 +56,7 @@ Result<const TriangleBlocks*> PaintList::Builder::blocks_of(std::uint32_t layer)
   if (const TriangleBlocks* blocks = plan_.blocks(layer)) return blocks;
   std::optional<TriangleBlocks>& own = list_.blocks_[layer];
   if (!own) {
-    Result<TriangleBlocks> made = make_triangle_blocks(context_, plan_.picture().layers[layer]);
-    if (!made) return made.status();
-    own = std::move(*made);
+    SFUMATO_TRY_ASSIGN(own, make_triangle_blocks(context_, plan_.picture().layers[layer]));
   }
   return &*own;
 }
@@ -66,24 +66,22 @@ Status PaintList::Builder::place_triangles(ListedItem* listed) {
   const std::uint32_t triangle_count = plan_.picture().layers[layer.index].triangle_count();
   if (listed->tiles.count() > kTilesWithoutBins && triangle_count >= list_.grid_.tile_count() &&
       binned_triangles_ + triangle_count <= kBinnedTriangles) {
-    Result<TileBins> bins =
-        bin_triangles(context_, layer, triangle_count, list_.grid_, plan_.margin_px());
-    if (!bins) return bins.status();
+    SFUMATO_TRY_ASSIGN(auto&& bins, bin_triangles(context_, layer, triangle_count, list_.grid_,
+                                                  plan_.margin_px()));
     binned_triangles_ += triangle_count;
     listed->bins = static_cast<std::uint32_t>(list_.bins_.size());
-    list_.bins_.push_back(std::move(*bins));
+    list_.bins_.push_back(std::move(bins));
     return ok_status();
   }
-  const Result<const TriangleBlocks*> blocks = blocks_of(layer.index);
-  if (!blocks) return blocks.status();
-  listed->blocks = *blocks;
+  SFUMATO_TRY_ASSIGN(const TriangleBlocks* blocks, blocks_of(layer.index));
+  listed->blocks = blocks;
   return ok_status();
 }
 
 Status PaintList::Builder::add_instance(const PaintItem& item, const TileRange& tiles) {
   ListedItem listed{&item, tiles, {}, nullptr};
   if (item.is_instance()) {
-    if (Status status = place_triangles(&listed); !status) return status;
+    SFUMATO_TRY(place_triangles(&listed));
   }
   touch(tiles);
   list_.items_.push_back(listed);
@@ -114,19 +112,17 @@ Status PaintList::Builder::add(const PaintItem& item) {
   return ok_status();
 }
 
-/// A counting sort, so that each row's list is in the order of the stack.
+/// Does a counting sort, so that each row's list is in the order of the stack.
 Status PaintList::Builder::sort_into_rows() {
   TableMemory memory("lists of instances"), next_memory("lists of instances");
   std::vector<std::size_t>& first = list_.row_first_;
   std::vector<std::size_t> next;
-  Status status = memory.resize(context_, first, static_cast<std::size_t>(list_.grid_.rows()) + 1);
-  if (!status) return status;
+  SFUMATO_TRY(memory.resize(context_, first, static_cast<std::size_t>(list_.grid_.rows()) + 1));
   for (const ListedItem& item : list_.items_)
     for (int y = item.tiles.y0; y < item.tiles.y1; ++y) ++first[static_cast<std::size_t>(y) + 1];
   for (std::size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
-  status = memory.resize(context_, list_.row_item_, first.back());
-  if (status) status = next_memory.append(context_, first, next);
-  if (!status) return status;
+  SFUMATO_TRY(memory.resize(context_, list_.row_item_, first.back()));
+  SFUMATO_TRY(next_memory.append(context_, first, next));
   for (std::uint32_t i = 0; i < list_.items_.size(); ++i) {
     const TileRange& tiles = list_.items_[i].tiles;
     for (int y = tiles.y0; y < tiles.y1; ++y)
@@ -138,13 +134,12 @@ Status PaintList::Builder::sort_into_rows() {
 
 Status PaintList::Builder::build() {
   const std::size_t layer_count = plan_.picture().layers.size();
-  Status status = list_.memory_.reserve(context_, list_.items_, plan_.items().size());
-  if (status) status = list_.memory_.reserve(context_, list_.blocks_, layer_count);
-  if (!status) return status;
+  SFUMATO_TRY(list_.memory_.reserve(context_, list_.items_, plan_.items().size()));
+  SFUMATO_TRY(list_.memory_.reserve(context_, list_.blocks_, layer_count));
   list_.blocks_.resize(layer_count);
   for (const PaintItem& item : plan_.items()) {
     if (context_.cancelled()) return context_.cancel_status();
-    if (status = add(item); !status) return status;
+    SFUMATO_TRY(add(item));
   }
   return sort_into_rows();
 }
@@ -153,8 +148,7 @@ Result<PaintList> PaintList::create(Context& context, const PaintPlan& plan, con
   PaintList list;
   list.plan_ = &plan;
   list.grid_ = grid;
-  Status status = Builder(context, &list).build();
-  if (!status) return status;
+  SFUMATO_TRY(Builder(context, &list).build());
   return list;
 }
 

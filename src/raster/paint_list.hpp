@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "base/table_memory.hpp"
+#include "raster/coverage/tile_bins.hpp"
+#include "raster/coverage/triangle_blocks.hpp"
 #include "raster/paint_plan.hpp"
-#include "raster/tile_bins.hpp"
-#include "raster/triangle_blocks.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
 
@@ -16,9 +16,10 @@ namespace sfumato::raster {
 /// An item of a plan that the tiles of a window may show.
 struct ListedItem {
   const PaintItem* item = nullptr;
-  TileRange tiles;  ///< that it may touch; for a group: that its content may touch
+  TileRange
+      tiles;  ///< the tiles that it may touch; for a group: the tiles that its content may touch
   std::optional<std::uint32_t> bins;       ///< index into the list's bins, if the item has its own
-  const TriangleBlocks* blocks = nullptr;  ///< else those of its layer
+  const TriangleBlocks* blocks = nullptr;  ///< else the blocks of its layer
 };
 
 /// The items of a plan, sorted into the rows of a window's tiles. Memory: 40 bytes per item and 4
@@ -27,16 +28,17 @@ struct ListedItem {
 /// triangle of the layer, however often the layer is in the stack.
 class PaintList {
  public:
-  /// The plan must outlive this, and the grid be one of its image. Errors: limit, cancelled.
+  /// Makes a list. The plan must outlive it, and the grid must be one of its image. Errors: limit,
+  /// cancelled.
   static Result<PaintList> create(Context& context, const PaintPlan& plan, const TileGrid& grid);
 
   double margin_px() const { return plan_->margin_px(); }
 
-  /// Indices of the items that touch a row of tiles, from the bottom of the stack up.
+  /// Returns the indices of the items that touch a row of tiles, from the bottom of the stack up.
   std::span<const std::uint32_t> row(int tile_row) const;
   const ListedItem& item(std::uint32_t index) const { return items_[index]; }
 
-  /// The triangles of an instance that touch a tile, whatever the window; `scratch` holds them.
+  /// Returns the triangles of an instance that touch a tile, for any window; `scratch` holds them.
   TriangleList triangles(const ListedItem& listed, std::size_t tile,
                          std::vector<std::uint32_t>* scratch) const;
 

@@ -5,8 +5,9 @@
 #include <utility>
 
 #include "base/parallel.hpp"
-#include "raster/bends.hpp"
-#include "raster/layer_view.hpp"
+#include "base/try.hpp"
+#include "raster/coverage/bends.hpp"
+#include "raster/layers/layer_view.hpp"
 
 namespace sfumato::raster {
 namespace {
@@ -105,27 +106,25 @@ Status PaintPlan::Builder::make_strokes() {
   std::vector<const LocalStroke*> strokes;
   for (const PictureItem& item : picture_.stack) {
     const auto* stroke = std::get_if<LocalStroke>(&item);
-    Status status = stroke ? memory.push_back(context_, strokes, stroke) : ok_status();
-    if (!status) return status;
+    SFUMATO_TRY(stroke ? memory.push_back(context_, strokes, stroke) : ok_status());
   }
   std::vector<Status> statuses;
-  Status status = memory.resize(context_, statuses, strokes.size());
-  if (status) status = kept_memory.reserve(context_, plan_.strokes_, strokes.size());
-  if (!status) return status;
+  SFUMATO_TRY(memory.resize(context_, statuses, strokes.size()));
+  SFUMATO_TRY(kept_memory.reserve(context_, plan_.strokes_, strokes.size()));
   plan_.strokes_.resize(strokes.size());
   plan_.memory_.take(std::move(kept_memory));
   // The same for all windows of an image, as it decides where strokes are cut into segments.
   const Box image = united(kLargestImage, image_);
   constexpr std::size_t kGrain = 16;
-  status = parallel_for(context_, strokes.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      Result<StrokePainter> painter = StrokePainter::create(
-          context_, *strokes[i], options_.image_from_artboard, plan_.space_, image);
-      statuses[i] = painter.status();
-      if (painter) plan_.strokes_[i].emplace(std::move(*painter));
-    }
-  });
-  if (!status) return status;
+  SFUMATO_TRY(
+      parallel_for(context_, strokes.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+          Result<StrokePainter> painter = StrokePainter::create(
+              context_, *strokes[i], options_.image_from_artboard, plan_.space_, image);
+          statuses[i] = painter.status();
+          if (painter) plan_.strokes_[i].emplace(std::move(*painter));
+        }
+      }));
   const auto failed =
       std::find_if(statuses.begin(), statuses.end(), [](const Status& one) { return !one.ok(); });
   return failed == statuses.end() ? ok_status() : *failed;
@@ -133,34 +132,26 @@ Status PaintPlan::Builder::make_strokes() {
 
 Status PaintPlan::Builder::place_layers() {
   const std::vector<PatchLayer>& layers = picture_.layers;
-  Status status = plan_.memory_.reserve(context_, plan_.layers_, layers.size());
-  if (!status) return status;
+  SFUMATO_TRY(plan_.memory_.reserve(context_, plan_.layers_, layers.size()));
   plan_.layers_.resize(layers.size());
   TableMemory mark_memory("marks of triangles");
   for (std::size_t i = 0; i < layers.size(); ++i) {
     LayerPlace& place = plan_.layers_[i];
     for (Vec2 p : layers[i].vertex_position) place.bounds.extend(p);
-    Result<std::vector<std::uint8_t>> bent = bent_triangles(context_, layers[i], mark_memory);
-    if (!bent) return bent.status();
-    place.is_bent = std::move(*bent);
+    SFUMATO_TRY_ASSIGN(place.is_bent, bent_triangles(context_, layers[i], mark_memory));
     if (!options_.has_blocks) continue;
-    Result<TriangleBlocks> blocks = make_triangle_blocks(context_, layers[i]);
-    if (!blocks) return blocks.status();
-    place.blocks = std::move(*blocks);
+    SFUMATO_TRY_ASSIGN(place.blocks, make_triangle_blocks(context_, layers[i]));
   }
   plan_.memory_.take(std::move(mark_memory));
   return ok_status();
 }
 
 Status PaintPlan::Builder::build() {
-  Status status = plan_.memory_.reserve(context_, plan_.items_, picture_.stack.size());
-  if (!status) return status;
-  Result<ShaderSet> shaders = ShaderSet::create(context_, picture_);
-  if (!shaders) return shaders.status();
-  plan_.shaders_ = std::move(*shaders);
+  SFUMATO_TRY(plan_.memory_.reserve(context_, plan_.items_, picture_.stack.size()));
+  SFUMATO_TRY_ASSIGN(plan_.shaders_, ShaderSet::create(context_, picture_));
   plan_.space_ = picture_.interpolation;
-  if (status = make_strokes(); !status) return status;
-  if (status = place_layers(); !status) return status;
+  SFUMATO_TRY(make_strokes());
+  SFUMATO_TRY(place_layers());
   for (const PictureItem& item : picture_.stack) {
     if (context_.cancelled()) return context_.cancel_status();
     std::visit([&](const auto& x) { add(x); }, item);
@@ -173,8 +164,7 @@ Result<PaintPlan> PaintPlan::create(Context& context, const Picture& picture,
   PaintPlan plan;
   plan.picture_ = &picture;
   plan.margin_px_ = options.margin_px;
-  Status status = Builder(context, picture, options, &plan).build();
-  if (!status) return status;
+  SFUMATO_TRY(Builder(context, picture, options, &plan).build());
   return plan;
 }
 

@@ -9,16 +9,17 @@
 #include "base/parallel.hpp"
 #include "base/public_verb.hpp"
 #include "base/table_memory.hpp"
+#include "base/try.hpp"
 #include "picture/check_picture.hpp"
 #include "raster/compositor.hpp"
+#include "raster/coverage/soft_strip.hpp"
 #include "raster/kernels/span_kernels.hpp"
-#include "raster/layer_view.hpp"
+#include "raster/layers/layer_view.hpp"
+#include "raster/layers/overlay.hpp"
 #include "raster/options.hpp"
-#include "raster/overlay.hpp"
 #include "raster/paint_list.hpp"
 #include "raster/rasterize_into.hpp"
 #include "raster/rasterize_source.hpp"
-#include "raster/soft_strip.hpp"
 
 namespace sfumato {
 namespace {
@@ -28,7 +29,7 @@ using raster::PaintPlan;
 using raster::Tile;
 using raster::TileGrid;
 
-/// Everything that the painting of a tile reads.
+/// The input for painting a tile.
 struct TileJob {
   const Context* context = nullptr;
   const RasterOptions* options = nullptr;
@@ -41,7 +42,7 @@ struct TileJob {
   bool has_alpha() const { return channel_count(target.format) == 4; }
 };
 
-/// What a tile is painted with.
+/// The workspace for painting a tile.
 class TilePainter {
  public:
   explicit TilePainter(const TileJob& job)
@@ -50,20 +51,19 @@ class TilePainter {
                                                         (job.has_alpha() ? 4 : 3))),
         compositor_(*job.context, job.list, *job.kernels, job.options->antialias, job.source) {}
 
-  /// Memory of one, with an overlay.
+  /// Returns the memory of one, with an overlay.
   static std::size_t bytes(const PaintList& list) {
     return 6 * raster::kTileFloats * sizeof(float) + raster::Compositor::bytes(list);
   }
 
   Status paint(std::size_t tile_index) {
     const Tile tile = begin(tile_index);
-    Status status = compositor_.paint(tile_index, tile);
-    if (!status) return status;
+    SFUMATO_TRY(compositor_.paint(tile_index, tile));
     const bool is_mixed = job_.backdrop.alpha < 1 || !job_.list.is_plain();
     if (tile.alpha && is_mixed) job_.kernels->unpremultiply(tile);
     if (job_.options->mesh_overlay) paint_overlay(tile_index, tile);
     job_.kernels->write_pixels(tile, job_.target);
-    return status;
+    return ok_status();
   }
 
  private:
@@ -77,7 +77,7 @@ class TilePainter {
   std::vector<std::uint32_t> triangles_;
 };
 
-/// The tile with nothing but the backdrop in it.
+/// Returns the tile with only the backdrop in it.
 Tile TilePainter::begin(std::size_t tile_index) {
   const PixelRect rect = raster::tile_rect(job_.list.grid(), tile_index);
   Tile tile{rect.x0, rect.y0, rect.x1 - rect.x0, rect.y1 - rect.y0, {}, nullptr};
@@ -107,7 +107,7 @@ void TilePainter::paint_overlay(std::size_t tile_index, const Tile& tile) {
   overlay_.paint(tile);
 }
 
-/// Painters that no thread uses, handed from tile to tile.
+/// Painters that no thread uses, passed from tile to tile.
 class PainterPool {
  public:
   PainterPool(const TileJob& job, int thread_count)
@@ -139,21 +139,21 @@ class PainterPool {
   std::vector<std::atomic<TilePainter*>> idle_;
 };
 
-/// What is painted at a time.
+/// The bytes of a band, which is painted at a time.
 constexpr std::size_t kBandBytes = std::size_t{4} << 20;
 
-/// Bytes of an image that have their room, charged to `memory`, and are made band by band.
+/// The bytes of an image. Their room is charged to `memory`, and they are made band by band.
 struct ImageBytes {
   TableMemory& memory;
   Image& image;
 };
 
-/// Paints the tiles in bands, from the top. While those of a band are painted, the bytes of the
-/// next are made: to touch the memory of a large image takes a third of the time, which nobody
-/// would share with a thread that did it before.
+/// Paints the tiles in bands, from the top. While the tiles of a band are painted, the bytes of the
+/// next band are made: touching the memory of a large image takes a third of the time, and no other
+/// thread would share the time if it was done before.
 class ImagePainting {
  public:
-  /// to_make: what stands where the job's target says; null: that memory is there.
+  /// to_make: the memory that the job's target points to; null: it exists already.
   ImagePainting(Context& context, const TileJob& job, const ImageBytes* to_make)
       : context_(context), job_(job), to_make_(to_make), pool_(job, context.thread_count()) {}
 
@@ -170,7 +170,7 @@ class ImagePainting {
   std::atomic<std::size_t> done_{0};
 };
 
-/// Of all rows of tiles above `end_row`.
+/// Makes the bytes of all rows of tiles above `end_row`.
 Status ImagePainting::make_bytes(std::size_t end_row) {
   if (!to_make_) return ok_status();
   Image& image = to_make_->image;
@@ -199,40 +199,40 @@ Status ImagePainting::paint() {
   const auto columns = static_cast<std::size_t>(job_.list.grid().columns());
   const std::size_t band =
       std::max(kBandBytes / raster::kTileHeight / job_.target.row_bytes, std::size_t{1});
-  Status status = make_bytes(band);
-  for (std::size_t row = 0; status && row < rows; row += band) {
+  SFUMATO_TRY(make_bytes(band));
+  for (std::size_t row = 0; row < rows; row += band) {
     const std::size_t first = row * columns, count = std::min(band, rows - row) * columns;
-    status = try_parallel_for(context_, count + 1, 1, [&](std::size_t i, std::size_t) {
+    SFUMATO_TRY(try_parallel_for(context_, count + 1, 1, [&](std::size_t i, std::size_t) {
       return i == 0 ? make_bytes(row + 2 * band) : paint_tile(first + i - 1);
-    });
+    }));
   }
-  return status;
+  return ok_status();
 }
 
-/// What is drawn besides the options.
+/// The input of drawing besides the options.
 struct Drawing {
   const Picture& picture;
-  const std::optional<Rgb>& own_background;      ///< where the options have none
+  const std::optional<Rgb>& own_background;      ///< for options without a background
   const picture::FieldSource* source = nullptr;  ///< null: the picture's patches
 };
 
-/// The picture and the options were not checked against each other yet.
+/// Makes a plan. The picture and the options have not been checked against each other.
 Result<PaintPlan> make_plan(Context& context, const Picture& picture, const RasterOptions& options,
                             bool has_blocks) {
-  if (Status status = picture::check_picture(context, picture); !status) return status;
-  const Result<Affine> image_from_artboard = raster::image_from_artboard(picture, options);
-  if (!image_from_artboard) return image_from_artboard.status();
+  SFUMATO_TRY(picture::check_picture(context, picture));
+  SFUMATO_TRY_ASSIGN(const Affine& image_from_artboard,
+                     raster::image_from_artboard(picture, options));
   double margin_px = options.mesh_overlay ? raster::kOverlayReachPx + 1 : 0;
   if (options.antialias) {
-    margin_px = std::max(margin_px, raster::strip_margin_px(picture, *image_from_artboard));
+    margin_px = std::max(margin_px, raster::strip_margin_px(picture, image_from_artboard));
   }
   const TileGrid grid = raster::grid_of(options);
   return PaintPlan::create(context, picture,
-                           {*image_from_artboard, grid.width, grid.height, margin_px, has_blocks});
+                           {image_from_artboard, grid.width, grid.height, margin_px, has_blocks});
 }
 
-/// Draws a window into the target, whose bytes stand there or are `to_make`. The options are those
-/// that the plan was made for, and checked.
+/// Draws a window into the target, whose bytes exist or are `to_make`. The options are the plan's,
+/// and were checked.
 Status draw_window(Context& context, const PaintPlan& plan, const Drawing& drawing,
                    const RasterOptions& options, const TileGrid& grid,
                    const raster::ImageTarget& target, const ImageBytes* to_make) {
@@ -244,42 +244,35 @@ Status draw_window(Context& context, const PaintPlan& plan, const Drawing& drawi
   job.backdrop = raster::choose_backdrop(options, drawing.own_background);
   job.target = target;
   job.target.window = grid.window;
-  Result<PaintList> list = PaintList::create(context, plan, grid);
-  if (!list) return list.status();
-  job.list = std::move(*list);
+  SFUMATO_TRY_ASSIGN(job.list, PaintList::create(context, plan, grid));
   ScopedCharge tile_charge;
-  Status status = tile_charge.add(
+  SFUMATO_TRY(tile_charge.add(
       context, static_cast<std::size_t>(context.thread_count()) * TilePainter::bytes(job.list),
-      "tiles of the image");
-  if (!status) return status;
+      "tiles of the image"));
   return ImagePainting(context, job, to_make).paint();
 }
 
-/// The options are checked.
+/// Draws a picture. The options are checked.
 Status draw_into(Context& context, const Drawing& drawing, const RasterOptions& options,
                  const raster::ImageTarget& target, const ImageBytes* to_make) {
-  const Result<PaintPlan> plan = make_plan(context, drawing.picture, options, false);
-  if (!plan) return plan.status();
-  return draw_window(context, *plan, drawing, options, raster::grid_of(options), target, to_make);
+  SFUMATO_TRY_ASSIGN(const PaintPlan& plan, make_plan(context, drawing.picture, options, false));
+  return draw_window(context, plan, drawing, options, raster::grid_of(options), target, to_make);
 }
 
 Result<Image> draw(Context& context, const Drawing& drawing, const RasterOptions& options) {
-  Status status = raster::check_options(context.limits, options);
-  if (!status) return status;
+  SFUMATO_TRY(raster::check_options(context.limits, options));
   Image image{options.width, options.height, options.format, {}};
   const std::size_t image_bytes = image.row_bytes() * static_cast<std::size_t>(options.height);
   TableMemory memory("the image");
-  status = memory.reserve(context, image.bytes, image_bytes);
-  if (!status) return status;
+  SFUMATO_TRY(memory.reserve(context, image.bytes, image_bytes));
   const ImageBytes to_make{memory, image};
   const raster::ImageTarget target{image.bytes.data(), image.row_bytes(), options.format,
                                    options.dither};
-  status = draw_into(context, drawing, options, target, &to_make);
-  if (!status) return status;
+  SFUMATO_TRY(draw_into(context, drawing, options, target, &to_make));
   return image;
 }
 
-/// Of an image of the caller's.
+/// Checks an image that the caller owns.
 Status check_target(const RasterOptions& options, const std::uint8_t* pixels,
                     std::size_t row_bytes) {
   if (!pixels) return make_error(StatusCode::bad_input, "no memory for the pixels given");
@@ -290,14 +283,13 @@ Status check_target(const RasterOptions& options, const std::uint8_t* pixels,
                                                std::to_string(least) + " at least");
 }
 
-/// Checks, and draws where the pixels of the caller's are.
+/// Checks the options, and draws into the caller's pixels.
 template <class Draw>
 Status draw_to_caller(Context& context, const RasterOptions& options, std::uint8_t* pixels,
                       std::size_t row_bytes, const Draw& draw) {
   return public_verb(context, [&] {
-    Status status = raster::check_options(context.limits, options);
-    if (status) status = check_target(options, pixels, row_bytes);
-    if (!status) return status;
+    SFUMATO_TRY(raster::check_options(context.limits, options));
+    SFUMATO_TRY(check_target(options, pixels, row_bytes));
     return draw(raster::ImageTarget{pixels, row_bytes, options.format, options.dither});
   });
 }
@@ -361,10 +353,9 @@ PreparedRaster::~PreparedRaster() {
 Result<PreparedRaster> PreparedRaster::create(Context& context, const Picture& picture,
                                               const RasterOptions& options) {
   return public_verb(context, [&]() -> Result<PreparedRaster> {
-    if (Status status = raster::check_whole(options); !status) return status;
-    Result<PaintPlan> plan = make_plan(context, picture, options, true);
-    if (!plan) return plan.status();
-    return PreparedRaster(std::make_unique<Parts>(Parts{options, std::move(*plan)}).release());
+    SFUMATO_TRY(raster::check_whole(options));
+    SFUMATO_TRY_ASSIGN(auto&& plan, make_plan(context, picture, options, true));
+    return PreparedRaster(std::make_unique<Parts>(Parts{options, std::move(plan)}).release());
   });
 }
 

@@ -9,11 +9,11 @@
 
 namespace sfumato::raster {
 
-/// rasterize() with `own_background` in the place of Picture::background.
+/// Does rasterize() with `own_background` instead of Picture::background.
 Result<Image> rasterize_on(Context& context, const Picture& picture, const RasterOptions& options,
                            const std::optional<Rgb>& own_background);
 
-/// rasterize_into() with the same.
+/// Does rasterize_into() with the same.
 Status rasterize_into_on(Context& context, const Picture& picture, const RasterOptions& options,
                          const std::optional<Rgb>& own_background, std::uint8_t* pixels,
                          std::size_t row_bytes);

@@ -5,9 +5,10 @@
 #include "base/charge.hpp"
 #include "base/public_verb.hpp"
 #include "base/table_memory.hpp"
-#include "solve/exact_fields.hpp"
-#include "solve/layer_runs.hpp"
-#include "solve/prepare_layer.hpp"
+#include "base/try.hpp"
+#include "solve/layers/layer_runs.hpp"
+#include "solve/layers/prepare_layer.hpp"
+#include "solve/points/exact_fields.hpp"
 
 namespace sfumato {
 namespace {
@@ -17,14 +18,13 @@ PictureItem picture_item(const LayerInstance& instance) {
                        instance.blend};
 }
 
-/// What is painted as it stands in the document.
+/// Returns an item that is painted unchanged from the document.
 template <class Item>
 PictureItem picture_item(const Item& item) {
   return item;
 }
 
-/// The shaders of a document. The files that textures came from are in them too: the HTML viewer
-/// takes these.
+/// Copies the shaders of a document, with the files of their textures, which the HTML viewer needs.
 Result<std::vector<Shader>> copy_shaders(Context& context, const std::vector<Shader>& shaders) {
   std::vector<Shader> copies;
   TableMemory memory("textures");
@@ -32,9 +32,8 @@ Result<std::vector<Shader>> copy_shaders(Context& context, const std::vector<Sha
     if (const auto* texture = std::get_if<Texture>(&shader.paint)) {
       Texture copy{texture->width,   texture->height, {}, texture->layer_from_texture,
                    texture->repeats, texture->period, {}};
-      Status status = memory.append(context, texture->rgba, copy.rgba);
-      if (status) status = memory.append(context, texture->file, copy.file);
-      if (!status) return status;
+      SFUMATO_TRY(memory.append(context, texture->rgba, copy.rgba));
+      SFUMATO_TRY(memory.append(context, texture->file, copy.file));
       copies.push_back({shader.id, std::move(copy)});
     } else {
       copies.push_back(shader);
@@ -43,7 +42,7 @@ Result<std::vector<Shader>> copy_shaders(Context& context, const std::vector<Sha
   return copies;
 }
 
-/// Of the local curves on the stack.
+/// Returns the bytes of the local curves on the stack.
 std::size_t stroke_bytes(const Document& document) {
   std::size_t bytes = 0;
   for (const StackItem& item : document.stack) {
@@ -53,19 +52,17 @@ std::size_t stroke_bytes(const Document& document) {
 }
 
 Result<Picture> make_frame(Context& context, const Document& document, const Box& viewport) {
-  Result<std::vector<Shader>> shaders = copy_shaders(context, document.shaders);
-  if (!shaders) return shaders.status();
+  SFUMATO_TRY_ASSIGN(auto&& shaders, copy_shaders(context, document.shaders));
   Picture picture;
   picture.artboard = document.artboard;
   picture.viewport = viewport;
   picture.interpolation = document.interpolation;
   picture.background = document.background;
-  picture.shaders = std::move(*shaders);
+  picture.shaders = std::move(shaders);
   ScopedCharge charge;
   TableMemory memory("the picture's stack");
-  Status status = charge.add(context, stroke_bytes(document), "the picture's stack");
-  if (status) status = memory.reserve(context, picture.stack, document.stack.size());
-  if (!status) return status;
+  SFUMATO_TRY(charge.add(context, stroke_bytes(document), "the picture's stack"));
+  SFUMATO_TRY(memory.reserve(context, picture.stack, document.stack.size()));
   for (const StackItem& item : document.stack) {
     picture.stack.push_back(std::visit([](const auto& x) { return picture_item(x); }, item));
   }
@@ -74,28 +71,23 @@ Result<Picture> make_frame(Context& context, const Document& document, const Box
 
 Result<Picture> solve_document(Context& context, const Document& document,
                                const DiffuseOptions& options, DiffuseStats* stats) {
-  if (Status status = solve::validate(options); !status) return status;
-  if (Status status = validate(context, document); !status) return status;
-  Result<Picture> frame =
-      make_frame(context, document, options.viewport.value_or(document.artboard));
-  if (!frame) return frame.status();
-  Picture picture = std::move(*frame);
-  ScopedCharge charge;  // of the frame, while layers are solved
-  Status status = charge.add(context, bytes_of(picture), "the picture");
-  if (!status) return status;
-  Result<std::vector<solve::LayerSight>> sights =
-      solve::sights_of_layers(context, document, picture.viewport);
-  if (!sights) return sights.status();
-  std::vector<solve::LayerTask> tasks(sights->size());
-  for (std::uint32_t i = 0; i < tasks.size(); ++i) tasks[i] = {i, std::move((*sights)[i])};
+  SFUMATO_TRY(solve::validate(options));
+  SFUMATO_TRY(validate(context, document));
+  SFUMATO_TRY_ASSIGN(auto&& picture,
+                     make_frame(context, document, options.viewport.value_or(document.artboard)));
+  ScopedCharge charge;  // for the frame, while layers are solved
+  SFUMATO_TRY(charge.add(context, bytes_of(picture), "the picture"));
+  SFUMATO_TRY_ASSIGN(auto&& sights, solve::sights_of_layers(context, document, picture.viewport));
+  std::vector<solve::LayerTask> tasks(sights.size());
+  for (std::uint32_t i = 0; i < tasks.size(); ++i) tasks[i] = {i, std::move(sights[i])};
   solve::LayerRuns runs(context, document, tasks, options);
-  status = runs.run();
+  Status status = runs.run();
   if (stats) runs.add_to(*stats);
   if (!status) return status;
   picture.layers = runs.take();
-  if (options.exact_fields) status = solve::add_exact_fields(context, document, options, &picture);
-  if (!status) return status;
-  return picture;
+  if (options.exact_fields)
+    SFUMATO_TRY(solve::add_exact_fields(context, document, options, &picture));
+  return std::move(picture);
 }
 
 }  // namespace

@@ -17,6 +17,7 @@
 #include "base/native/atomic_file.hpp"
 #include "base/native/posix.hpp"
 #include "base/public_verb.hpp"
+#include "base/try.hpp"
 #include "sfumato/base/native/file.hpp"
 #include "tiles/level_painter.hpp"
 
@@ -116,7 +117,7 @@ bool BigTiffWriter::describe_level(int level) {
          TIFFSetField(file, TIFFTAG_SOFTWARE, "Sfumato") != 0;
 }
 
-/// Where a tile reaches beyond the image, its last pixels go on: they cost next to nothing.
+/// A tile that reaches beyond the image repeats its last pixels, which compress to almost nothing.
 void BigTiffWriter::fill_tile(const Image& image, const PixelRect& pixels, const PixelRect& tile) {
   const auto side = static_cast<std::size_t>(options_.pyramid.tile_side);
   const std::size_t pixel = image.row_bytes() / static_cast<std::size_t>(image.width);
@@ -135,13 +136,12 @@ void BigTiffWriter::fill_tile(const Image& image, const PixelRect& pixels, const
 Status BigTiffWriter::write_block(const TileBlock& block) {
   const Pyramid& pyramid = options_.pyramid;
   const PixelRect pixels = block_pixels(pyramid, block);
-  const Result<const Image*> image = painter_.paint(pyramid, block.level, pixels);
-  if (!image) return image.status();
+  SFUMATO_TRY_ASSIGN(const Image* image, painter_.paint(pyramid, block.level, pixels));
   const auto columns = static_cast<std::uint32_t>(pyramid.columns(block.level));
   for (int row = block.row0; row < block.row0 + block.rows; ++row) {
     for (int column = block.column0; column < block.column0 + block.columns; ++column) {
       if (context_.cancelled()) return context_.cancel_status();
-      fill_tile(**image, pixels, pyramid.tile(block.level, column, row));
+      fill_tile(*image, pixels, pyramid.tile(block.level, column, row));
       const std::uint32_t index =
           static_cast<std::uint32_t>(row) * columns + static_cast<std::uint32_t>(column);
       const auto bytes = static_cast<tmsize_t>(tile_.size());
@@ -161,7 +161,7 @@ Status BigTiffWriter::write_level(int level) {
     const TileBlock block = block_at(options_.pyramid, index);
     if (block.level < level) break;
     if (block.level > level) continue;
-    if (Status status = write_block(block); !status) return status;
+    SFUMATO_TRY(write_block(block));
     ++done_;
     if (context_.progress) {
       context_.progress->report("tiles", static_cast<double>(done_) / static_cast<double>(all));
@@ -171,7 +171,7 @@ Status BigTiffWriter::write_level(int level) {
   return TIFFWriteDirectory(file_.get()) == 1 ? ok_status() : complaint();
 }
 
-/// What libtiff keeps of each tile of a level, and one tile.
+/// The memory of libtiff: its table entry for each tile of a level, and one tile.
 Status BigTiffWriter::charge_tables() {
   constexpr std::uint64_t kMostTiles = 0xffffffff, kBytesPerTile = 16;
   const Pyramid& pyramid = options_.pyramid;
@@ -184,15 +184,15 @@ Status BigTiffWriter::charge_tables() {
   const auto side = static_cast<std::size_t>(pyramid.tile_side);
   const std::size_t bytes =
       side * side * static_cast<std::size_t>(channel_count(options_.raster.format));
-  Status status = charge_.add(context_, kBytesPerTile * tiles + 2 * bytes, "the table of a TIFF");
-  if (status) tile_.resize(bytes);
-  return status;
+  SFUMATO_TRY(charge_.add(context_, kBytesPerTile * tiles + 2 * bytes, "the table of a TIFF"));
+  tile_.resize(bytes);
+  return ok_status();
 }
 
 Status BigTiffWriter::write_levels() {
   const Pyramid& pyramid = options_.pyramid;
   for (int level = pyramid.level_count() - 1; level >= 0; --level) {
-    if (Status status = write_level(level); !status) return status;
+    SFUMATO_TRY(write_level(level));
     if (pyramid.columns(level) == 1 && pyramid.rows(level) == 1) break;
   }
   return ok_status();
@@ -200,12 +200,11 @@ Status BigTiffWriter::write_levels() {
 
 Status BigTiffWriter::write() {
   const WriteSignalGuard guard;
-  if (Status status = charge_tables(); !status) return status;
+  SFUMATO_TRY(charge_tables());
   const std::string path = without_links(options_.path);
-  const Result<std::optional<unsigned>> mode = mode_of_replaced(path);
-  if (!mode) return mode.status();
+  SFUMATO_TRY_ASSIGN(const std::optional<unsigned>& mode, mode_of_replaced(path));
   AtomicFile target(path);
-  Status status = target.open(*mode);
+  Status status = target.open(mode);
   if (status) status = open(target.number());
   if (status) status = write_levels();
   file_.reset();  // which may write

@@ -10,6 +10,7 @@
 #include "base/parallel.hpp"
 #include "base/public_verb.hpp"
 #include "base/table_memory.hpp"
+#include "base/try.hpp"
 #include "sfumato/base/native/file.hpp"
 #include "tiles/level_painter.hpp"
 
@@ -28,7 +29,7 @@ std::string description_text(const DeepZoomOptions& options) {
          "\"/>\n  <!-- " + options.fingerprint + " -->\n</Image>\n";
 }
 
-/// Errors: io, where that cannot be told.
+/// Returns whether the file exists. Errors: io if that cannot be determined.
 Result<bool> is_there(const std::string& path) {
   std::error_code error;
   const auto type = std::filesystem::status(path, error).type();
@@ -52,6 +53,7 @@ class DeepZoomWriter {
 
  private:
   Status prepare();
+  Status claim_description();
   std::string tile_path(const TileBlock& block, std::size_t tile) const;
   Status write_block(const TileBlock& block);
   Status write_tile(const TileBlock& block, std::size_t tile, const PixelRect& pixels,
@@ -67,30 +69,34 @@ class DeepZoomWriter {
   std::atomic<std::uint64_t> bytes_ = 0;
 };
 
-/// The description first: it says what the tiles are of, and another one's are not mixed with them.
-Status DeepZoomWriter::prepare() {
+/// Writes the description of the tiles, or checks that the existing description is the same. If
+/// another call writes one at the same time, the first one counts.
+Status DeepZoomWriter::claim_description() {
   const std::string text = description_text(options_);
-  const Result<bool> exists = is_there(options_.path);
-  if (!exists) return exists.status();
-  if (*exists) {
-    const Result<std::string> there = read_file(options_.path, kDescriptionBytes, &context_);
-    if (!there) return there.status();
-    if (*there != text) {
-      return make_error(StatusCode::io,
-                        "describes tiles of another picture, size or format; remove it and its "
-                        "folder, or name another output",
-                        {options_.path});
-    }
-  } else {
-    Status status =
-        write_file(options_.path, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()},
-                   &context_);
-    if (!status) return status;
+  SFUMATO_TRY_ASSIGN(const bool exists, is_there(options_.path));
+  if (!exists) {
+    SFUMATO_TRY_ASSIGN(
+        const bool created,
+        create_file(without_links(options_.path),
+                    {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}));
+    if (created) return ok_status();
   }
-  if (Status status = make_folder(folder_); !status) return status;
+  SFUMATO_TRY_ASSIGN(const std::string& there,
+                     read_file(options_.path, kDescriptionBytes, &context_));
+  if (there == text) return ok_status();
+  return make_error(StatusCode::io,
+                    "describes tiles of another picture, size or format; remove it and its "
+                    "folder, or name another output",
+                    {options_.path});
+}
+
+/// The description comes first: it identifies the picture of the tiles, so that tiles of another
+/// picture are not mixed with them.
+Status DeepZoomWriter::prepare() {
+  SFUMATO_TRY(claim_description());
+  SFUMATO_TRY(make_folder(folder_));
   for (int level = 0; level < options_.pyramid.level_count(); ++level) {
-    Status status = make_folder(folder_ + "/" + std::to_string(level));
-    if (!status) return status;
+    SFUMATO_TRY(make_folder(folder_ + "/" + std::to_string(level)));
   }
   return ok_status();
 }
@@ -112,43 +118,40 @@ Status DeepZoomWriter::write_tile(const TileBlock& block, std::size_t tile, cons
   Image part{rect.x1 - rect.x0, rect.y1 - rect.y0, image.format, {}};
   const std::size_t bytes = part.row_bytes() * static_cast<std::size_t>(part.height);
   TableMemory memory("a tile");
-  if (Status status = memory.resize(context_, part.bytes, bytes); !status) return status;
-  // Tiles are packed side by side, each with its share of what is left.
+  SFUMATO_TRY(memory.resize(context_, part.bytes, bytes));
+  // Tiles are packed side by side, each with its share of the remaining memory.
   const Budget& budget = context_.budget;
   Context serial{.budget = Budget(budget.room() / static_cast<unsigned>(context_.thread_count())),
                  .limits = context_.limits,
                  .simd = context_.simd,
                  .outer = &context_};
   copy_part(image, rect.x0 - pixels.x0, rect.y0 - pixels.y0, part);
-  const Result<std::vector<std::uint8_t>> file = encode_(serial, part);
-  if (!file) return file.status();
-  bytes_ += file->size();
-  // The last tile says that the block is there: it waits until the others are safe.
+  SFUMATO_TRY_ASSIGN(const std::vector<std::uint8_t>& file, encode_(serial, part));
+  bytes_ += file.size();
+  // The last tile marks the block as complete, so it is written after the others are safe.
   const bool is_last = tile + 1 == block.tile_count();
   if (is_last) {
-    if (Status status = sync_file_system(folder_); !status) return status;
+    SFUMATO_TRY(sync_file_system(folder_));
   }
-  return replace_file(tile_path(block, tile), *file,
+  return replace_file(tile_path(block, tile), file,
                       is_last ? Durability::synced : Durability::fast);
 }
 
 Status DeepZoomWriter::write_block(const TileBlock& block) {
   const std::size_t last = block.tile_count() - 1;
-  const Result<bool> is_done = is_there(tile_path(block, last));
-  if (!is_done) return is_done.status();
-  if (*is_done) {
+  SFUMATO_TRY_ASSIGN(const bool is_done, is_there(tile_path(block, last)));
+  if (is_done) {
     ++stats_.skipped_blocks;
     return ok_status();
   }
   const PixelRect pixels = block_pixels(options_.pyramid, block);
-  const Result<const Image*> image = painter_.paint(options_.pyramid, block.level, pixels);
-  if (!image) return image.status();
-  Status status = try_parallel_for(context_, last, 1, [&](std::size_t begin, std::size_t) {
-    return write_tile(block, begin, pixels, **image);
-  });
-  if (status) status = write_tile(block, last, pixels, **image);
-  if (status) stats_.tiles += block.tile_count();
-  return status;
+  SFUMATO_TRY_ASSIGN(const Image* image, painter_.paint(options_.pyramid, block.level, pixels));
+  SFUMATO_TRY(try_parallel_for(context_, last, 1, [&](std::size_t begin, std::size_t) {
+    return write_tile(block, begin, pixels, *image);
+  }));
+  SFUMATO_TRY(write_tile(block, last, pixels, *image));
+  stats_.tiles += block.tile_count();
+  return ok_status();
 }
 
 void DeepZoomWriter::report(std::uint64_t done) const {
@@ -163,11 +166,11 @@ Status DeepZoomWriter::write() {
   const auto first = static_cast<std::uint64_t>(shard.index),
              step = static_cast<std::uint64_t>(shard.count);
   stats_.blocks = (all + step - 1 - first) / step;
-  if (Status status = prepare(); !status) return status;
+  SFUMATO_TRY(prepare());
   std::uint64_t done = 0;
   for (std::uint64_t index = first; index < all; index += step) {
     if (context_.cancelled()) return context_.cancel_status();
-    if (Status status = write_block(block_at(options_.pyramid, index)); !status) return status;
+    SFUMATO_TRY(write_block(block_at(options_.pyramid, index)));
     report(++done);
   }
   stats_.bytes = bytes_;

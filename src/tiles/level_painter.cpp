@@ -3,6 +3,8 @@
 #include <cstring>
 #include <utility>
 
+#include "base/try.hpp"
+
 namespace sfumato::tiles {
 
 Status LevelPainter::prepare(const Pyramid& pyramid, int level) {
@@ -12,21 +14,20 @@ Status LevelPainter::prepare(const Pyramid& pyramid, int level) {
   RasterOptions options = raster_;
   options.width = pyramid.level_width(level);
   options.height = pyramid.level_height(level);
-  Result<PreparedRaster> made = PreparedRaster::create(context_, picture_, options);
-  if (!made) return made.status();
-  prepared_.emplace(std::move(*made));
+  SFUMATO_TRY_ASSIGN(auto&& made, PreparedRaster::create(context_, picture_, options));
+  prepared_.emplace(std::move(made));
   level_ = level;
   return ok_status();
 }
 
 Result<const Image*> LevelPainter::paint(const Pyramid& pyramid, int level, const PixelRect& rect) {
-  if (Status status = prepare(pyramid, level); !status) return status;
+  SFUMATO_TRY(prepare(pyramid, level));
   image_.format = raster_.format;
   image_.width = rect.x1 - rect.x0;
   image_.height = rect.y1 - rect.y0;
   const std::size_t bytes = image_.row_bytes() * static_cast<std::size_t>(image_.height);
-  if (Status status = memory_.resize(context_, image_.bytes, bytes); !status) return status;
-  // The pyramid is one whole to who watches.
+  SFUMATO_TRY(memory_.resize(context_, image_.bytes, bytes));
+  // Progress counts the pyramid as a whole.
   Progress* const progress = std::exchange(context_.progress, nullptr);
   const Status status = prepared_->paint(context_, rect.x0, rect.y0, image_.width, image_.height,
                                          image_.bytes.data(), image_.row_bytes());

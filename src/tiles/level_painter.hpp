@@ -11,18 +11,18 @@
 
 namespace sfumato::tiles {
 
-/// Paints parts of the levels of a pyramid. Each level is the picture as it is at that size, byte
-/// for byte what rasterize() makes of it, and no reduction of a larger one.
+/// Paints parts of the levels of a pyramid. Each level is the picture at that size, byte for byte
+/// as rasterize() makes it, not a reduction of a larger level.
 class LevelPainter {
  public:
-  /// raster  the size is that of the last level; no window
+  /// raster: the size of the last level; no window
   LevelPainter(Context& context, const Picture& picture, const RasterOptions& raster)
       : context_(context), picture_(picture), raster_(raster) {}
   LevelPainter(const LevelPainter&) = delete;
   LevelPainter& operator=(const LevelPainter&) = delete;
 
-  /// The pixels of a rectangle of a level. They are good until the next call. Levels one after
-  /// another are prepared once each. Errors: those of rasterize().
+  /// Paints the pixels of a rectangle of a level. They are valid until the next call. Each level is
+  /// prepared once if levels are painted one after another. Errors: as rasterize().
   Result<const Image*> paint(const Pyramid& pyramid, int level, const PixelRect& rect);
 
  private:
@@ -37,8 +37,7 @@ class LevelPainter {
   TableMemory memory_{"a block of tiles"};
 };
 
-/// A part of an image, whose corner is at (x, y) in it. `tile` has the size and is as large
-/// already.
+/// Copies a part of an image, whose corner is at (x, y) in it. `tile` already has the size.
 void copy_part(const Image& image, int x, int y, Image& tile);
 
 }  // namespace sfumato::tiles

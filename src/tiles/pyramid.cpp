@@ -5,7 +5,7 @@
 namespace sfumato::tiles {
 namespace {
 
-/// Pixels on a side that blocks have about.
+/// The approximate side of a block, pixels.
 constexpr int kBlockSide = 2048;
 
 constexpr int rounded_up(int value, int divisor) {

@@ -7,8 +7,9 @@
 
 namespace sfumato::tiles {
 
-/// The sizes of an image pyramid, as Deep Zoom counts them: level 0 has one pixel, and each next
-/// one twice as many on a side, rounded up, to the last one, which is the whole image.
+/// Holds the sizes of an image pyramid as Deep Zoom counts them: level 0 has one pixel, and each
+/// level has twice as many pixels on a side as the level before, rounded up. The last level is the
+/// whole image.
 struct Pyramid {
   int width = 0;  ///< pixels of the last level
   int height = 0;
@@ -20,7 +21,7 @@ struct Pyramid {
   int level_height(int level) const;
   int columns(int level) const;  ///< of tiles
   int rows(int level) const;
-  /// A tile's pixels in its level, with the overlap.
+  /// Returns a tile's pixels in its level, with the overlap.
   PixelRect tile(int level, int column, int row) const;
 };
 
@@ -33,17 +34,17 @@ struct TileBlock {
   std::size_t tile_count() const { return static_cast<std::size_t>(columns) * rows; }
 };
 
-/// Tiles on a side of a block: what a block holds stays small, and what painting one costs besides
-/// its pixels does not count.
+/// Returns the tiles on a side of a block. A block is small enough for memory and large enough that
+/// the fixed cost of painting it does not count.
 int block_tiles(const Pyramid& pyramid);
 
-/// Blocks of all levels; the largest level comes first.
+/// Returns the number of blocks of all levels; the largest level comes first.
 std::uint64_t block_count(const Pyramid& pyramid);
 
-/// Block `index` of block_count().
+/// Returns block `index` of block_count().
 TileBlock block_at(const Pyramid& pyramid, std::uint64_t index);
 
-/// The pixels of its level that the tiles of a block show.
+/// Returns the pixels of the level that the tiles of a block show.
 PixelRect block_pixels(const Pyramid& pyramid, const TileBlock& block);
 
 }  // namespace sfumato::tiles

@@ -4,6 +4,8 @@
 #include <string>
 
 #include "base/public_verb.hpp"
+#include "base/try.hpp"
+#include "trace/sized_trace.hpp"
 #include "trace/tracer.hpp"
 
 namespace sfumato {
@@ -32,16 +34,25 @@ Status check(const TraceOptions& options) {
 
 }  // namespace
 
-Result<Document> trace(Context& context, const Image& picture, const TraceOptions& options,
-                       TraceStats* stats) {
+namespace tracing {
+
+Result<Document> trace_sized(Context& context, const Image& smaller, int width, int height,
+                             const TraceOptions& options, TraceStats* stats) {
   return public_verb(context, [&]() -> Result<Document> {
-    if (Status status = check(options); !status) return status;
-    if (Status status = validate(context.limits, picture); !status) return status;
-    tracing::Tracer tracer(context, picture, options);
+    SFUMATO_TRY(check(options));
+    SFUMATO_TRY(validate(context.limits, smaller));
+    Tracer tracer(context, smaller, width, height, options);
     Result<Document> drawing = tracer.run();
     if (drawing && stats) *stats = tracer.stats();
     return drawing;
   });
+}
+
+}  // namespace tracing
+
+Result<Document> trace(Context& context, const Image& picture, const TraceOptions& options,
+                       TraceStats* stats) {
+  return tracing::trace_sized(context, picture, picture.width, picture.height, options, stats);
 }
 
 }  // namespace sfumato

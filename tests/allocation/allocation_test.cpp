@@ -1,4 +1,4 @@
-// Every allocation of every public function is refused in turn. README.md says what is counted.
+// Every allocation of every public function is refused in turn. README.md explains the counts.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -10,7 +10,7 @@
 #include "allocation/every_allocation.hpp"
 #include "base/no_throw.hpp"
 #include "base/parallel.hpp"
-#include "codecs/photo.hpp"
+#include "codecs/photo/photo.hpp"
 #include "formats/image_files.hpp"
 #include "formats/photo_files.hpp"
 #include "sfumato/api/render_pixels.hpp"
@@ -41,7 +41,7 @@
 namespace sfumato::test {
 namespace {
 
-/// A value made with all memory.
+/// Makes a value while no allocation is refused.
 template <class Make>
 auto made(const Make& make) {
   Context context;
@@ -63,7 +63,7 @@ void append(std::string& text, const std::vector<Value>& values) {
   text.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(Value));
 }
 
-/// What tells one result from another.
+/// Returns a text that distinguishes results.
 std::string digest(const ReadDocument& read) {
   std::string text = made([&](Context& context) { return write_svg(context, read.document); });
   for (const Diagnostic& warning : read.warnings) text += to_string(warning) + '\n';
@@ -135,8 +135,8 @@ TEST_P(Allocation, diffuse) {
   check("diffuse", [&](Context& context) { return diffuse(context, document, {}); });
 }
 
-/// Two frames of a film, the second of which has another curve. Where memory is lacking for what a
-/// film keeps its frames have another mesh.
+/// Two frames of a film; the second frame has another curve. If memory for the film's reused data
+/// is lacking, its frames have another mesh.
 TEST_P(Allocation, film) {
   const Document document = document_of(GetParam().text);
   const auto make = [&](Context& context) -> Result<Solution> {
@@ -180,7 +180,7 @@ TEST_P(Allocation, solution) {
     if (status) status = solution->solve(context, {});
     return status ? std::move(solution) : Result<Solution>(std::move(status));
   };
-  // The copies of what is given are the caller's.
+  // The caller owns the copies of the arguments.
   check("solution", [&](Context& context) { return no_throw([&] { return make(context); }); },
         {.every = 5});
 }
@@ -221,7 +221,7 @@ std::string digest_of_drawing(const Document& drawing) {
   return made([&](Context& context) { return write_svg(context, drawing); });
 }
 
-/// A disc, an edge of which shows in each step of a trace; half transparent where there is alpha.
+/// Returns a disc, one edge of which shows in each step of a trace; half transparent with alpha.
 Image picture_of_disc(PixelFormat format) {
   constexpr int kSide = 12;
   Image image{kSide, kSide, format, {}};
@@ -271,12 +271,12 @@ TEST(AllocationOf, png_encoder) {
 TEST(AllocationOf, png_decoder) {
   const Image image = image_of(40, 30, PixelFormat::rgba16);
   const Bytes file = made([&](Context& context) { return encode_png(context, image); });
-  // libspng calls the file damaged where zlib was refused memory.
+  // libspng reports a damaged file if zlib lacks memory.
   check("decode", [&](Context& context) { return decode_png(context, file, "a.png"); },
         {.also = StatusCode::bad_input});
 }
 
-// WebP is left out: libwebp's decoder ends by a signal where it is refused memory (README.md).
+// WebP is left out: libwebp's decoder ends by a signal if it is refused memory (README.md).
 TEST(AllocationOf, photo_reader) {
   const Bytes jpeg = jpeg_file(20, 10, 3, {200, 100, 50, 0});
   const Bytes inks = jpeg_file(20, 10, 4, {200, 100, 50, 0});
@@ -288,12 +288,12 @@ TEST(AllocationOf, photo_reader) {
 }
 
 TEST(AllocationOf, jpeg_encoder) {
-  const Image image = image_of(150, 130, PixelFormat::rgb8);  // its file is enlarged twice
+  const Image image = image_of(150, 130, PixelFormat::rgb8);  // its file grows twice
   check("jpeg", [&](Context& context) { return encode_jpeg(context, image, 95); });
 }
 
-/// libwebp may say nothing of memory that it was refused, and leave another file, even a broken one
-/// (README.md): its bytes are not looked at.
+/// libwebp may not report refused memory, and may then leave another or even a broken file
+/// (README.md), so the bytes are not compared.
 std::string no_digest(const Bytes&) {
   return "a file";
 }
@@ -309,7 +309,8 @@ TEST(AllocationOf, webp_encoder) {
   expect_every_refusal_is_survived("lossless", webp(true), no_digest);
 }
 
-/// Of the small document each allocation is refused, or one of `every`; of the other one of many.
+/// Refuses each allocation for the small document, or every `every`-th; for the other document, one
+/// of many.
 template <class Export>
 void check_output(const Export& export_as, std::size_t every = 1) {
   const auto exporting = [&](const Picture& picture) {
@@ -385,7 +386,7 @@ TEST(AllocationOf, files) {
   EXPECT_EQ(folder.entry_count(), 1u);
 }
 
-/// Document to PNG.
+/// Returns the call from document to PNG.
 auto whole_render(const std::string& text, int width, int height) {
   return [=](Context& context) -> Result<Bytes> {
     const auto read = read_document(context, text, "a.svg");
@@ -409,7 +410,8 @@ TEST(AllocationOf, a_whole_render_on_many_threads) {
         {.every = 41, .executor = &executor, .also = StatusCode::bad_input});
 }
 
-/// Whatever is refused while a solution changes and is solved, it goes on as if nothing had been.
+/// Whatever is refused while a solution changes and is solved, it continues as if nothing had
+/// happened.
 TEST(AllocationOf, a_solution_that_goes_on) {
   const Document document = document_of(small_documents().front().text);
   ASSERT_FALSE(document.layers.empty());

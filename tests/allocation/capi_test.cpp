@@ -7,17 +7,17 @@
 #include "allocation/failing_allocator.hpp"
 #include "sfumato/sfumato.h"
 
-/// The C interface with each allocation of a session refused once. Several short sessions: the
-/// calls that are made grow with the square of one's length.
+/// The C interface with each allocation of a session refused once. There are several short
+/// sessions, because the number of calls grows with the square of a session's length.
 namespace sfumato::test {
 namespace {
 
-/// The first code of a session that is not OK, and whether each handle of a failed call was NULL.
+/// The first code of a session that is not OK, and whether each failed call left its handle NULL.
 struct Session {
   std::int32_t code = SFUMATO_OK;
   bool is_clean = true;
 
-  /// handle: of what the call handed out, which is looked at after it.
+  /// handle: the handle that the call returns; examined after the call.
   template <class Handle>
   bool take(std::int32_t result, Handle* const* handle) {
     if (code == SFUMATO_OK) code = result;
@@ -34,7 +34,7 @@ constexpr char kDrawing[] =
     "<svg xmlns='http://www.w3.org/2000/svg' xmlns:sf='urn:sfumato:1' "
     "viewBox='0 0 8 8'></svg>";
 
-/// What a session begins with: a document of one curve, and its picture where that is asked for.
+/// The start of a session: a document of one curve, and its picture if required.
 struct Drawing {
   sfumato_document* document = nullptr;
   sfumato_picture* picture = nullptr;
@@ -68,7 +68,7 @@ void begin_picture(Session& session, sfumato_context* c, Drawing& drawing) {
   if (drawing.document) solve(session, c, drawing);
 }
 
-/// Pixels for a file that no document has, and a document of text.
+/// Adds pixels for a file that no document has, and reads a document.
 void read(Session& session, sfumato_context* c, Drawing& drawing) {
   const char file[] = "some file";
   std::uint8_t pixels[4] = {};
@@ -127,7 +127,7 @@ void begin_move(Session& session, sfumato_context* c, Drawing& drawing) {
   move_curve(session, c, drawing);
 }
 
-/// Another frame and what it leaves, without time.
+/// Makes another frame without time, and then the rest.
 void hurry(Session& session, sfumato_context* c, Drawing& drawing) {
   lay_curve(session, c, drawing, 4);
   session.take(sfumato_solve_within(c, drawing.document, 0, drawing.picture));
@@ -153,7 +153,7 @@ void insert_another(Session& session, sfumato_context* c, Drawing& drawing) {
   session.take(sfumato_set_curve_stops(c, document, 0, 1, 0, 0, SFUMATO_STOPS, 0, blue, 1));
 }
 
-/// A rough picture, and a drag that begins from it.
+/// Makes a rough picture, and starts a drag from it.
 void move_two(Session& session, sfumato_context* c, Drawing& drawing) {
   insert_another(session, c, drawing);
   session.take(sfumato_solve_again(c, drawing.document, 1, drawing.picture));
@@ -200,7 +200,7 @@ void write_reached(void* user, const sfumato_trace_state*, const sfumato_documen
   sfumato_bytes_free(bytes);
 }
 
-/// Black beside white, with someone who looks at the rounds.
+/// Traces black beside white, with a callback after each round.
 void trace(Session& session, sfumato_context* c, Drawing& drawing) {
   std::uint8_t pixels[3 * 8 * 8] = {};
   for (int i = 0; i < 8 * 8; ++i) {
@@ -217,18 +217,18 @@ using Calls = void (*)(Session&, sfumato_context*, Drawing&);
 
 struct Part {
   const char* name;
-  Calls begin;  ///< with all memory
+  Calls begin;  ///< calls without refusals
   Calls calls;
 };
 
-/// Which request of a session's calls is refused, and, after it, whether there was one.
+/// Which request of a session's calls to refuse, and, afterwards, whether it was made.
 struct Refused {
   std::size_t k = 0;
   Refusal refusal = Refusal::one;
   bool was_refused = false;
 };
 
-/// Null: with all memory. What the session holds is freed while memory is refused.
+/// Runs a session; null: without refusals. The session's objects are freed while memory is refused.
 Session run(const Part& part, sfumato_context* c, Refused* refused) {
   Session session;
   std::optional<RefusedAllocations> refusing;

@@ -5,19 +5,20 @@
 
 namespace sfumato::test {
 
-/// A document that has hardly more in it than the one feature that it is named for.
+/// A document with hardly more than the one feature that it is named after.
 struct SmallDocument {
   const char* name;
   std::string text;
 };
 
-/// One for every feature of the format; and Orzan's XML, and a packed one.
+/// Returns one document for every feature of the format, one of Orzan's XML, and a gzipped one.
 std::vector<SmallDocument> small_documents();
 
-/// What exporters tell apart, in few triangles: layers, a group that is blended, a local curve.
+/// Returns a document with few triangles and everything that exporters treat differently: layers, a
+/// blended group, a local curve.
 std::string small_document_for_outputs();
 
-/// All of SVG's features at once.
+/// Returns a document with all features of SVG.
 std::string document_with_everything();
 
 }  // namespace sfumato::test

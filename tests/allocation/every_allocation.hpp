@@ -11,25 +11,25 @@
 
 namespace sfumato::test {
 
-/// Which of an operation's allocations are refused, one in each run.
+/// Which allocations of an operation are refused, one in each run.
 struct Sampling {
-  std::size_t every = 1;         ///< only each so many
-  Executor* executor = nullptr;  ///< with one, blocks that its threads keep are not counted
-  /// What it may be besides out_of_memory, where a library hides the reason.
+  std::size_t every = 1;         ///< every so many
+  Executor* executor = nullptr;  ///< with an executor, blocks that its threads keep are not counted
+  /// Another allowed code, for a library that hides the reason.
   StatusCode also = StatusCode::out_of_memory;
 };
 
-/// Runs make(context), a Result, with its k-th allocation refused, for one k after another until it
-/// needs no more than k; once with that one refused, once with all from there on. Each time it is
-/// `out_of_memory`, or it could do without and digest(*result), a string, is as it is with all
-/// memory; nothing is left of it, charges neither; and the same call in the same Context then
-/// works.
+/// Runs make(context), which returns a Result, with its k-th allocation refused, for one k after
+/// another until it needs no more than k allocations: once with only that allocation refused, once
+/// with all from there on. Each time it must return `out_of_memory`, or succeed with the usual
+/// digest(*result), a string. It must leave no memory and no charges behind, and the same call in
+/// the same Context must then work.
 template <class Make, class Digest>
 void expect_every_refusal_is_survived(const std::string& name, const Make& make,
                                       const Digest& digest, const Sampling& sampling = {}) {
   Context plain{.executor = sampling.executor};
   std::string expected;
-  for (int i = 0; i < 2; ++i) {  // the second finds all that is made once
+  for (int i = 0; i < 2; ++i) {  // the first run also makes objects that are made only once
     const auto result = make(plain);
     ASSERT_TRUE(result.ok()) << name << ": " << to_string(result.status());
     expected = digest(*result);

@@ -12,7 +12,7 @@
 namespace sfumato::test {
 namespace {
 
-// What replaces malloc cannot be handed anything: this program's allocator has globals.
+// A replacement of malloc cannot receive parameters, so this program's allocator has globals.
 constexpr std::size_t kNever = std::numeric_limits<std::size_t>::max();
 std::atomic<std::size_t> request_count{0};
 std::atomic<std::size_t> first_refused{kNever};
@@ -26,7 +26,7 @@ bool is_refused() {
   return request >= first && request <= last_refused.load(std::memory_order_relaxed);
 }
 
-/// Counts a block that was handed out.
+/// Counts an allocated block.
 void* counted(void* block) {
   if (block != nullptr) live_count.fetch_add(1, std::memory_order_relaxed);
   return block;
@@ -64,7 +64,7 @@ using sfumato::test::is_refused;
 
 #if !SFUMATO_HAS_SANITIZER && defined(__GLIBC__)
 
-// glibc's own, under the names that it keeps for those who replace malloc.
+// glibc's own functions, under the names that it provides for replacements of malloc.
 extern "C" {
 void* __libc_malloc(std::size_t size);
 void* __libc_calloc(std::size_t count, std::size_t size);
@@ -117,7 +117,7 @@ void free(void* block) {
 
 #else
 
-// Blocks come from the sanitizer, so that it still sees what is lost.
+// Blocks come from the sanitizer, so that it still detects leaks.
 void* operator new(std::size_t size) {
   void* block = is_refused() ? nullptr : counted(std::malloc(size == 0 ? 1 : size));
   if (block == nullptr) throw std::bad_alloc();

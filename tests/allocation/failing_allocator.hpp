@@ -2,9 +2,9 @@
 
 #include <cstddef>
 
-/// This program's allocator: that of C and C++ both, which can be told to refuse. Libraries in C
-/// (zlib, libspng, libjpeg, libwebp) and pugixml ask it too. In a build with sanitizers, whose own
-/// allocator cannot be replaced, it is C++'s operator new alone.
+/// This program's allocator for C and C++, which can refuse requests. C libraries (zlib, libspng,
+/// libjpeg, libwebp) and pugixml use it too. With sanitizers, whose allocator cannot be replaced,
+/// it only covers C++'s operator new.
 namespace sfumato::test {
 
 enum class Refusal {
@@ -12,7 +12,8 @@ enum class Refusal {
   all_from  ///< the k-th and every one after it
 };
 
-/// While it lives the k-th request of memory (from 0) is refused, on any thread. One at a time.
+/// Refuses the k-th request of memory (from 0) on any thread during its lifetime. Only one may
+/// exist at a time.
 class RefusedAllocations {
  public:
   RefusedAllocations(std::size_t k, Refusal refusal);
@@ -20,11 +21,11 @@ class RefusedAllocations {
   RefusedAllocations(const RefusedAllocations&) = delete;
   RefusedAllocations& operator=(const RefusedAllocations&) = delete;
 
-  /// How many requests were made since the start.
+  /// Returns the number of requests since the start.
   static std::size_t requests();
 };
 
-/// Blocks that were handed out and not given back, of the whole program.
+/// Returns the number of blocks of the whole program that are allocated and not freed.
 std::ptrdiff_t live_allocations();
 
 }  // namespace sfumato::test

@@ -1,10 +1,10 @@
-#include "base/character_run.hpp"
+#include "base/text/character_run.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
-#include "base/ascii.hpp"
+#include "base/text/ascii.hpp"
 
 namespace sfumato::test {
 namespace {

@@ -1,5 +1,5 @@
-// write_file under kill -9 and under errors of the system: the old file or the new one, whole, and
-// nothing else once a run came through.
+// write_file under kill -9 and under system errors: the complete old file or the complete new one
+// remains, and nothing else after a successful run.
 #include <gtest/gtest.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
@@ -31,10 +31,10 @@ Status write_text(const std::string& path, const std::string& text) {
   return write_file(path, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
 }
 
-/// A file of 100,000 bytes that is written over nothing, or over an old one, again and again.
+/// A file of 100,000 bytes that is written repeatedly, over nothing or over an old file.
 class Crash : public testing::TestWithParam<bool> {
  protected:
-  /// As it is before a run.
+  /// Restores the state before a run.
   void lay_out() {
     std::filesystem::remove_all(folder_.path());
     std::filesystem::create_directory(folder_.path());
@@ -64,7 +64,7 @@ class Crash : public testing::TestWithParam<bool> {
     return is_old || is_new();
   }
 
-  /// The next run leaves the file alone in its folder.
+  /// The next run leaves only the file in its folder.
   void expect_next_run_cleans_up(const std::string& what) {
     ASSERT_EQ(write_new(), kWritten) << what;
     ASSERT_TRUE(is_new()) << what;
@@ -104,7 +104,7 @@ TEST_P(Crash, a_kill_at_every_system_call_leaves_a_whole_file) {
   RecordProperty("system_calls", static_cast<int>(call));
 }
 
-/// A file is not written where one of these fails.
+/// Returns whether the file cannot be written if this call fails with this error.
 bool is_needed(long call, int error_number) {
   if (error_number == EINTR && call == SYS_write) return false;
   return call == SYS_write || call == SYS_fsync || call == SYS_rename;

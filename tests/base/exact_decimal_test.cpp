@@ -1,4 +1,4 @@
-#include "base/exact_decimal.hpp"
+#include "base/text/exact_decimal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <random>
 #include <string>
 
-#include "base/number_text.hpp"
+#include "base/text/number_text.hpp"
 
 namespace sfumato {
 namespace {
@@ -30,7 +30,8 @@ double read(const std::string& text) {
   return value;
 }
 
-/// Calls `check` for numbers of every exponent, powers of two and their neighbours, and short ones.
+/// Calls `check` for numbers of every exponent: powers of two and their neighbours, and short
+/// numbers.
 template <class Number, class Bits, class Check>
 void for_many(const Check& check) {
   std::mt19937_64 random(7);
@@ -60,7 +61,7 @@ TEST(ExactDecimal, gives_the_shortest_text_of_a_float) {
   for_many<float, std::uint32_t>([](float value) {
     if (value == 0) return;
     const std::string text = shortest_decimal(value);
-    // number_text() may take a longer one that reads back by way of a double.
+    // number_text() may choose a longer text that reads back through a double.
     if (static_cast<float>(read(text)) != value) return;
     ASSERT_EQ(text, number_text(value));
   });

@@ -10,10 +10,10 @@
 namespace sfumato {
 namespace {
 
-/// Only a test that fails waits so long: threads may start late on a busy machine.
+/// Only a failing test waits this long, because threads may start late on a busy machine.
 constexpr double kMostSeconds = 60;
 
-/// Whether `count` threads of an executor are at work at the same time.
+/// Returns whether `count` threads of an executor work at the same time.
 bool works_with(Executor& executor, int count) {
   std::atomic<int> at_work{0};
   const Stopwatch watch;

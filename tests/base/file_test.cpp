@@ -36,7 +36,7 @@ unsigned mode_of(const std::string& path) {
   return status.st_mode & 07777;
 }
 
-/// Runs `body` in a process of its own; its exit status, or minus the signal that ended it.
+/// Runs `body` in a separate process. Returns its exit status, or minus the signal that ended it.
 template <class Body>
 int in_a_child(Body body) {
   const pid_t child = ::fork();
@@ -174,7 +174,7 @@ TEST_F(File, disk_that_is_full_leaves_the_old_file_and_nothing_else) {
   EXPECT_EQ(folder_.entry_count(), 1u);
 }
 
-/// Calls body as a user who owns nothing here: a test run by root would be allowed everything.
+/// Calls body as a user who owns nothing here, because root would be allowed everything.
 template <class Body>
 int as_a_stranger(Body body) {
   return in_a_child([&] {
@@ -358,7 +358,7 @@ TEST(StandardInput, is_read_to_its_end) {
   EXPECT_EQ(status, 0);
 }
 
-/// A FIFO that nobody else has open.
+/// A FIFO that no other process has open.
 class Fifo : public File {
  protected:
   void SetUp() override { ASSERT_EQ(::mkfifo(path_.c_str(), 0600), 0); }
@@ -366,7 +366,7 @@ class Fifo : public File {
   const std::string path_ = folder_.file("fifo");
 };
 
-/// A busy machine lengthens a wait, but hardly each of five.
+/// A busy machine lengthens some waits, but hardly five in a row.
 TEST_F(Fifo, without_a_writer_is_waited_for_until_the_deadline) {
   constexpr double kSeconds = 0.1;
   constexpr double kMostWait = 20 * kSeconds;

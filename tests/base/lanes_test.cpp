@@ -15,7 +15,7 @@ namespace {
 constexpr int kCount = 16;
 using Row = std::array<float, kCount>;
 
-/// Numbers of every size and sign, zeros, infinities and NaN among them.
+/// Returns numbers of every size and sign, with zeros, infinities and NaN.
 std::vector<Row> samples() {
   const float kSpecial[] = {0.0f, -0.0f, 1.0f, -1.0f, 1e-45f, -3e38f, INFINITY, -INFINITY, NAN};
   std::vector<Row> rows(500);
@@ -35,7 +35,7 @@ std::vector<Row> samples() {
   return rows;
 }
 
-/// Every operation on two rows, as bits.
+/// Returns the results of every operation on two rows, as bits.
 template <int W, int K>
 std::vector<std::uint32_t> all_operations(const Row& left, const Row& right) {
   using F = Lanes<W, K>;

@@ -11,8 +11,8 @@
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/native/thread_pool.hpp"
 
-/// What the allocator throws becomes a status. That every public function does so for every
-/// allocation is tests/allocation's.
+/// Exceptions of the allocator become a status. tests/allocation checks that every public function
+/// does so for every allocation.
 namespace sfumato {
 namespace {
 
@@ -57,7 +57,7 @@ void expect_parallel_for_runs_out_of_memory(Executor* executor) {
     if (begin % 100 == 7) throw std::bad_alloc();
   });
   EXPECT_EQ(status.code, StatusCode::out_of_memory);
-  EXPECT_LT(calls, 1000);  // what is left is skipped
+  EXPECT_LT(calls, 1000);  // the remaining calls are skipped
   EXPECT_TRUE(parallel_for(context, 1000, 1, [](std::size_t, std::size_t) {}).ok());
 }
 
@@ -70,7 +70,7 @@ TEST(ParallelFor, failed_allocation_on_another_thread_is_out_of_memory) {
   expect_parallel_for_runs_out_of_memory(&executor);
 }
 
-/// Returns how many ranges were begun.
+/// Returns how many ranges were started.
 int expect_the_failure_of_a_body(Executor* executor) {
   Context context{.executor = executor};
   std::atomic<int> done{0};

@@ -1,4 +1,4 @@
-#include "base/number_text.hpp"
+#include "base/text/number_text.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,12 +7,12 @@
 #include <cstdint>
 #include <limits>
 
-#include "base/number.hpp"
+#include "base/text/number.hpp"
 
 namespace sfumato {
 namespace {
 
-/// A fixed sequence of well mixed words.
+/// Returns word i of a fixed sequence of well mixed words.
 std::uint64_t word(std::uint64_t i) {
   std::uint64_t z = (i + 1) * 0x9e3779b97f4a7c15u;
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
@@ -53,6 +53,13 @@ TEST(NumberText, reads_back_as_the_same_float_by_way_of_a_double) {
     if (!std::isfinite(value)) continue;
     EXPECT_EQ(static_cast<float>(parse_number(number_text(value)).value()), value);
   }
+}
+
+TEST(LengthText, is_a_number_however_large_the_length) {
+  EXPECT_EQ(length_text(16384.5), "16384.5");
+  EXPECT_EQ(length_text(1.23456e12), "1.23e12");
+  EXPECT_EQ(length_text(std::numeric_limits<double>::max()), "1.7976931348623157e308");
+  EXPECT_EQ(length_text(std::numeric_limits<double>::infinity()), "1.7976931348623157e308");
 }
 
 TEST(PercentText, reads_back_as_the_same_quotient) {

@@ -37,7 +37,7 @@ TEST(SpatialOrder, neighbours_in_the_list_are_near_each_other) {
   for (std::size_t i = 1; i < order.size(); ++i) {
     sum += length(points[order[i]] - points[order[i - 1]]);
   }
-  // Two random points of the square are 0.52 apart.
+  // Two random points of the square are 0.52 apart on average.
   EXPECT_LT(sum / 4095, 0.05);
 }
 

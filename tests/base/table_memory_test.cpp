@@ -13,7 +13,7 @@
 namespace sfumato::test {
 namespace {
 
-/// Numbers in an order that jumps about, each once; 2^17 + 1 of them make runs of unlike length.
+/// Returns numbers in a jumping order, each once; 2^17 + 1 of them make runs of different lengths.
 std::vector<std::uint32_t> shuffled_numbers() {
   constexpr std::uint32_t kCount = (1u << 17) + 1;
   std::vector<std::uint32_t> numbers(kCount);
@@ -68,7 +68,8 @@ TEST(TableMemory, refuses_before_it_allocates) {
   TableMemory memory("a test");
   std::vector<std::uint64_t> numbers;
   ASSERT_TRUE(memory.resize(context, numbers, 600, 7).ok());
-  const Status status = memory.resize(context, numbers, 700);  // beside the 600 while they move
+  const Status status =
+      memory.resize(context, numbers, 700);  // in addition to the 600 while they move
   EXPECT_EQ(status.code, StatusCode::limit);
   EXPECT_NE(status.message.find("a test"), std::string::npos) << status.message;
   EXPECT_EQ(numbers, std::vector<std::uint64_t>(600, 7));

@@ -19,7 +19,8 @@ namespace {
 constexpr int kCannotBeTraced = 77;
 constexpr int kSystemCallStop = SIGTRAP | 0x80;
 
-/// A sanitizer's allocator asks for memory where it likes, and ends the process that is refused it.
+/// A sanitizer's allocator requests memory at unpredictable places, and ends a process that is
+/// refused it.
 bool is_of_a_sanitizer(long call) {
   return SFUMATO_HAS_SANITIZER && (call == SYS_mmap || call == SYS_munmap || call == SYS_madvise);
 }
@@ -32,7 +33,7 @@ pid_t start(const std::function<int()>& body) {
   ::_exit(body());
 }
 
-/// The tracer's side: stops twice at each call, before and after.
+/// The tracer's side: stops twice at each call, before and after it.
 class Tracer {
  public:
   Tracer(pid_t child, const Mishap& mishap) : child_(child), mishap_(mishap) {}
@@ -42,7 +43,8 @@ class Tracer {
     int signal_number = 0;
     int status = 0;
     for (;;) {
-      ::ptrace(PTRACE_SYSCALL, child_, nullptr, signal_number);  // in vain where it was killed
+      ::ptrace(PTRACE_SYSCALL, child_, nullptr,
+               signal_number);  // has no effect on a killed process
       if (::waitpid(child_, &status, 0) != child_ || !WIFSTOPPED(status)) break;
       const bool is_call = WSTOPSIG(status) == kSystemCallStop;
       signal_number = is_call ? 0 : WSTOPSIG(status);
@@ -74,7 +76,7 @@ class Tracer {
     if (mishap_.kind == Mishap::Kind::kill) {
       ::kill(child_, SIGKILL);
     } else if (mishap_.kind == Mishap::Kind::error) {
-      registers.orig_rax = ~0ull;  // no such call
+      registers.orig_rax = ~0ull;  // an invalid call
       fails_ = true;
       write(registers);
     } else if (number == SYS_write && registers.rdx > 1) {

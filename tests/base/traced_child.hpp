@@ -6,7 +6,7 @@
 
 namespace sfumato::test {
 
-/// What befalls a process at one of its system calls.
+/// A fault at one of a process's system calls.
 struct Mishap {
   enum class Kind {
     none,
@@ -15,17 +15,17 @@ struct Mishap {
     short_write  ///< a write of more than one byte writes half
   };
   Kind kind = Kind::none;
-  std::size_t call = 0;  ///< which, from 0
-  int error_number = 0;  ///< of an error
+  std::size_t call = 0;  ///< index of the call, from 0
+  int error_number = 0;  ///< for `error`
 };
 
 struct TracedEnd {
-  std::size_t call_count = 0;  ///< system calls that body made, but for a sanitizer's
-  long call = -1;              ///< the number of the one that the mishap befell
-  int status = 0;              ///< what body returned, or minus the signal that ended it
+  std::size_t call_count = 0;  ///< system calls of body, except those of a sanitizer
+  long call = -1;              ///< number of the system call that failed
+  int status = 0;              ///< value that body returned, or minus the signal that ended it
 };
 
-/// Runs body in a process of its own, under ptrace. Nothing where that is not allowed, or where
+/// Runs body in a separate process under ptrace. Returns nothing if ptrace is not allowed, or if
 /// this machine's registers are not known.
 std::optional<TracedEnd> run_traced(const std::function<int()>& body, const Mishap& mishap);
 

@@ -1,11 +1,11 @@
-#include "base/utf8.hpp"
+#include "base/text/utf8.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cstdint>
 #include <random>
 
-#include "base/json.hpp"
+#include "base/text/json.hpp"
 
 namespace sfumato {
 namespace {
@@ -25,6 +25,16 @@ TEST(Utf8, gives_back_every_character) {
     ASSERT_TRUE(rest.empty());
     ASSERT_EQ(valid_utf8(text), text);
   }
+}
+
+TEST(Utf8, surrogates_and_larger_numbers_are_no_characters) {
+  EXPECT_TRUE(is_scalar_value(0));
+  EXPECT_TRUE(is_scalar_value(0xD7FF));
+  EXPECT_FALSE(is_scalar_value(0xD800));
+  EXPECT_FALSE(is_scalar_value(0xDFFF));
+  EXPECT_TRUE(is_scalar_value(0xE000));
+  EXPECT_TRUE(is_scalar_value(0x10FFFF));
+  EXPECT_FALSE(is_scalar_value(0x110000));
 }
 
 TEST(Utf8, each_byte_that_is_none_is_replaced) {

@@ -7,11 +7,11 @@
 #include "cli/run_command.hpp"
 #include "support/places.hpp"
 
-/// What programs that were built against this header rely on.
+/// Facts that programs built against this header rely on.
 namespace sfumato::test {
 namespace {
 
-// Final on machines of 64 bits.
+// Final on 64-bit machines.
 static_assert(sizeof(void*) != 8 || sizeof(sfumato_view) == 32);
 static_assert(sizeof(void*) != 8 || offsetof(sfumato_view, rows) == 8);
 static_assert(sizeof(void*) != 8 || offsetof(sfumato_view, row_bytes) == 16);
@@ -36,7 +36,7 @@ TEST(CFace, exports_the_names_of_the_list_and_no_others) {
       {"/bin/bash", "-c", "nm --dynamic --defined-only --extern-only " + c_library() + " | wc -l"});
   const std::string listed = read_whole(source_path("tests/capi/symbols.txt"));
   EXPECT_EQ(names.out, listed);
-  // The node of the version is the one name besides.
+  // The only other name is the node of the version.
   EXPECT_EQ(std::stoul(all.out), std::count(listed.begin(), listed.end(), '\n') + 1u);
 }
 

@@ -20,10 +20,10 @@ struct Disc {
   double x, y, radius;
 };
 
-/// Within rings that nothing moves into: pixels that are not to change.
+/// Discs inside rings that no moving curve enters: their pixels must not change.
 constexpr Disc kStill[] = {{24, 30, 10}, {74, 74, 9}};
 
-/// Closed, of four pieces.
+/// Returns a closed path of four pieces.
 std::string circle(double x, double y, double r, const std::string& rest) {
   const auto at = [](double px, double py) {
     return std::to_string(px) + ' ' + std::to_string(py) + ' ';
@@ -35,7 +35,7 @@ std::string circle(double x, double y, double r, const std::string& rest) {
          at(x + r, y) + "' " + rest + "/>";
 }
 
-/// A disc (curve 2 of layer 0) that goes past two rings, and a layer of one curve.
+/// Returns a disc (curve 2 of layer 0) that moves past two rings, and a layer of one curve.
 std::string drawing(double x, double y) {
   const std::string varied = "sf:left='red' sf:right='lime, #e6e619 30%, blue'";
   return "<svg xmlns='http://www.w3.org/2000/svg' xmlns:sf='urn:sfumato:1' sf:version='1' "
@@ -60,7 +60,7 @@ std::vector<std::uint8_t> pixels_of(sfumato_context* context, const sfumato_pict
   return pixels;
 }
 
-/// The largest difference of a channel, within the discs or anywhere.
+/// Returns the largest difference of a channel, inside the discs or anywhere.
 int largest_difference(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b,
                        bool anywhere = false) {
   int largest = 0;
@@ -187,7 +187,7 @@ TEST_F(CFilm, what_is_no_film_is_bad_usage) {
   EXPECT_NE(std::string(sfumato_error_text(c)).find("coherent"), std::string::npos);
   sfumato_picture* none = nullptr;
   EXPECT_EQ(sfumato_solve(c, document.get(), "coherent method=rays", &none), SFUMATO_BAD_USAGE);
-  EXPECT_STREQ(sfumato_error_text(c), "coherent: expected with method=exact only");
+  EXPECT_STREQ(sfumato_error_text(c), "coherent: works with method=exact only");
   EXPECT_EQ(sfumato_solve(c, document.get(), "coherent=1", &none), SFUMATO_BAD_USAGE);
   sfumato_field* field = nullptr;
   EXPECT_EQ(sfumato_field_new(c, document.get(), 0, "coherent", &field), SFUMATO_BAD_USAGE);

@@ -59,14 +59,14 @@ inline std::string text_of(const sfumato_bytes* bytes) {
   return {reinterpret_cast<const char*>(sfumato_bytes_data(bytes)), sfumato_bytes_size(bytes)};
 }
 
-/// The document as SVG.
+/// Returns the document as SVG.
 inline std::string written(sfumato_context* context, const sfumato_document* document) {
   sfumato_bytes* bytes = nullptr;
   EXPECT_EQ(sfumato_document_write(context, document, &bytes), SFUMATO_OK);
   return text_of(BytesHandle(bytes).get());
 }
 
-/// Every table of a picture, byte behind byte.
+/// Returns the bytes of all tables of a picture, one after the other.
 inline std::string tables_of(const sfumato_picture* picture) {
   std::string all;
   for (std::uint32_t layer = 0; layer < sfumato_picture_layer_count(picture); ++layer) {

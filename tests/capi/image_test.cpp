@@ -6,7 +6,7 @@
 #include "capi/handles.hpp"
 #include "codecs/image_file.hpp"
 
-/// Pixels that the caller has decoded.
+/// Pixels that the caller decodes.
 namespace sfumato::test {
 namespace {
 
@@ -17,7 +17,8 @@ std::int32_t load_example(void*, const char* href, sfumato_deliver_fn deliver, v
 }
 constexpr sfumato_loader kLoader{load_example, nullptr};
 
-/// A curve whose left side bears an image in a data: URI: the bytes "image", which are no file.
+/// A curve whose left side has an image in a data: URI: the bytes "image", which are not an image
+/// file.
 constexpr const char* kTexturedText = R"svg(<svg xmlns="http://www.w3.org/2000/svg"
     xmlns:sf="urn:sfumato:1" viewBox="0 0 8 8" sf:version="1">
   <defs><pattern id="p" patternUnits="userSpaceOnUse" width="8" height="8">
@@ -46,13 +47,13 @@ class CImage : public testing::Test {
     return code;
   }
 
-  /// Hands in 2 × 1 pixels for the bytes "image"; texels are mixed, so that they are of one colour.
+  /// Adds 2 × 1 pixels for the bytes "image". Texels are interpolated, so each half has one colour.
   std::int32_t add(const void* pixels, std::int32_t format, std::size_t row_bytes = 16) {
     const sfumato_image image{const_cast<void*>(pixels), row_bytes, 2, 1, format};
     return sfumato_add_image(context.get(), kFile.data(), kFile.size(), &image);
   }
 
-  /// The colour in the middle of the left half, then of the right.
+  /// Returns the colour in the middle of the left half, then of the right half.
   std::vector<int> halves() {
     const std::vector<std::uint8_t> pixels = pixels_of(context.get(), document.get(), 8);
     const std::span left(pixels.data() + 4 * (8 * 4 + 1), 3);

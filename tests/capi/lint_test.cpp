@@ -3,11 +3,11 @@
 #include "capi/handles.hpp"
 #include "cli/run_command.hpp"
 
-/// Hints are those of the command.
+/// The hints equal the hints of the command.
 namespace sfumato::test {
 namespace {
 
-/// Two curves in one place, a closed one, a layer without curves, and an id to be escaped.
+/// Two curves in one place, a closed one, a layer without curves, and an id that needs escaping.
 constexpr const char* kDoubtful = R"(<svg xmlns="http://www.w3.org/2000/svg"
     xmlns:sf="urn:sfumato:1" viewBox="0 0 64 48" sf:version="1">
   <g id="a &quot;b&quot;" sf:diffuse="true">

@@ -48,7 +48,7 @@ TEST_F(PictureFileOfC, a_picture_that_is_read_exports_what_the_other_does) {
   for (const char* format : {"png", "jpg", "pdf", "eps", "svg", "glb", "sfv"}) {
     EXPECT_EQ(exported(again.get(), format), exported(picture.get(), format)) << format;
   }
-  // A page holds curves for exact pixels, too, which a file of patches does not have.
+  // A page also holds curves for exact pixels, which a file of patches does not have.
   const std::string page = exported(again.get(), "html");
   EXPECT_NE(page.find("id=\"payload\""), std::string::npos);
   EXPECT_LT(page.size(), exported(picture.get(), "html").size());
@@ -100,7 +100,7 @@ TEST_F(PictureFileOfC, it_outlives_its_context_and_gives_its_memory_back) {
   again.reset();
   const ContextHandle small(sfumato_context_new("threads=1 max-memory=3"));
   ASSERT_LT(bytes.size(), 2u << 20);
-  for (int i = 0; i < 20; ++i) {  // each fits, all together would not
+  for (int i = 0; i < 20; ++i) {  // each fits, but not all together
     sfumato_picture* out = nullptr;
     ASSERT_EQ(sfumato_picture_read(small.get(), bytes.data(), bytes.size(), &out), SFUMATO_OK)
         << sfumato_error_text(small.get());

@@ -1,4 +1,4 @@
-/* A program of C99 that uses the C interface from end to end. Exit 0: all that it checks holds. */
+/* A C99 program that uses the C interface from end to end. Exits with 0 if all its checks hold. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -15,8 +15,9 @@ static int failures = 0;
     }                                                        \
   } while (0)
 
-/* A line across the artboard, red above and blue below; its ends lie outside and are soft, so that
- * the other colour shows a little. */
+/* Makes a line across the artboard, red above and blue below. Its ends lie outside and are soft, so
+ * the other
+ * * colour shows a little. */
 static sfumato_document* two_halves(sfumato_context* context) {
   const double line[8] = {-8, 32, 16, 32, 48, 32, 72, 32};
   const double red[4] = {0, 1, 0, 0}, blue[4] = {0, 0, 0, 1};

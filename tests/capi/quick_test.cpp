@@ -7,7 +7,7 @@
 
 #include "capi/handles.hpp"
 
-/// Pictures of a document of which a curve moves.
+/// Pictures of a document while a curve moves.
 namespace sfumato::test {
 namespace {
 
@@ -51,7 +51,7 @@ class CQuick : public testing::Test {
     return pixels;
   }
 
-  /// The mean difference of all pixels from those of the exact picture, in code values.
+  /// Returns the mean difference of all pixels from the exact picture, in code values.
   double mean_miss() const {
     const std::vector<std::uint8_t> shown = pixels_of(picture.get());
     const std::vector<std::uint8_t> exact = pixels_of(solve(c, document.get(), kOptions).get());
@@ -60,7 +60,7 @@ class CQuick : public testing::Test {
     return sum / static_cast<double>(shown.size());
   }
 
-  /// Rows that are new, in all tables of a layer.
+  /// Returns the number of new rows in all tables of a layer.
   std::uint32_t new_rows(std::uint32_t layer) const {
     std::uint32_t rows = 0;
     for (std::uint32_t table = SFUMATO_VERTICES; table <= SFUMATO_OPACITY_VALUES; ++table) {
@@ -74,7 +74,7 @@ class CQuick : public testing::Test {
 
   using Bytes = std::vector<std::uint8_t>;
 
-  /// A table of the first layer.
+  /// Returns a table of the first layer.
   Bytes table_of(std::uint32_t table) const {
     sfumato_view view{};
     EXPECT_EQ(sfumato_picture_table(picture.get(), 0, table, &view), SFUMATO_OK);
@@ -82,7 +82,7 @@ class CQuick : public testing::Test {
     return data ? Bytes(data, data + view.rows * view.row_bytes) : Bytes();
   }
 
-  /// Brings a copy of a table up to date by its new rows alone, and counts them.
+  /// Updates a copy of a table from its new rows only. Returns their number.
   std::size_t renew(std::uint32_t table, Bytes& copy) const {
     sfumato_view rows{}, now{};
     EXPECT_EQ(sfumato_picture_changes(picture.get(), 0, table, &rows), SFUMATO_OK);
@@ -139,7 +139,7 @@ TEST_F(CQuick, pictures_say_which_rows_are_new) {
   for (std::uint32_t table = 0; table <= SFUMATO_OPACITY_VALUES; ++table)
     copies.push_back(table_of(table));
   for (int frame = 0; frame < 12; ++frame) {
-    // Also where it was, and while a picture is not looked at.
+    // Includes the former place, and frames that nobody renders.
     move(frame % 5 == 4 ? 0 : 3.0 * (frame % 3) - 2.5);
     ASSERT_EQ(again(frame == 7 ? 0 : 1), SFUMATO_OK) << sfumato_error_text(c);
     std::size_t rows = 0, all = 0;
@@ -391,7 +391,7 @@ TEST_F(CQuick, pictures_that_fail_leave_what_was_there) {
   EXPECT_LT(mean_miss(), 0.5);
 }
 
-/// Pictures of which a stop gets other values.
+/// Pictures of a document while a stop gets other values.
 class CQuickColors : public CQuick {
  protected:
   void set_colors(const std::vector<double>& rows, std::uint32_t side = SFUMATO_LEFT) {
@@ -400,7 +400,7 @@ class CQuickColors : public CQuick {
               SFUMATO_OK);
   }
 
-  /// Tables of a layer that are new.
+  /// Returns the tables of a layer that are new.
   std::vector<std::uint32_t> new_tables(std::uint32_t layer) const {
     std::vector<std::uint32_t> tables;
     for (std::uint32_t table = SFUMATO_VERTICES; table <= SFUMATO_OPACITY_VALUES; ++table) {
@@ -448,7 +448,7 @@ TEST_F(CQuickColors, take_a_side_whose_stops_change_alike_for_one) {
   EXPECT_TRUE(is_exact());
 }
 
-/// The side's values are summed up in the picture, whose last bits are not those of the document.
+/// The picture sums up the side's values, so their last bits differ from the document's.
 TEST_F(CQuickColors, of_a_side_are_those_of_the_document_after_another_curve_has_moved) {
   for (int i = 1; i <= 12; ++i) {
     const double by = i / 19.0;
@@ -545,7 +545,7 @@ TEST_F(CQuickColors, refuse_stops_that_are_not_there) {
   EXPECT_EQ(sfumato_stop_response(c, picture.get(), 0, 1, 0, 0, 0, nullptr), SFUMATO_BAD_USAGE);
 }
 
-/// Edits of several kinds at a time, against a picture that was solved at once.
+/// Several kinds of edits at a time, compared with a picture that was solved at once.
 TEST_F(CQuick, exact_pictures_follow_edits_of_any_number) {
   const double line[] = {5, 90, 30, 85, 60, 95, 90, 88};
   for (int step = 0; step < 12; ++step) {

@@ -6,11 +6,11 @@
 #include "cli/run_command.hpp"
 #include "support/places.hpp"
 
-/// Where curves stand in the text that they were read from.
+/// The places of curves in the text that they were read from.
 namespace sfumato::test {
 namespace {
 
-/// A shape within defs that two layers use, parts of no length, and movements that draw nothing.
+/// A shape in defs that two layers use, parts of no length, and moves that draw nothing.
 constexpr const char* kTwoLayersText = R"(<?xml version="1.0"?>
 <!-- é --><svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1" viewBox="0 0 64 48"
   sf:version="1">
@@ -24,7 +24,7 @@ constexpr const char* kTwoLayersText = R"(<?xml version="1.0"?>
 </svg>)";
 
 struct Found {
-  std::string element{};  ///< its first 12 bytes; empty: not known
+  std::string element{};  ///< its first 12 bytes; empty: unknown
   std::uint32_t subpath = 0;
 
   friend bool operator==(const Found&, const Found&) = default;

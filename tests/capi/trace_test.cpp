@@ -5,11 +5,11 @@
 
 #include "capi/handles.hpp"
 
-/// Drawings of pictures.
+/// Drawings traced from pictures.
 namespace sfumato::test {
 namespace {
 
-/// A disc on a ramp: red inside, blue to green around.
+/// Returns a disc on a ramp: red inside, blue to green around it.
 std::vector<std::uint8_t> disc(int side) {
   std::vector<std::uint8_t> pixels;
   for (int y = 0; y < side; ++y) {
@@ -52,7 +52,8 @@ class CTrace : public testing::Test {
     return code;
   }
 
-  /// The mean square difference of the drawing's pixels and the picture's, code values.
+  /// Returns the mean square difference between the drawing's and the picture's pixels, in code
+  /// values.
   double error() {
     const PictureHandle picture = solve(context.get(), document.get(), "width=64");
     std::vector<std::uint8_t> drawn(pixels.size());

@@ -6,7 +6,7 @@
 
 #include "capi/handles.hpp"
 
-/// Mistakes of the caller's: each is an answer, and nothing has changed.
+/// Mistakes of the caller: each call returns an error and changes nothing.
 namespace sfumato::test {
 namespace {
 
@@ -55,6 +55,9 @@ TEST_F(CUsage, null_is_an_error_everywhere) {
   EXPECT_EQ(sfumato_read(c, "", 0, nullptr, nullptr, nullptr), kUsage);
   const sfumato_loader loader{nullptr, nullptr};
   EXPECT_EQ(sfumato_read(c, "", 0, nullptr, &loader, &out_d), kUsage);
+  EXPECT_EQ(sfumato_import_svg(nullptr, "", 0, nullptr, nullptr, &out_d), kUsage);
+  EXPECT_EQ(sfumato_import_svg(c, nullptr, 1, nullptr, nullptr, &out_d), kUsage);
+  EXPECT_EQ(sfumato_import_svg(c, "", 0, nullptr, nullptr, nullptr), kUsage);
   EXPECT_EQ(sfumato_document_new(nullptr, nullptr, &out_d), kUsage);
   EXPECT_EQ(sfumato_document_new(c, "artboard=0,0,1,1", nullptr), kUsage);
   EXPECT_EQ(sfumato_document_copy(c, nullptr, &out_d), kUsage);
@@ -243,12 +246,13 @@ TEST_F(CUsage, options_name_what_is_wrong_with_them) {
     return std::string(sfumato_error_text(c));
   };
   EXPECT_EQ(solve_error("max-eror=1"),
-            "\"max-eror\" is no option of this call; did you mean max-error?");
-  EXPECT_EQ(solve_error("scale=1 width=4"), "scale: expected without width and height");
-  EXPECT_EQ(solve_error("order=\"cubic"), "order: a quote that is not closed");
+            "unknown option \"max-eror\" for this call; did you mean max-error?");
+  EXPECT_EQ(solve_error("scale=1 width=4"), "scale: cannot be combined with width and height");
+  EXPECT_EQ(solve_error("order=\"cubic"),
+            "order: a quote that is not closed; add the closing quote");
   EXPECT_EQ(solve_error("method=pixels").substr(0, 8), "method: ");
-  EXPECT_EQ(export_error("png", "svg=vector"), "svg: expected with SVG only");
-  EXPECT_EQ(export_error("svg", "force"), "force: expected with svg=vector only");
+  EXPECT_EQ(export_error("png", "svg=vector"), "svg: works with SVG only");
+  EXPECT_EQ(export_error("svg", "force"), "force: works with svg=vector only");
   EXPECT_EQ(export_error("pdf", "viewport=0,0,1,1").substr(0, 10), "viewport: ");
   EXPECT_EQ(export_error("pgn", ""), "unknown format \"pgn\"; did you mean png?");
   EXPECT_EQ(export_error("", ""), "unknown format \"\"");
@@ -258,7 +262,7 @@ TEST_F(CUsage, a_context_of_wrong_options_says_so) {
   const ContextHandle wrong(sfumato_context_new("thread=2"));
   ASSERT_TRUE(wrong);
   EXPECT_STREQ(sfumato_error_text(wrong.get()),
-               "\"thread\" is no option of this call; did you mean threads?");
+               "unknown option \"thread\" for this call; did you mean threads?");
   sfumato_document* made = nullptr;
   EXPECT_EQ(sfumato_document_new(wrong.get(), "artboard=0,0,1,1", &made), kUsage);
   EXPECT_EQ(made, nullptr);

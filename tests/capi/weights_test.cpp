@@ -10,15 +10,15 @@
 
 #include "capi/handles.hpp"
 
-/// Rows of weights, times what the stops give, are the exact colours and opacities.
+/// Rows of weights times the values of the stops are the exact colours and opacities.
 namespace sfumato::test {
 namespace {
 
 constexpr std::uint32_t kGridSide = 24;
 constexpr std::size_t kPoints = kGridSide * kGridSide;
 
-/// Sides with stops, gradients, opacities, a barrier, blur that varies, and a line that is alike on
-/// both sides, in OKLab.
+/// Sides with stops, gradients, opacities, a barrier, varying blur, and a line with the same colour
+/// on both sides, in OKLab.
 constexpr const char* kAll = R"svg(<svg xmlns="http://www.w3.org/2000/svg"
     xmlns:sf="urn:sfumato:1" viewBox="0 0 64 64" sf:version="1" sf:interpolation="oklab"
     sf:background="none"><defs>
@@ -32,7 +32,7 @@ constexpr const char* kAll = R"svg(<svg xmlns="http://www.w3.org/2000/svg"
     <path d="M20 33C30 33 34 33 44 33" sf:left="#a3a" sf:right="#a3a"/>
   </g></svg>)svg";
 
-/// Centres of cells of the artboard.
+/// Returns centres of cells of the artboard.
 std::vector<double> points_of(const sfumato_document* document) {
   double box[4];
   EXPECT_EQ(sfumato_document_artboard(document, box), SFUMATO_OK);
@@ -63,7 +63,7 @@ std::vector<T> table(const sfumato_weights* weights, std::uint32_t which, std::u
   return values;
 }
 
-/// What rows give, times these values of the columns.
+/// Returns the product of rows and these values of the columns.
 std::vector<double> product(const sfumato_weights* weights, const std::vector<float>& value,
                             std::uint32_t channels) {
   const auto begin = table<std::uint32_t>(weights, SFUMATO_ROW_BEGINS, 1);
@@ -92,7 +92,8 @@ std::vector<float> field_of(sfumato_context* c, const sfumato_document* document
   return rgba;
 }
 
-/// The root of the mean square of what colours by rows, as code values, differ from the field's.
+/// Returns the root mean square difference between the rows' colours and the field's colours, as
+/// code values.
 double difference(const sfumato_document* document, std::vector<double> sums,
                   const std::vector<float>& rgba) {
   EXPECT_EQ(sfumato_convert_colors(sfumato_document_interpolation(document), SFUMATO_SRGB,
@@ -106,8 +107,8 @@ double difference(const sfumato_document* document, std::vector<double> sums,
   return std::sqrt(squares / static_cast<double>(sums.size()));
 }
 
-// The gather of fields sums what is far away in groups: a hundredth of a code value. How exact rows
-// are says tests/gather/rows_test.cpp.
+// The gather of fields sums distant parts in groups, with an error of a hundredth of a code value.
+// tests/gather/rows_test.cpp tests how exact rows are.
 constexpr double kFieldError = 4e-5;
 
 TEST(CWeights, times_the_stops_are_the_colours) {
@@ -139,7 +140,7 @@ TEST(CWeights, of_opacities_are_the_opacities) {
   const std::vector<float> rgba = field_of(c, document.get(), xy);
   std::size_t seen = 0;
   for (std::size_t i = 0; i < kPoints; ++i) {
-    if (rgba[4 * i + 3] == 0) continue;  // no colour is seen there
+    if (rgba[4 * i + 3] == 0) continue;  // no colour is visible there
     EXPECT_NEAR(sums[i], rgba[4 * i + 3], 2e-4);
     ++seen;
   }

@@ -10,7 +10,7 @@
 #include "capi/handles.hpp"
 #include "cli/run_command.hpp"
 
-/// What the calls make of good input.
+/// The results of the calls for good input.
 namespace sfumato::test {
 namespace {
 
@@ -205,8 +205,8 @@ TEST(CPictureStack, is_the_payload_around_the_layers_and_does_not_grow_with_them
   EXPECT_TRUE(stack == bytes_of(sfumato_picture_stack, fine.get()));
   const std::string payload = bytes_of(sfumato_viewer_payload, coarse.get());
   EXPECT_LT(payload.size(), bytes_of(sfumato_viewer_payload, fine.get()).size());
-  // Boxes, interpolation and background; then, behind the layers, an instance: its blending ends
-  // it.
+  // The boxes, the interpolation and the background; then, after the layers, an instance, whose
+  // blend mode is its last byte.
   EXPECT_EQ(stack.substr(8, 77), payload.substr(8, 77));
   EXPECT_EQ(stack.substr(stack.size() - 54), payload.substr(payload.size() - 54));
 }
@@ -427,7 +427,8 @@ TEST(CContext, bounds_memory_time_and_what_an_input_asks_for) {
   EXPECT_EQ(sfumato_solve(late.get(), good.get(), nullptr, &picture), SFUMATO_LIMIT);
 }
 
-/// What is held is given back: otherwise a small budget would end after some rounds.
+/// Freed handles release their memory; otherwise a small budget would be exhausted after some
+/// rounds.
 TEST(CContext, has_its_memory_again_when_handles_are_freed) {
   const ContextHandle context = context_of("max-memory=60 threads=1");
   const std::string text = example("evening.xml");
@@ -468,7 +469,7 @@ TEST(CDocument, has_the_stops_that_were_set) {
   EXPECT_EQ(written(context.get(), copied), written(context.get(), made));
 }
 
-/// Sides with colours, gradients, a texture and an opacity by a gradient, in OKLab.
+/// Sides with colours, gradients, a texture and an opacity given by a gradient, in OKLab.
 constexpr const char* kPaints =
     "<svg xmlns='http://www.w3.org/2000/svg' xmlns:sf='urn:sfumato:1' viewBox='0 0 64 64'"
     " sf:interpolation='oklab' sf:background='none'><defs>"

@@ -1,4 +1,4 @@
-// What cannot be drawn or written: an exit code, one message, and nothing half-written.
+// Input that cannot be drawn or written: an exit code, one message, and no half-written file.
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/stat.h>
@@ -22,7 +22,7 @@ struct BadScene {
   const char* name;
   std::string content;
   int exit_code;
-  const char* message;  ///< stands in the error, after "…bad.xml" and before the line's end
+  const char* message;  ///< text of the error after "…bad.xml" and before the line's end
 };
 
 std::string points(int count) {
@@ -110,7 +110,7 @@ TEST(BadOutput, missing_folder_fails_before_the_input_is_read) {
   const CommandResult result = run_sfumato({"render", folder.path("missing.xml"), "-o", output});
   EXPECT_EQ(result.exit_code, 3);
   EXPECT_EQ(result.err, output + ": error: cannot be written: the folder " + folder.path("none") +
-                            " does not exist\n");
+                            " does not exist; create it first\n");
   const CommandResult stats = run_sfumato(
       {"render", folder.path("missing.xml"), "-o", folder.path("out.png"), "--stats", output});
   EXPECT_EQ(stats.exit_code, 3);
@@ -186,15 +186,20 @@ TEST(Limits, limits_are_set_by_option_and_named) {
     const char* expected;
   };
   const Case cases[] = {
-      {"curves=1", "more than the limit of 1 curves (--limit curves=N sets another)"},
+      {"curves=1", "more than the limit of 1 curves; raise the limit with --limit curves=N"},
       {"xml-elements=3",
-       "more than the limit of 3 XML elements (--limit xml-elements=N sets another)"},
-      {"xml-depth=2", "more than the limit of 2 elements within each other (--limit xml-depth=N"},
-      {"segments=1", "a larger tolerance makes fewer (--limit segments=N"},
-      {"triangles=2", "more than the limit of 2 triangles in one layer (--limit triangles=N"},
-      {"nodes=3", "more than the limit of 3 points to gather at (--limit nodes=N"},
-      {"image-side=4", "the limit is 4 pixels on a side (--limit image-side=N"},
-      {"input-bytes=99", "more than the limit of 99 bytes of input (--limit input-bytes=N"},
+       "more than the limit of 3 XML elements; raise the limit with --limit xml-elements=N"},
+      {"xml-depth=2",
+       "more than the limit of 2 elements within each other; --limit "
+       "xml-depth=N"},
+      {"segments=1", "a larger tolerance makes fewer; raise the limit with --limit segments=N"},
+      {"triangles=2",
+       "more than the limit of 2 triangles in one layer; raise the limit with --limit triangles=N"},
+      {"nodes=3",
+       "more than the limit of 3 points to gather at; raise the limit with --limit nodes=N"},
+      {"image-side=4", "the limit is 4 pixels on a side; --limit image-side=N"},
+      {"input-bytes=99",
+       "more than the limit of 99 bytes of input; raise the limit with --limit input-bytes=N"},
   };
   const TemporaryFolder folder;
   const std::string input = folder.add("scene.xml", two_curve_scene());
@@ -234,7 +239,8 @@ TEST(Limits, time_is_limited_for_each_drawing) {
       run_sfumato({"render", input, second, "--out-dir", folder.path("pictures"), "--max-time",
                    "1e-6", "--width", "2048"});
   EXPECT_EQ(result.exit_code, 3);
-  const std::string message = "the time limit of 1e-6 s is over (--max-time sets another)";
+  const std::string message =
+      "the time limit of 1e-6 s is over; raise the limit with --max-time SECONDS";
   EXPECT_TRUE(contains(result.err, "scene.xml: error: " + message)) << result.err;
   EXPECT_TRUE(contains(result.err, "second.xml: error: " + message)) << result.err;
   EXPECT_TRUE(contains(result.err, "2 of 2 drawings failed")) << result.err;
@@ -259,7 +265,7 @@ TEST(Interrupt, ends_the_work_with_130_and_leaves_nothing) {
 
 class Waiting : public testing::TestWithParam<Names> {};
 
-/// The command of the parameter reads a FIFO that nobody writes, or writes one that nobody reads.
+/// The command reads a FIFO that nobody writes, or writes one that nobody reads.
 TEST_P(Waiting, ends_with_the_first_signal_and_with_the_time_limit) {
   const TemporaryFolder folder;
   const std::string fifo = folder.path("fifo.svg");

@@ -6,7 +6,7 @@
 #include "cli/run_command.hpp"
 #include "support/places.hpp"
 
-/// docs/cli.md, the man page and the completions name the options that the command has.
+/// docs/cli.md, the man page and the completions name exactly the command's options.
 namespace sfumato::test {
 namespace {
 
@@ -21,7 +21,7 @@ std::string file_text(const std::string& path) {
   return text;
 }
 
-/// What stands from `begin` to the next `end`, or to the end of the text.
+/// Returns the text from `begin` to the next `end`, or to the end of the text.
 std::string section(const std::string& text, const std::string& begin, const std::string& end) {
   const std::size_t from = text.find(begin);
   EXPECT_NE(from, std::string::npos) << begin;
@@ -30,7 +30,7 @@ std::string section(const std::string& text, const std::string& begin, const std
   return text.substr(inside, text.find(end, inside) - inside);
 }
 
-/// All first groups of matches, but --help.
+/// Returns the first groups of all matches, except --help.
 NameSet matches(const std::string& text, const std::string& pattern) {
   const std::regex expression(pattern);
   NameSet names;
@@ -49,7 +49,7 @@ NameSet options_of(const std::string& command) {
   return matches(help_of(command), "\n  (?:-[a-z],)?(--[a-z-]+)");
 }
 
-/// The words among which an option's value is chosen: "exact", "off".
+/// Returns the words for an option's value: "exact", "off".
 NameSet choices_of(const std::string& command) {
   NameSet words;
   const NameSet lists = matches(help_of(command), "\n  --[a-z-]+ ([A-Za-z0-9]+(?:\\|[a-z0-9]+)+)");
@@ -108,10 +108,26 @@ TEST(CommandDocuments, the_drawing_of_the_readme_has_no_hints) {
   EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
 }
 
-/// All but what installs, and what goes on until it is interrupted.
-TEST(CommandDocuments, the_commands_of_the_readme_run_in_an_empty_folder) {
+TEST(CommandDocuments, the_first_drawing_of_the_readme_is_its_picture) {
   const TemporaryFolder folder;
-  std::string session = section(file_text("README.md"), "```sh\nmake demo", "```");
+  const std::string readme = file_text("README.md");
+  folder.add("evening.svg", section(readme, "```xml\n", "```"));
+  const std::string command = section(readme, "then run `build/sfumato ", "`");
+  const std::string script = "cd \"$1\" && " + sfumato_program() + " " + command + " && " +
+                             sfumato_program() + " compare evening.png " +
+                             source_path("docs/images/first.png");
+  const CommandResult result = run_command({"/bin/bash", "-ec", script, "bash", folder.path("")});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  std::smatch rms;
+  ASSERT_TRUE(std::regex_search(result.out, rms, std::regex("rms +([0-9.]+)"))) << result.out;
+  EXPECT_LE(std::stod(rms[1]), 1.0);
+}
+
+/// Runs all commands except the first, which builds, and `watch`, which runs until it is
+/// interrupted.
+TEST(CommandDocuments, the_commands_of_the_index_run_in_an_empty_folder) {
+  const TemporaryFolder folder;
+  std::string session = section(file_text("docs/README.md"), "```sh\nmake demo", "```");
   session = std::regex_replace(session, std::regex("build/sfumato watch"), "true");
   session = std::regex_replace(session, std::regex("build/sfumato"), sfumato_program());
   const std::string script = "cd \"$1\"\n" + session;

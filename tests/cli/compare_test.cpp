@@ -2,10 +2,11 @@
 
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <functional>
 #include <limits>
 
-#include "cli/difference.hpp"
+#include "cli/commands/difference.hpp"
 #include "cli/run_command.hpp"
 #include "cli/scenes.hpp"
 
@@ -14,7 +15,7 @@ namespace {
 
 using cli::Difference;
 
-/// Channel c of pixel x of the only row is value_of(x, c), of 255 or 65535.
+/// Returns an image of one row: channel c of pixel x is value_of(x, c), of 255 or 65535.
 Image row_image(int width, PixelFormat format, const std::function<int(int x, int c)>& value_of) {
   Image image{width, 1, format, {}};
   image.bytes.resize(image.row_bytes());
@@ -33,7 +34,7 @@ Image row_image(int width, PixelFormat format, const std::function<int(int x, in
   return image;
 }
 
-/// A hundred pixels; the last two differ from black, by 2 and by 10 in every channel.
+/// Returns a hundred pixels; the last two differ from black, by 2 and by 10 in every channel.
 Image nearly_black() {
   return row_image(100, PixelFormat::rgb8, [](int x, int) {
     return x == 99 ? 10 : x == 98 ? 2 : 0;
@@ -139,6 +140,17 @@ TEST(Compare, charges_the_files) {
   EXPECT_NE(result.err.find("the input"), std::string::npos) << result.err;
 }
 
+/// Files larger than the memory limit are not read.
+TEST(Compare, reads_no_more_than_the_memory_allows) {
+  const TemporaryFolder folder;
+  const std::string large = folder.add("large.png", std::string());
+  std::filesystem::resize_file(large, std::size_t{200} << 20);
+  const CommandResult result = run_sfumato({"compare", large, large, "--max-memory", "8"});
+  EXPECT_EQ(result.exit_code, 3) << result.err;
+  EXPECT_TRUE(result.err.starts_with(large + ": error: memory limit of 8 MiB")) << result.err;
+  EXPECT_LT(result.peak_bytes, std::size_t{150} << 20);
+}
+
 TEST(Compare, prints_the_figures) {
   const TemporaryFolder folder;
   const std::string a = folder.add("a.png", png_of(black()));
@@ -187,8 +199,8 @@ TEST(Compare, refuses_images_of_two_sizes) {
   const CommandResult result = run_sfumato({"compare", a, b, "-o", folder.path("difference.png")});
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_EQ(result.out, "");
-  EXPECT_EQ(result.err,
-            b + ": error: this picture is 99 x 1 pixels, expected 100 x 1 as " + a + "\n");
+  EXPECT_EQ(result.err, b + ": error: the picture has 99 x 1 pixels, but " + a +
+                            " has 100 x 1; compare pictures of the same size\n");
   EXPECT_EQ(folder.names(), (std::vector<std::string>{"a.png", "b.png"}));
 }
 

@@ -60,7 +60,7 @@ TEST(Convert, normalises_svg_and_writes_the_same_bytes_again) {
   EXPECT_EQ(twice.out, once.out);
 }
 
-/// One drawing, whose names of XML are written in several ways.
+/// One drawing, whose XML names are written in several ways.
 constexpr const char* kPlainNames = R"(<svg xmlns="http://www.w3.org/2000/svg"
   xmlns:sf="urn:sfumato:1" viewBox="0 0 64 48" sf:version="1">
   <g id="layer" sf:diffuse="true">
@@ -100,7 +100,7 @@ std::size_t count(const std::string& text, const std::string& part) {
 TEST(Convert, keeps_what_is_of_sfumato_among_foreign_namespaces_and_nothing_else) {
   const std::string expected = run_sfumato({"convert", "-", "-o", "-"}, kPlainNames).out;
   ASSERT_EQ(count(expected, "<path"), 2u) << expected;
-  // Every prefix that is used is declared, and once.
+  // Every used prefix is declared once.
   EXPECT_EQ(count(expected, "xmlns=\"http://www.w3.org/2000/svg\""), 1u);
   EXPECT_EQ(count(expected, "xmlns:"), 1u);
   EXPECT_EQ(count(expected, "xmlns:sf=\"urn:sfumato:1\""), 1u);
@@ -169,7 +169,7 @@ TEST(Convert, fails_as_other_commands_do) {
   EXPECT_EQ(run_sfumato({"convert", "-"}).exit_code, 2);
   const CommandResult png = run_sfumato({"convert", "-", "-o", folder.path("out.png")});
   EXPECT_EQ(png.exit_code, 2);
-  EXPECT_TRUE(contains(png.err, "expected a file name that ends in .svg, .svgz, or -")) << png.err;
+  EXPECT_TRUE(contains(png.err, "use a file name that ends in .svg, .svgz, or -")) << png.err;
   const std::string out = folder.path("out.svg");
   const CommandResult bad = run_sfumato({"convert", "-", "-o", out}, "<curve_set/>");
   EXPECT_EQ(bad.exit_code, 1);

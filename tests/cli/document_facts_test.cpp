@@ -1,4 +1,4 @@
-#include "cli/document_facts.hpp"
+#include "cli/commands/document_facts.hpp"
 
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ TEST(Leaves, finds_the_bulge_between_two_ends_inside) {
 }
 
 TEST(Leaves, finds_the_bulge_of_a_quadratic_where_the_cubic_term_is_zero) {
-  // y = 21 t (1 - t) in cubic form: the middle is at 5.25, twice that leaves.
+  // y = 21 t (1 - t) in cubic form: the middle is at 5.25, and twice that height leaves the square.
   EXPECT_FALSE(leaves(curve_through({{0, 0}, {3, 7}, {6, 7}, {9, 0}}), {{0, 0}, {10, 5.26}}));
   EXPECT_TRUE(leaves(curve_through({{0, 0}, {3, 7}, {6, 7}, {9, 0}}), {{0, 0}, {10, 5.24}}));
 }

@@ -188,6 +188,57 @@ TEST_F(Edit, a_drawing_that_is_too_long_is_refused) {
   EXPECT_EQ(std::filesystem::file_size(drawing_), most);
 }
 
+/// Heads of requests whose bodies never come: an answer shows that nobody waits for them.
+TEST_F(Edit, refuses_a_body_before_it_comes) {
+  start();
+  const std::string old_tag = tag();
+  ASSERT_TRUE(contains(save(old_tag, "<svg>x</svg>"), " 204 "));
+  const std::string host = "Host: " + served_->host() + "\r\n", any = "If-Match: *\r\n";
+  const struct {
+    std::string path, headers;
+    const char* code;
+  } cases[] = {{"/0123/drawing", host + any, " 404 "},
+               {secret_ + "other", host + any, " 404 "},
+               {secret_ + "drawing", "Host: example.org\r\n" + any, " 403 "},
+               {secret_ + "drawing", any, " 403 "},
+               {secret_ + "drawing", host + "Origin: http://example.org\r\n" + any, " 403 "},
+               {secret_ + "drawing", host, " 428 "},
+               {secret_ + "drawing", host + "If-Match: " + old_tag + "\r\n", " 412 "},
+               {secret_ + "drawing", host + "If-Match: \"7\"\r\n", " 412 "},
+               {secret_ + "drawing", host + host + any, " 400 "}};
+  for (const auto& one : cases) {
+    for (const char* size : {"Content-Length: 1000", "Transfer-Encoding: chunked"}) {
+      const std::string head = "PUT " + one.path + " HTTP/1.1\r\n" + one.headers + size;
+      const std::string answer = served_->ask(head + "\r\n\r\n");
+      EXPECT_TRUE(contains(answer, one.code)) << head << '\n' << answer;
+    }
+  }
+  EXPECT_EQ(read_whole(drawing_), "<svg>x</svg>");
+}
+
+/// Its sender gets the answer although nobody reads what is still on its way.
+TEST_F(Edit, a_long_body_that_is_refused_does_not_cost_its_answer) {
+  start();
+  const std::string old_tag = tag();
+  ASSERT_TRUE(contains(save(old_tag, "<svg>x</svg>"), " 204 "));
+  for (int i = 0; i < 8; ++i) {
+    const std::string answer = save(old_tag, std::string(std::size_t{4} << 20, ' '));
+    EXPECT_TRUE(contains(answer, " 412 ")) << answer;
+  }
+}
+
+TEST_F(Edit, takes_a_head_in_pieces_and_by_chunks) {
+  start();
+  const std::string head =
+      "PUT " + secret_ + "drawing HTTP/1.1\r\nHost: " + served_->host() + "\r\nIf-Match: *\r\n";
+  const std::string sized = head + "Content-Length: 6\r\n\r\n<svg/>";
+  EXPECT_TRUE(contains(served_->ask_in_pieces(sized, 7), " 204 "));
+  EXPECT_EQ(read_whole(drawing_), "<svg/>");
+  const std::string chunks = "Transfer-Encoding: chunked\r\n\r\n3\r\n<a \r\n3\r\nb/>\r\n0\r\n\r\n";
+  EXPECT_TRUE(contains(served_->ask_in_pieces(head + chunks, 7), " 204 "));
+  EXPECT_EQ(read_whole(drawing_), "<a b/>");
+}
+
 TEST_F(Edit, gives_the_textures_that_render_would_read) {
   folder_.add("work/t 1.png", kPng);
   folder_.add("work/t.jpg", "\xff\xd8\xff and so on");
@@ -230,6 +281,16 @@ TEST_F(Edit, what_cannot_be_edited_is_told) {
   EXPECT_TRUE(contains(result.err, "`make editor`")) << result.err;
 }
 
+TEST_F(Edit, a_pipe_in_the_place_of_the_drawing_holds_nothing_up) {
+  start();
+  std::filesystem::remove(drawing_);
+  ASSERT_EQ(mkfifo(drawing_.c_str(), 0600), 0);
+  EXPECT_TRUE(contains(get("drawing"), "is no longer a file")) << get("drawing");
+  EXPECT_TRUE(contains(save("\"1\"", kBlankDrawing), " 412 "));
+  EXPECT_TRUE(contains(get(""), " 200 "));
+  EXPECT_EQ(served_->stop(SIGTERM), 143);
+}
+
 TEST_F(Edit, an_installation_brings_its_page) {
   std::filesystem::create_directories(folder_.path("share/sfumato"));
   folder_.add("share/sfumato/editor.html", "<head></head>installed");
@@ -237,7 +298,7 @@ TEST_F(Edit, an_installation_brings_its_page) {
   EXPECT_TRUE(contains(get(""), "installed"));
 }
 
-/// The desktop's opener, in PATH before all others, writes what it is given.
+/// The desktop's opener, first in PATH, writes its arguments.
 TEST_F(Edit, the_browser_gets_an_address_that_leads_there_once) {
   const std::string opener = folder_.add("bin/xdg-open",
                                          "#!/bin/sh\necho \"$1\" > \"$0.new\"\n"

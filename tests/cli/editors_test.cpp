@@ -6,7 +6,7 @@
 #include "cli/run_command.hpp"
 #include "support/places.hpp"
 
-/// Documents that we wrote, as other programs save them.
+/// Documents that we wrote, saved by other programs.
 namespace sfumato::test {
 namespace {
 
@@ -43,7 +43,7 @@ bool is_installed(const std::string& program) {
   return run_command({"/bin/sh", "-c", "command -v " + program + " >/dev/null"}).exit_code == 0;
 }
 
-/// `command` run, and something saved.
+/// Runs `command`, and requires that it saved something.
 void save(const std::string& command, const std::string& ours, const std::string& saved) {
   const CommandResult result = run_command({"/bin/sh", "-c", command, "sh", ours, saved});
   ASSERT_EQ(result.exit_code, 0) << result.err;
@@ -56,8 +56,8 @@ double number_or_infinity(const std::string& json, const std::string& key) {
   return std::atof(json.c_str() + at + key.size() + 3);
 }
 
-/// Both pictures have nearly the same pixels: coordinates are rounded to six digits or fewer, which
-/// moves an edge by some hundredths of a pixel.
+/// Expects nearly the same pixels: coordinates are rounded to six digits or fewer, which moves an
+/// edge by a few hundredths of a pixel.
 void expect_same_picture(const TemporaryFolder& folder, const std::string& ours,
                          const std::string& saved) {
   const std::string picture = folder.path("ours.png"), after = folder.path("saved.png");
@@ -70,7 +70,8 @@ void expect_same_picture(const TemporaryFolder& folder, const std::string& ours,
   EXPECT_LT(number_or_infinity(json, "maximum"), 16) << json;
 }
 
-/// The document as we write it, saved by `command`, in which $1 is its name and $2 the new one.
+/// Writes our document, saves it by `command`, where $1 is its name and $2 the new one, and
+/// compares.
 void expect_same_picture_after(const std::string& command) {
   const TemporaryFolder folder;
   const std::string ours = folder.path("ours.svg"), saved = folder.path("saved.svg");
@@ -79,7 +80,7 @@ void expect_same_picture_after(const std::string& command) {
   expect_same_picture(folder, ours, saved);
 }
 
-/// The same of our examples, as they were written by hand, beside their textures.
+/// The same for our examples, in their hand-written form, beside their textures.
 void expect_same_examples_after(const std::string& command) {
   const TemporaryFolder folder;
   const std::string examples = source_path("examples/");

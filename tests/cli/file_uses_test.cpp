@@ -1,4 +1,5 @@
-// No file that a call writes is one that it reads, or another that it writes, however it is named.
+// A call never writes a file that it also reads, or the same file twice, whatever names the file
+// has.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -20,7 +21,7 @@ constexpr const char* kTextured = R"svg(
 
 class FileUses : public testing::Test {
  protected:
-  /// The call is bad usage that blames `option`, and changes nothing.
+  /// Expects bad usage that names `option`, and no change.
   void expect_refused(Names arguments, const std::string& option) {
     const CommandResult result = run_sfumato(std::move(arguments));
     EXPECT_EQ(result.exit_code, 2) << result.err;
@@ -57,7 +58,7 @@ TEST_F(FileUses, stats_never_replace_a_drawing) {
 TEST_F(FileUses, stats_never_replace_the_picture) {
   fs::create_directory(path("sub"));
   const std::string picture = path("a.png");
-  // None of these files is there yet.
+  // None of these files exists yet.
   for (const std::string& stats :
        {picture, path("./a.png"), path("sub/../a.png"), path("sub//../a.png"),
         link("a.png", "soft"), link(path("sub/../soft"), "longer")}) {
@@ -140,7 +141,7 @@ TEST_F(FileUses, no_picture_replaces_a_texture_of_another_drawing) {
   const std::string tile = read_whole(path("tile.png"));
   const std::string textured = folder_.add("textured.svg", kTextured);
   const std::string tile_drawing = folder_.add("tile.svg", two_curve_scene());
-  // Whichever comes first, and although a drawing between is none.
+  // In either order, and even if a drawing in between is invalid.
   const std::string bad = folder_.add("bad.svg", "<svg");
   const Names in_some_order[] = {{tile_drawing, bad, textured}, {textured, bad, tile_drawing}};
   for (const Names& drawings : in_some_order) {

@@ -14,14 +14,14 @@ namespace {
 
 using Arguments = std::vector<std::string>;
 
-/// A canvas of 64 × 48 with a curve whose colours are these.
+/// Returns a canvas of 64 × 48 with a curve of these colours.
 std::string frame_scene(const std::string& left, int width = 64) {
   const std::string points =
       point_xml("8", "24") + point_xml("24", "4") + point_xml("40", "44") + point_xml("56", "24");
   return scene_xml(width, 48, curve_xml(points, left, R"(B="32" G="64" R="192")"));
 }
 
-/// Three drawings of one size, whose pictures differ.
+/// Three drawings of one size with different pictures.
 class Films : public testing::Test {
  protected:
   Films() {
@@ -41,7 +41,8 @@ class Films : public testing::Test {
   CommandResult render(const Arguments& options) const {
     return run_sfumato(call(drawings_, options));
   }
-  /// The pixels of each drawing's own PNG, one behind the other, of 16 bits low byte first.
+  /// Returns the pixels of each drawing's own PNG, one after the other; 16-bit values have the low
+  /// byte first.
   std::string pixels(const Arguments& options, PixelFormat format) const {
     std::string all;
     for (const std::string& drawing : drawings_) {
@@ -53,7 +54,7 @@ class Films : public testing::Test {
     }
     return all;
   }
-  /// By a shell, whose "$@" is the call.
+  /// Runs a shell script whose "$@" is the call.
   CommandResult render_by_shell(const std::string& script, const Arguments& options) const {
     Arguments arguments{"/bin/sh", "-c", script, "sh", sfumato_program()};
     const Arguments rest = call(drawings_, options);
@@ -111,7 +112,7 @@ TEST_F(Films, shards_are_runs_that_make_the_film_one_behind_the_other) {
     const std::string part = folder_.path("part.rgba");
     const CommandResult result = render({"-o", part, "--shard", std::to_string(i) + "/4"});
     EXPECT_EQ(result.exit_code, 0) << result.err;
-    parts += read_whole(part);  // an empty one where three drawings are too few
+    parts += read_whole(part);  // empty if fewer than three drawings suffice
   }
   EXPECT_EQ(parts, whole);
 }
@@ -174,11 +175,11 @@ TEST_F(Films, options_that_have_no_place_are_named) {
   const std::string file = folder_.path("film.rgb24");
   const std::pair<Arguments, const char*> cases[] = {
       {{"-o", file, "--depth", "16"}, "rgb48le and rgba64le only"},
-      {{"-o", file, "--background", "none"}, "expected rgba or rgba64le"},
+      {{"-o", file, "--background", "none"}, "use an opaque colour, or rgba or rgba64le"},
       {{"-o", file, "--newer-only"}, "--out-dir only"},
       {{"-o", file, "--quality", "80"}, "JPEG and lossy WebP only"},
-      {{"-o", file, "--format", "rgb24"}, "a file's extension says it"},
-      {{"-o", drawings_[0]}, "expected a file name that ends in"},
+      {{"-o", file, "--format", "rgb24"}, "the extension of OUT sets the format"},
+      {{"-o", drawings_[0]}, "use a file name that ends in"},
       {{"-o", folder_.path("film.rgb48le"), "--dither"}, "--depth 8 only"},
       {{"-o", "-", "--format", "rgb24", "--stats", "-"}, "stdout is taken"},
   };
@@ -200,7 +201,7 @@ TEST_F(Films, in_a_folder_each_frame_is_a_file) {
   EXPECT_EQ(all, render({"-o", "-", "--format", "rgba"}).out);
 }
 
-/// A circle that moves above a house that does not, with a pond that is closed off.
+/// Returns a circle that moves above a still house, with an enclosed pond.
 std::string moving_scene(int frame) {
   const std::string x = std::to_string(10 + 4 * frame);
   return R"(<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1" viewBox="0 0 64 48"
@@ -218,7 +219,7 @@ class CoherentFilms : public Films {
       drawings_.push_back(folder_.add("f" + std::to_string(i) + ".svg", moving_scene(i)));
     }
   }
-  /// How the layers of the frames were made, as the figures say it.
+  /// Returns how the layers of the frames were made, from the statistics.
   Arguments layers(const Arguments& options) const {
     const std::string stats = folder_.path("stats.json");
     Arguments given = options;
@@ -295,8 +296,8 @@ TEST_F(CoherentFilms, that_fail_in_the_middle_go_on_after_that) {
 TEST_F(CoherentFilms, need_many_drawings_and_a_mesh) {
   const std::pair<Arguments, const char*> cases[] = {
       {{"-o", folder_.path("a.png")}, "--out-dir"},
-      {{"-o", folder_.path("a.rgba"), "--method", "pixels"}, "--coherent: expected with"},
-      {{"-o", folder_.path("a.rgba"), "--method", "rays"}, "--coherent: expected with"},
+      {{"-o", folder_.path("a.rgba"), "--method", "pixels"}, "--coherent: works with"},
+      {{"-o", folder_.path("a.rgba"), "--method", "rays"}, "--coherent: works with"},
   };
   for (const auto& [options, expected] : cases) {
     Arguments given = options;

@@ -9,6 +9,29 @@
 namespace sfumato::test {
 namespace {
 
+/// Every command gives the same message for a file of the wrong kind.
+TEST(OtherFiles, are_called_what_they_are) {
+  const TemporaryFolder folder;
+  const std::string jpeg = folder.add("a.jpg", "\xff\xd8\xff\xe0 <svg>");
+  const auto error = [](std::vector<std::string> arguments) {
+    const CommandResult result = run_sfumato(std::move(arguments));
+    EXPECT_EQ(result.exit_code, 1);
+    return result.err;
+  };
+  const std::string is_jpeg = jpeg + ": error: is a JPEG picture; use ";
+  for (const char* command : {"info", "lint"}) {
+    EXPECT_EQ(error({command, jpeg}),
+              is_jpeg + "a drawing (SVG or Orzan XML), or trace the picture to make one\n");
+  }
+  EXPECT_TRUE(error({"render", jpeg, "-o", folder.path("o.png")}).starts_with(is_jpeg));
+  EXPECT_TRUE(error({"init", folder.path("n.svg"), "--from", jpeg}).starts_with(is_jpeg));
+  EXPECT_TRUE(error({"compare", jpeg, jpeg}).starts_with(is_jpeg + "a PNG"));
+  EXPECT_TRUE(error({"tiles", jpeg, "-o", folder.path("t")}).starts_with(is_jpeg + "a solved"));
+  const std::string gif = folder.add("a.gif", "GIF89a");
+  EXPECT_TRUE(error({"trace", gif, "-o", folder.path("o.svg")})
+                  .starts_with(gif + ": error: is a GIF picture; use a PNG"));
+}
+
 TEST(Info, prints_a_table) {
   const CommandResult result = run_sfumato({"info", "-"}, two_curve_scene());
   EXPECT_EQ(result.exit_code, 0) << result.err;

@@ -1,5 +1,5 @@
-// The command under kill -9: its output is the old one or the new one, whole, and the next run
-// leaves nothing beside it. SFUMATO_KILLS says how often; `make kills` asks for 1,000.
+// The command under kill -9: its output is the complete old one or the complete new one, and the
+// next run leaves no other files. SFUMATO_KILLS is the number of kills; `make kills` uses 1,000.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -24,7 +24,7 @@ struct Killed {
   const char* name;
   const char* output;
   Names command;  ///< before the input and the output
-  bool has_old;   ///< whether the output is there before
+  bool has_old;   ///< whether the output exists before
 };
 
 const Killed kKilled[] = {
@@ -64,7 +64,7 @@ class Kill : public testing::TestWithParam<Killed> {
     if (GetParam().has_old) folder_.add(GetParam().output, old_);
   }
 
-  /// Every other kill comes as soon as there is something to see in the folder.
+  /// Every other kill comes as soon as a file appears in the folder.
   void wait_for_the_moment(bool while_it_writes) {
     const auto begin = Clock::now();
     if (!while_it_writes) {
@@ -94,7 +94,7 @@ class Kill : public testing::TestWithParam<Killed> {
 
 TEST_P(Kill, leaves_a_whole_output_or_none) {
   std::size_t killed = 0, left_behind = 0;
-  // Runs that are shorter than the first one was may all be over before their kill.
+  // Runs that are shorter than the first one may all end before their kill.
   const auto goes_on = [&](int i) {
     return i < kill_count() || (killed == 0 && i < 20 * kill_count());
   };

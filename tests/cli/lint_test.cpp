@@ -14,7 +14,7 @@ std::string curve_through(std::initializer_list<const char*> coordinates) {
   return curve_xml(points, kWhite, kWhite);
 }
 
-/// A sound curve, and two more in one place.
+/// Returns a sound curve, and two more in one place.
 std::string doubled_scene() {
   const std::string sound = curve_through({"10", "10", "20", "30", "30", "10", "40", "20"});
   const std::string doubled = curve_through({"5", "40", "20", "44", "40", "36", "60", "40"});
@@ -22,7 +22,8 @@ std::string doubled_scene() {
 }
 
 constexpr const char* kMessage =
-    "it lies exactly on curve 1 and both bear colour: the later one hides the earlier";
+    "it lies exactly on curve 1 and both have colour, so the later one hides the earlier; delete "
+    "one";
 
 TEST(Lint, says_that_there_are_no_hints) {
   const CommandResult result = run_sfumato({"lint", "--strict", "-"}, two_curve_scene());

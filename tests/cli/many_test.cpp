@@ -44,7 +44,7 @@ TEST(ManyDrawings, the_first_failure_gives_the_exit_code) {
   const std::string a = folder.add("a.xml", two_curve_scene());
   const std::string bad = folder.add("bad.xml", "<curve_set");
   const std::string out = folder.path("out");
-  std::filesystem::create_directories(out + "/a.png");  // cannot be replaced by a file
+  std::filesystem::create_directories(out + "/a.png");  // a file cannot replace it
   EXPECT_EQ(run_sfumato({"render", a, bad, "--out-dir", out}).exit_code, 3);
   EXPECT_EQ(run_sfumato({"render", bad, a, "--out-dir", out}).exit_code, 1);
 }
@@ -82,7 +82,7 @@ TEST(ManyDrawings, stats_are_one_line_for_each_that_was_drawn) {
 TEST(ManyDrawings, no_picture_replaces_a_drawing_or_another_picture) {
   const TemporaryFolder folder;
   const std::string drawing = two_curve_scene();
-  // A drawing may have any name: what it is shows in the file.
+  // A drawing may have any name; its content decides.
   const std::string odd = folder.add("odd.png", drawing);
   std::filesystem::create_directories(folder.path("b"));
   const std::string same = folder.add("b/odd.xml", drawing);

@@ -30,13 +30,19 @@ TEST(FormatMessage, keeps_control_characters_away) {
 TEST(FormatMessage, names_the_option_that_sets_another_limit) {
   Status status = limit_error(Limits{}, &Limits::curves, "curves", {"a.svg"});
   EXPECT_EQ(format_message(status, "error"),
-            "a.svg: error: more than the limit of 200000 curves (--limit curves=N sets another)\n");
-  for (const auto& [limit, option] : {std::pair{"memory", "(--max-memory sets another)"},
-                                      std::pair{"time", "(--max-time sets another)"},
-                                      std::pair{"viewer-triangles", "; a larger --max-error, "}}) {
+            "a.svg: error: more than the limit of 200000 curves; raise the limit with --limit "
+            "curves=N\n");
+  for (const auto& [limit, option] :
+       {std::pair{"memory", "; raise the limit with --max-memory MIB"},
+        std::pair{"time", "; raise the limit with --max-time SECONDS"},
+        std::pair{"viewer-triangles", ", or make fewer with a larger --max-error"}}) {
     status.limit = limit;
     EXPECT_NE(format_message(status, "error").find(option), std::string::npos) << limit;
   }
+  status.limit = "image-side";  // the default is the highest
+  EXPECT_NE(format_message(status, "error")
+                .find("--limit image-side=N goes up to 16384; use a smaller image\n"),
+            std::string::npos);
   EXPECT_EQ(format_message(make_error(StatusCode::limit, "too much"), "error"),
             "sfumato: error: too much\n");
 }

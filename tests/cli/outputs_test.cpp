@@ -6,7 +6,8 @@
 #include "cli/scenes.hpp"
 #include "support/places.hpp"
 
-/// `sfumato render` with outputs that can be enlarged. What the files hold is tests/export's.
+/// `sfumato render` with outputs that can be enlarged. tests/export checks the content of the
+/// files.
 namespace sfumato::test {
 namespace {
 
@@ -14,7 +15,7 @@ using Names = std::vector<std::string>;
 
 struct Output {
   const char* extension;
-  const char* begin;  ///< of the file
+  const char* begin;  ///< first bytes of the file
   const char* end;
 };
 
@@ -195,7 +196,7 @@ TEST(Device, a_gpu_draws_or_a_warning_says_that_the_cpu_did) {
   EXPECT_EQ(result.exit_code, 0) << result.err;
   if (!result.err.empty()) {
     EXPECT_TRUE(contains(result.err, "warning: ")) << result.err;
-    EXPECT_TRUE(contains(result.err, "drawn on the CPU")) << result.err;
+    EXPECT_TRUE(contains(result.err, "the CPU draws instead")) << result.err;
   }
   const Image image = image_of(read_whole(folder.path("a.png")));
   EXPECT_EQ(image.width, 64);
@@ -204,14 +205,14 @@ TEST(Device, a_gpu_draws_or_a_warning_says_that_the_cpu_did) {
 TEST(Device, without_compute_shaders_a_warning_says_so_and_the_cpu_gathers) {
   const TemporaryFolder folder;
   const std::string drawing = folder.add("a.xml", two_curve_scene());
-  // Mesa then has OpenGL ES 3.0 alone.
+  // Mesa then offers only OpenGL ES 3.0.
   const CommandResult result =
       run_command({"/usr/bin/env", "MESA_GLES_VERSION_OVERRIDE=3.0", sfumato_program(), "render",
                    drawing, "-o", folder.path("gpu.png"), "--method", "pixels", "--gather", "gpu"});
   EXPECT_EQ(result.exit_code, 0) << result.err;
   if (result.err.empty()) GTEST_SKIP() << "this driver is not Mesa's";
   EXPECT_TRUE(contains(result.err, "warning: no GPU can be used: ")) << result.err;
-  EXPECT_TRUE(contains(result.err, "; gathered on the CPU")) << result.err;
+  EXPECT_TRUE(contains(result.err, "; the CPU computes the colours instead")) << result.err;
   const CommandResult cpu =
       run_sfumato({"render", drawing, "-o", folder.path("cpu.png"), "--method", "pixels"});
   EXPECT_EQ(cpu.exit_code, 0) << cpu.err;
@@ -228,7 +229,7 @@ TEST(Device, a_gpu_gathers_or_a_warning_says_that_the_cpu_did) {
     EXPECT_EQ(result.exit_code, 0) << result.err;
     if (!result.err.empty()) {
       EXPECT_TRUE(contains(result.err, "warning: ")) << result.err;
-      EXPECT_TRUE(contains(result.err, "gathered on the CPU")) << result.err;
+      EXPECT_TRUE(contains(result.err, "the CPU computes the colours instead")) << result.err;
     }
     return image_of(read_whole(picture));
   };

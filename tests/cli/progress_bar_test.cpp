@@ -65,7 +65,7 @@ TEST(ProgressBar, note_stands_behind_the_bar_and_leaves_nothing_of_a_longer_one)
     bar.set_note("100.0 dB");
     bar.report("trace", 0.25);
     bar.set_note("9.0 dB");
-    std::this_thread::sleep_for(milliseconds(150));  // it draws ten times a second
+    std::this_thread::sleep_for(milliseconds(150));  // it redraws ten times a second
     bar.report("trace", 0.25);
   }
   EXPECT_EQ(all_of(file.get()), "\r" + line + "  100.0 dB\r" + line + "  9.0 dB  \r" +

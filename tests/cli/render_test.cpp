@@ -8,7 +8,7 @@
 namespace sfumato::test {
 namespace {
 
-/// Renders `scene` with these options more and decodes the picture.
+/// Renders `scene` with these extra options and decodes the picture.
 Image rendered(const std::string& scene, std::vector<std::string> options = {}) {
   options.insert(options.begin(), {"render", "-", "-o", "-"});
   const CommandResult result = run_sfumato(std::move(options), scene);
@@ -46,7 +46,7 @@ TEST(Render, every_method_agrees_inside_of_a_closed_curve) {
   }
 }
 
-/// The pixels of a part of an image.
+/// Returns the pixels of a part of an image.
 std::vector<std::uint8_t> part_of(const Image& image, int x, int y, int width, int height) {
   const std::size_t pixel = image.row_bytes() / static_cast<std::size_t>(image.width);
   std::vector<std::uint8_t> part;
@@ -121,6 +121,8 @@ TEST(Render, background_is_any_opaque_colour_of_css_or_none_at_all) {
   EXPECT_EQ(first("skyblue"), first("#87ceeb"));
   EXPECT_EQ(first("rgb(255 165 0)"), first("ORANGE"));
   EXPECT_EQ(first("hsl(120deg 100% 50%)"), first("lime"));
+  EXPECT_EQ(first("oklch(0.7 0.15 250)"), first("#4ba3f7"));
+  EXPECT_EQ(first("color(display-p3 0 1 0)"), first("#00fb29"));
   EXPECT_EQ(first("transparent"), first("none"));
   EXPECT_EQ(first("transparent")[3], 0);
 }
@@ -133,7 +135,7 @@ TEST(Render, background_shows_where_no_curve_is) {
   EXPECT_EQ(pixel(rendered(empty, {"--quiet", "--background", "none"}), 3, 3)[3], 0);
 }
 
-/// Red inside of a square, nothing outside, in a drawing of 8 × 8 units.
+/// Returns red inside a square, nothing outside, in a drawing of 8 × 8 units.
 std::string square_svg(const std::string& attributes, const std::string& before = "") {
   return "<svg xmlns='http://www.w3.org/2000/svg' xmlns:sf='urn:sfumato:1' sf:version='1' "
          "viewBox='0 0 8 8' " +

@@ -25,7 +25,7 @@ double seconds(const timeval& time) {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
-/// Whether the process catches this signal itself, as Linux tells.
+/// Returns whether the process handles this signal. Reads /proc.
 bool catches(pid_t id, int signal_number) {
   std::ifstream status("/proc/" + std::to_string(id) + "/status");
   std::string word;

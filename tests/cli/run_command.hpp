@@ -10,17 +10,17 @@
 namespace sfumato::test {
 
 struct CommandResult {
-  int exit_code = -1;  ///< 128 + the signal's number where a signal ended it
+  int exit_code = -1;  ///< 128 + the signal's number if a signal ended it
   std::string out;
   std::string err;
   double cpu_seconds = 0;      ///< of all its threads
-  std::size_t peak_bytes = 0;  ///< resident; this process's own at the start at least
+  std::size_t peak_bytes = 0;  ///< resident; at least this process's own peak at the start
 };
 
-/// The names of what is in a folder, sorted.
+/// Returns the names of a folder's content, sorted.
 std::vector<std::string> names_in(const std::filesystem::path& folder);
 
-/// A new folder that goes away with everything in it.
+/// A new folder that is removed with its content.
 class TemporaryFolder {
  public:
   TemporaryFolder();
@@ -36,14 +36,14 @@ class TemporaryFolder {
   std::filesystem::path folder_;
 };
 
-/// A program that runs with its own standard streams, each a file.
+/// A running program whose standard streams are files.
 class RunningCommand {
  public:
   RunningCommand(std::vector<std::string> arguments, const std::string& input);
 
   pid_t id() const { return id_; }
   CommandResult wait();
-  /// Waits until the program has its own handler of this signal: it is started then. Needs /proc.
+  /// Waits until the program handles this signal, which means that it has started. Needs /proc.
   void wait_until_it_catches(int signal_number) const;
 
  private:
@@ -53,7 +53,7 @@ class RunningCommand {
 
 CommandResult run_command(std::vector<std::string> arguments, const std::string& input = {});
 
-/// The built `sfumato` with these arguments.
+/// Runs the built `sfumato` with these arguments.
 CommandResult run_sfumato(std::vector<std::string> arguments, const std::string& input = {});
 
 std::string read_whole(const std::string& path);

@@ -1,7 +1,9 @@
-// The command where the system gives it little: memory, stack, threads, or no output to write to.
+// The command with little memory, stack, few threads, or no output to write to.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
+#include <csignal>
 #include <filesystem>
 
 #include "cli/run_command.hpp"
@@ -17,7 +19,7 @@ using Names = std::vector<std::string>;
 
 constexpr const char* kStack = "ulimit -s 256; exec \"$@\"";  // KiB
 
-/// The command as a shell script starts it; "$@" is the command and its arguments.
+/// Runs the command from a shell script; "$@" is the command and its arguments.
 CommandResult run_in_shell(const std::string& script, Names arguments) {
   arguments.insert(arguments.begin(), {"/bin/sh", "-c", script, "sh", sfumato_program()});
   return run_command(std::move(arguments));
@@ -65,7 +67,7 @@ TEST(ScarceMemory, gives_fewer_threads_and_ends_no_process) {
 #endif
   const TemporaryFolder folder;
   const std::string input = folder.add("in.xml", two_curve_scene());
-  // Several times each: what a thread takes of the address space depends on random addresses.
+  // Several times each, because a thread's address space depends on random addresses.
   const auto run = [&](int mebibytes, const char* threads) {
     const std::string limit = "ulimit -v " + std::to_string(1024 * mebibytes);
     const CommandResult result = run_in_shell(
@@ -78,6 +80,54 @@ TEST(ScarceMemory, gives_fewer_threads_and_ends_no_process) {
       for (int i = 0; i < 4; ++i) run(mebibytes, threads);
     }
   }
+}
+
+/// With slightly more memory than the loader needs, memory runs out in the initialisers of global
+/// objects, and then in noexcept functions of the option parser.
+TEST(ScarceMemory, ends_no_process_by_a_signal_while_it_starts) {
+#if SFUMATO_HAS_SANITIZER
+  GTEST_SKIP() << "sanitizers take more address space than these limits leave";
+#endif
+  constexpr int kFirst = 12'000, kLast = 22'000, kStep = 48;  // KiB
+  std::size_t refused = 0, done = 0;
+  for (int kibibytes = kFirst; kibibytes < kLast; kibibytes += kStep) {
+    const CommandResult result =
+        run_in_shell("ulimit -v " + std::to_string(kibibytes) + "; exec \"$@\"",
+                     {"info", example("sunset.svg")});
+    // With less memory than the command needs to answer, the system's loader fails in its own ways.
+    const bool is_answer = result.exit_code == 0 || result.exit_code == 3;
+    if (!is_answer && result.exit_code != 128 + SIGABRT && refused + done == 0) continue;
+    ASSERT_TRUE(is_answer) << kibibytes << " KiB: " << result.exit_code << ' ' << result.err;
+    (result.exit_code == 0 ? done : refused) += 1;
+  }
+  EXPECT_GT(refused, 0u);
+  EXPECT_GT(done, 0u);
+}
+
+TEST(ProcessorTime, that_is_over_is_told) {
+#if SFUMATO_HAS_SANITIZER
+  GTEST_SKIP() << "sanitizers work too slowly to stop within a second";
+#endif
+  const TemporaryFolder folder;
+  const CommandResult result = run_in_shell(
+      "ulimit -S -t 1; exec \"$@\"", {"render", example("apple.svg"), "-o", folder.path("a.png"),
+                                      "--width", "16000", "--method", "pixels", "--quiet"});
+  EXPECT_EQ(result.exit_code, 128 + SIGXCPU) << result.err;
+  EXPECT_EQ(result.err, "sfumato: error: the processor time is used up; raise it with ulimit -t\n");
+}
+
+TEST(IgnoredSignals, stay_ignored) {
+  const TemporaryFolder folder;
+  const std::string pipe = folder.path("pipe");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  // Reads the pipe until somebody writes; the signals arrive meanwhile.
+  const std::string script =
+      "trap '' HUP INT TERM; \"$@\" & id=$!; sleep .3; kill -HUP $id; kill -INT $id; "
+      "kill -TERM $id; sleep .1; cat '" +
+      folder.add("in.xml", two_curve_scene()) + "' >'" + pipe + "'; wait $id";
+  const CommandResult result = run_in_shell(script, {"info", pipe});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_TRUE(contains(result.out, "layers")) << result.out;
 }
 
 class SmallStack : public testing::TestWithParam<std::string> {};
@@ -108,7 +158,7 @@ TEST(SmallStackOf, every_output_is_enough) {
   }
 }
 
-/// The examples, and the public scenes where they are at hand.
+/// Returns the examples, and the public scenes if present.
 Names drawings() {
   Names found;
   for (const std::string& folder : {source_path("examples"), shared_path("scenes")}) {
@@ -174,7 +224,7 @@ TEST(SmallStackOf, deep_inputs_is_enough) {
   }
 }
 
-/// Scripts that start the command, "$@", with an output that takes nothing, and print its exit
+/// Scripts that start the command, "$@", with an output that accepts nothing, and print its exit
 /// code.
 TEST(NoOutput, is_an_io_error_and_no_signal) {
   const TemporaryFolder folder;

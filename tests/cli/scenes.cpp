@@ -16,7 +16,7 @@ std::string point(double x, double y) {
   return point_xml(std::to_string(x), std::to_string(y));
 }
 
-// Red and blue are swapped in the files.
+// The files swap red and blue.
 constexpr const char* kOrange = R"(B="255" G="128" R="0")";
 constexpr const char* kBlue = R"(B="20" G="40" R="200")";
 constexpr const char* kGreen = R"(B="30" G="180" R="60")";

@@ -7,33 +7,34 @@
 
 #include "sfumato/base/image.hpp"
 
-/// Small scenes of Orzan's XML, and pictures.
+/// Small scenes in Orzan's XML, and pictures.
 namespace sfumato::test {
 
-/// One curve element: `points` are whole <control_point/> elements, both sides in one colour.
+/// Returns one curve element: `points` are whole <control_point/> elements; each side has one
+/// colour.
 std::string curve_xml(const std::string& points, const std::string& left, const std::string& right);
 
-/// A control point at x right, y down (the file holds them swapped).
+/// Returns a control point at x right, y down (the file swaps them).
 std::string point_xml(const std::string& x, const std::string& y);
 
-/// A canvas with these curve elements.
+/// Returns a canvas with these curve elements.
 std::string scene_xml(int width, int height, const std::string& curves);
 
-/// A canvas of 64 × 48: a closed curve, orange inside and blue outside, and an open one of two
-/// pieces, green and violet.
+/// Returns a canvas of 64 × 48: a closed curve, orange inside and blue outside, and an open one of
+/// two pieces, green and violet.
 std::string two_curve_scene();
 
-/// `count` open curves spread over a canvas of 512 × 512.
+/// Returns `count` open curves spread over a canvas of 512 × 512.
 std::string busy_scene(int count);
 
 std::string repeated(const std::string& text, std::size_t count);
 
 std::string text_of(const std::vector<std::uint8_t>& bytes);
 
-/// The bytes of a PNG of this image.
+/// Returns the bytes of a PNG of this image.
 std::string png_of(const Image& image);
 
-/// A PNG's image; an empty one where it cannot be decoded.
+/// Returns a PNG's image; an empty one if it cannot be decoded.
 Image image_of(const std::string& png);
 
 }  // namespace sfumato::test

@@ -7,15 +7,17 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <cstdlib>
+#include <thread>
 
 namespace sfumato::test {
 namespace {
 
-/// Only a test that fails waits so long: a busy machine needs less.
+/// Only a failing test waits this long; a busy machine needs less.
 constexpr int kMostSeconds = 500;
 
-/// As much as the other side takes: it may have heard enough.
+/// Sends as much as the other side reads; it may stop early.
 void send_all(int fd, const std::string& bytes) {
   for (std::size_t sent = 0; sent < bytes.size();) {
     const ssize_t count = send(fd, bytes.data() + sent, bytes.size() - sent, MSG_NOSIGNAL);
@@ -62,6 +64,10 @@ std::string ServedCommand::host() const {
 }
 
 std::string ServedCommand::ask(const std::string& request) const {
+  return ask_in_pieces(request, request.size());
+}
+
+std::string ServedCommand::ask_in_pieces(const std::string& request, std::size_t piece) const {
   const int fd = socket(AF_INET, SOCK_STREAM, 0);
   timeval most{kMostSeconds, 0};
   setsockopt(fd, SOL_SOCKET, SO_RCVTIMEO, &most, sizeof(most));
@@ -71,7 +77,10 @@ std::string ServedCommand::ask(const std::string& request) const {
   inet_pton(AF_INET, "127.0.0.1", &address.sin_addr);
   std::string answer;
   if (connect(fd, reinterpret_cast<sockaddr*>(&address), sizeof(address)) == 0) {
-    send_all(fd, request);
+    for (std::size_t i = 0; i < request.size(); i += piece) {
+      if (i > 0) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+      send_all(fd, request.substr(i, piece));
+    }
     char bytes[4096];
     for (ssize_t count = 0; (count = recv(fd, bytes, sizeof(bytes), 0)) > 0;) {
       answer.append(bytes, static_cast<std::size_t>(count));

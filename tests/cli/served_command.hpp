@@ -2,6 +2,7 @@
 
 #include <sys/types.h>
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -11,13 +12,13 @@ namespace sfumato::test {
 /// is ended.
 class ServedCommand {
  public:
-  /// The program and its arguments. Waits for the address.
+  /// Starts the program with its arguments, and waits for the address.
   explicit ServedCommand(std::vector<std::string> words);
   ~ServedCommand();
   ServedCommand(const ServedCommand&) = delete;
   ServedCommand& operator=(const ServedCommand&) = delete;
 
-  /// Ends it by a signal; its exit code, or 128 and the number.
+  /// Ends it by a signal. Returns its exit code, or 128 and the number.
   int stop(int signal_number);
 
   pid_t id() const { return id_; }
@@ -26,8 +27,10 @@ class ServedCommand {
   /// "127.0.0.1:PORT"
   std::string host() const;
 
-  /// What it answers to these bytes, until it closes the connection.
+  /// Returns the answer to these bytes, until the connection closes.
   std::string ask(const std::string& request) const;
+  /// The same where each piece of so many bytes comes by itself.
+  std::string ask_in_pieces(const std::string& request, std::size_t piece) const;
   std::string get(const std::string& path, std::string host = {}) const;
 
  private:
@@ -36,7 +39,7 @@ class ServedCommand {
   std::string address_;
 };
 
-/// What follows the headers of an answer.
+/// Returns the part of an answer after the headers.
 std::string body_of(const std::string& answer);
 
 }  // namespace sfumato::test

@@ -1,4 +1,4 @@
-// `sfumato solve`, and its files given to the other commands.
+// `sfumato solve`, and its files as inputs of the other commands.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -11,7 +11,7 @@
 namespace sfumato::test {
 namespace {
 
-/// A drawing of everything, with a size of its own.
+/// Returns a drawing with every feature and its own size.
 std::string drawing_of_everything() {
   return R"svg(<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1"
      width="96" height="72" viewBox="0 0 64 48" sf:version="1">
@@ -104,7 +104,7 @@ TEST(Solve, options_without_effect_are_named) {
       run_sfumato({"render", "-", "-o", "-", "--rays", "9", "--max-error", "2"}, solved());
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_EQ(result.err,
-            "<stdin>: error: --rays, --max-error: expected with a drawing only; this is a solved "
+            "<stdin>: error: --rays, --max-error: only for drawings, but this is a solved "
             "picture, `sfumato solve` takes them\n");
   EXPECT_EQ(result.out, "");
   const CommandResult pdf =
@@ -118,7 +118,7 @@ TEST(Solve, info_says_what_is_in_it) {
   const CommandResult table = run_sfumato({"info", "-"}, picture);
   EXPECT_EQ(table.exit_code, 0) << table.err;
   for (const std::string line :
-       {"  format                  solved picture, version 1\n",
+       {"  format                  solved picture, version 2\n",
         "  viewport                64 x 48\n", "  size                    96 x 72 px\n",
         "  solved for              1.5 pixels per user unit\n",
         "  layers                  1 (2 instances)\n", "  groups                  1\n",
@@ -126,7 +126,7 @@ TEST(Solve, info_says_what_is_in_it) {
     EXPECT_NE(table.out.find(line), std::string::npos) << line << table.out;
   }
   const CommandResult json = run_sfumato({"info", "--json", "-"}, picture);
-  EXPECT_NE(json.out.find("\"format\":\"solved picture\",\"version\":1,\"bytes\":" +
+  EXPECT_NE(json.out.find("\"format\":\"solved picture\",\"version\":2,\"bytes\":" +
                           std::to_string(picture.size())),
             std::string::npos)
       << json.out;
@@ -147,7 +147,7 @@ TEST(Solve, other_commands_say_what_it_is) {
     if (call[0] == "edit") continue;  // needs the editor's page
     const CommandResult result = run_sfumato(call);
     EXPECT_EQ(result.exit_code, 1) << call[0];
-    EXPECT_NE(result.err.find("this is a solved picture, expected "), std::string::npos)
+    EXPECT_NE(result.err.find("this is a solved picture; use "), std::string::npos)
         << call[0] << ": " << result.err;
   }
   EXPECT_EQ(folder.names().size(), 2u);
@@ -167,7 +167,7 @@ TEST(Solve, damaged_files_are_refused_in_plain_words) {
   const Case cases[] = {
       {good.substr(0, good.size() / 2), " bytes, "},
       {altered, "damaged: the checksum of its bytes is another"},
-      {later, "a solved picture of version 9; only version 1 can be read"},
+      {later, "a solved picture of version 9; only version 2 can be read"},
       {swapped, "a solved picture of a machine with the other byte order"},
   };
   for (const Case& one : cases) {
@@ -204,7 +204,7 @@ TEST(Solve, wrong_calls_are_refused) {
   EXPECT_NE(error_of({"render", in, "-o", folder.path("a.sfp")}).find("`sfumato solve`"),
             std::string::npos);
   EXPECT_NE(error_of({"solve", in, "-o", folder.path("a.sfp"), "--method", "pixels"})
-                .find("makes no picture"),
+                .find("makes no solved picture"),
             std::string::npos);
   EXPECT_NE(error_of({"solve", in, "-o", folder.path("a.sfp"), "--scale", "2", "--width", "9"})
                 .find("--scale"),
@@ -232,7 +232,7 @@ TEST(Solve, the_file_is_replaced_in_one_step_or_not_at_all) {
   const std::string out = folder.add("a.sfp", "as it was");
   EXPECT_EQ(run_sfumato({"solve", in, "-o", out, "--limit", "curves=0"}).exit_code, 3);
   EXPECT_TRUE(read_whole(out) == "as it was");
-  EXPECT_EQ(run_sfumato({"solve", in, "-o", "/dev/full"}).exit_code, 2);  // no .sfp
+  EXPECT_EQ(run_sfumato({"solve", in, "-o", "/dev/full"}).exit_code, 2);  // not an .sfp
   EXPECT_EQ(run_sfumato({"solve", in, "-o", out}).exit_code, 0);
   EXPECT_EQ(folder.names().size(), 2u);
 }

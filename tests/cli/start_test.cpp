@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "cli/commands/templates.hpp"
 #include "cli/run_command.hpp"
-#include "cli/templates.hpp"
 
 namespace sfumato::test {
 namespace {

@@ -1,10 +1,10 @@
-#include "cli/stats.hpp"
+#include "cli/commands/stats.hpp"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "cli/trace_stats.hpp"
+#include "cli/commands/trace_stats.hpp"
 
 namespace sfumato::cli {
 namespace {
@@ -36,7 +36,7 @@ TEST(TraceStats, of_many_curves_are_read_at_a_glance) {
 
 TEST(TraceStats, are_written_in_the_order_of_the_manual) {
   TraceFacts facts;
-  facts.trace = {{{1, 2, 3, 4, 5, 6.5, 7}}, 0.5, 0.25, 8, 9};
+  facts.trace = {{{1, 2, 3, 4, 5, 6.5, 7}}, false, 0.5, 0.25, 8, 9};
   facts.threads = 2;
   facts.read_seconds = 1;
   facts.trace_seconds = 2;

@@ -1,5 +1,5 @@
-// SVG that is wrong or hostile, at the command line: the documented exit code, one line with the
-// place, soon, with little memory, and nothing half-written.
+// Wrong or hostile SVG at the command line: the documented exit code, one line with the place,
+// after a short time, with little memory, and no half-written file.
 #include <gtest/gtest.h>
 
 #include <ostream>
@@ -16,39 +16,39 @@ namespace sfumato::test {
 namespace {
 
 constexpr std::size_t kMillion = 1'000'000;
-/// Processor time is granted in multiples of what the command takes to draw an example in the same
-/// run, so that a slow machine lengthens both; and this much in any case.
+/// The allowed processor time is a multiple of the time for an example in the same run, so that a
+/// slow machine lengthens both; and at least the constant below.
 constexpr double kMostReferences = 14;
 constexpr double kLittleSeconds = 0.25;
 constexpr std::size_t kMostBytes = std::size_t{256} << 20;
 
-/// Debug builds and sanitizers take longer and more.
+/// Debug builds and sanitizers take more time and memory.
 #if defined(NDEBUG) && !SFUMATO_HAS_SANITIZER
 constexpr bool kIsMeasured = true;
 #else
 constexpr bool kIsMeasured = false;
 #endif
 
-/// Line 1 is the <svg>, the content begins on line 2.
+/// Returns a text whose line 1 is the <svg>; the content begins on line 2.
 std::string svg_of_lines(const std::string& content) {
   return "<svg xmlns='http://www.w3.org/2000/svg' xmlns:sf='urn:sfumato:1' viewBox='0 0 100 50' "
          "sf:version='1'>\n" +
          content + "\n</svg>\n";
 }
 
-/// A layer whose only curve, on line 2, has these attributes; then more content.
+/// Returns a layer whose only curve, on line 2, has these attributes; then more content.
 std::string layer_of_curve(const std::string& attributes, const std::string& more = "") {
   return svg_of_lines("<g sf:diffuse='true'><path d='M9 9h80' " + attributes + "/></g>\n" + more);
 }
 
-/// A curve with a gradient on line 3.
+/// Returns a curve with a gradient on line 3.
 std::string gradient(const std::string& attributes, const std::string& stops) {
   return layer_of_curve("sf:left='url(#p)'",
                         "<linearGradient id='p' gradientUnits='userSpaceOnUse' " + attributes +
                             ">" + stops + "</linearGradient>");
 }
 
-/// A curve with a texture on line 4.
+/// Returns a curve with a texture on line 4.
 std::string textured(const std::string& href) {
   return layer_of_curve(
       "sf:left='url(#p)'",
@@ -58,7 +58,7 @@ std::string textured(const std::string& href) {
 
 const std::string kLayer = "<g sf:diffuse='true'><path d='M9 9h80' sf:left='red'/></g>";
 
-/// 10⁹ times `first` through nine groups of ten <use> each, on line 2.
+/// Returns 10⁹ times `first` through nine groups of ten <use> each, on line 2.
 std::string laughs(const std::string& first) {
   std::string groups = "<g id='g0'>" + first + "</g>";
   for (int i = 1; i <= 9; ++i) {
@@ -74,7 +74,7 @@ void set_word(std::string& bytes, std::size_t at, std::size_t value, int byte_co
   }
 }
 
-/// A PNG whose header promises that size, and 1 kB.
+/// Returns a PNG of 1 kB whose header claims that size.
 std::string lying_png(std::size_t width, std::size_t height) {
   std::string png = text_of(png_file(15, 15));
   set_word(png, 16, width, 4);
@@ -101,7 +101,7 @@ struct BadDrawing {
   const char* name;
   std::string (*content)();
   int exit_code;
-  const char* message;  ///< behind "bad.svg:", to the end of the line
+  const char* message;  ///< text after "bad.svg:", to the end of the line
   std::string (*texture)() = nullptr;
 };
 
@@ -115,8 +115,8 @@ std::string name_of_bad_drawing(const testing::TestParamInfo<BadDrawing>& bad) {
 
 class SvgBadInput : public testing::TestWithParam<BadDrawing> {
  protected:
-  /// Writes bad.svg and what it refers to. This process stays small: the commands' peak of memory
-  /// begins at its own.
+  /// Writes bad.svg and the files that it refers to. This process stays small, because the
+  /// commands' memory peak begins at its own.
   SvgBadInput() : input_(folder_.add("bad.svg", GetParam().content())) {
     if (GetParam().texture) folder_.add("texture", GetParam().texture());
   }
@@ -183,22 +183,22 @@ const BadDrawing kReferences[] = {
        return layer_of_curve("sf:left='url(#p0)'", chain);
      },
      3,
-     "3:1: error: more than the limit of 256 paints that inherit from each other "
-     "(--limit xml-depth=N sets another)"},
+     "3:1: error: more than the limit of 256 paints that inherit from each other"
+     "; --limit xml-depth=N goes up to 256"},
 };
 
-// Files that are missing or lie elsewhere: svg_input_test.cpp.
+// svg_input_test.cpp has files that are missing or lie elsewhere.
 const BadDrawing kTextures[] = {
     {"lying_png", [] { return textured("texture"); }, 3,
      "4:1: error: \"texture\": an image of 60000 × 60000 pixels; the limit is 16384 pixels on a "
-     "side (--limit image-side=N sets another)",
+     "side; --limit image-side=N goes up to 16384; use a smaller image",
      [] { return lying_png(60'000, 60'000); }},
     {"lying_png_within_the_limits", [] { return textured("texture"); }, 1,
      "4:1: error: \"texture\": the PNG image is damaged: too few bytes for 8000 × 8000 pixels",
      [] { return lying_png(8'000, 8'000); }},
     {"lying_jpeg", [] { return textured("texture"); }, 3,
      "4:1: error: \"texture\": an image of 60000 × 60000 pixels; the limit is 16384 pixels on a "
-     "side (--limit image-side=N sets another)",
+     "side; --limit image-side=N goes up to 16384; use a smaller image",
      [] { return lying_jpeg(60'000, 60'000); }},
     {"lying_jpeg_within_the_limits", [] { return textured("texture"); }, 1,
      "4:1: error: \"texture\": the JPEG image is damaged: too few bytes for 8000 × 8000 pixels",
@@ -210,10 +210,10 @@ const BadDrawing kTextures[] = {
      },
      3,
      "4:1: error: the data: URI: an image of 16000 × 16000 pixels; the limit is 64000000 "
-     "texels (--limit texels=N sets another)"},
+     "texels; raise the limit with --limit texels=N"},
     {"huge_file", [] { return textured("texture"); }, 3,
-     "4:1: error: \"texture\": more than the limit of 67108864 bytes in the file "
-     "(--limit image-file-bytes=N sets another)",
+     "4:1: error: \"texture\": more than the limit of 67108864 bytes in the file"
+     "; raise the limit with --limit image-file-bytes=N",
      [] { return text_of(png_file(4, 4)) + std::string(std::size_t{64} << 20, '\0'); }},
     {"corrupt", [] { return textured("texture"); }, 1,
      "4:1: error: \"texture\": the PNG image is damaged: IDAT stream error", damaged_png},
@@ -221,7 +221,7 @@ const BadDrawing kTextures[] = {
      "4:1: error: \"texture\": the PNG image is damaged: end of stream",
      [] { return text_of(png_file(15, 15)).substr(0, 500); }},
     {"empty_file", [] { return textured("texture"); }, 1,
-     "4:1: error: \"texture\": the image is neither a PNG nor a JPEG",
+     "4:1: error: \"texture\": the image is neither a PNG nor a JPEG, but an empty file",
      [] { return std::string(); }},
     {"text", [] { return textured("texture"); }, 1,
      "4:1: error: \"texture\": the image is neither a PNG nor a JPEG",
@@ -230,43 +230,43 @@ const BadDrawing kTextures[] = {
 
 const BadDrawing kStopLists[] = {
     {"empty", [] { return layer_of_curve("sf:left=''"); }, 1,
-     "2:22: error: sf:left of <path>: is empty; expected a list of stops"},
+     "2:22: error: sf:left of <path>: is empty; use a list of stops"},
     {"of_commas", [] { return layer_of_curve("sf:blur=',,'"); }, 1,
      "2:22: error: sf:blur of <path>: a stop is missing beside a comma"},
     {"empty_gradient", [] { return gradient("", ""); }, 1,
-     "3:1: error: the gradient has no stops; expected one at least"},
+     "3:1: error: the gradient has no stops; add at least one"},
     {"out_of_order", [] { return layer_of_curve("sf:left='red 90%, lime 20%, blue 50%'"); }, 0, ""},
     {"out_of_order_in_a_gradient",
      [] { return gradient("", "<stop offset='.9'/><stop offset='.2' stop-color='red'/>"); }, 0, ""},
     {"nan_offset", [] { return layer_of_curve("sf:left='red nan%'"); }, 1,
-     "2:22: error: sf:left of <path>: the offset \"nan%\" is none; expected 0% to 100% of the "
+     "2:22: error: sf:left of <path>: the offset \"nan%\" is none; use 0% to 100% of the "
      "length, or @ and a segment like @2.5"},
     {"nan_value", [] { return layer_of_curve("sf:left='red' sf:opacity='1, nan'"); }, 1,
-     "2:22: error: sf:opacity of <path>: \"nan\" is no opacity; expected a number from 0 to 1"},
+     "2:22: error: sf:opacity of <path>: \"nan\" is not a valid opacity; use a number from 0 to 1"},
     {"nan_in_a_gradient", [] { return gradient("", "<stop offset='nan'/>"); }, 1,
-     "3:56: error: offset of <stop> is \"nan\"; expected a number from 0 to 1 or a percentage"},
+     "3:56: error: offset of <stop> is \"nan\"; use a number from 0 to 1 or a percentage"},
     {"million_colours",
      [] { return layer_of_curve("sf:left='red" + repeated(",blue", kMillion) + "'"); }, 3,
-     "2:22: error: sf:left of <path>: more than the limit of 10000 stops in one list "
-     "(--limit stops-per-list=N sets another)"},
+     "2:22: error: sf:left of <path>: more than the limit of 10000 stops in one list"
+     "; raise the limit with --limit stops-per-list=N"},
     {"million_opacities",
      [] {
        return layer_of_curve("sf:left='red' sf:right-opacity='1" + repeated(",0", kMillion) + "'");
      },
      3,
-     "2:22: error: sf:right-opacity of <path>: more than the limit of 10000 stops in one list "
-     "(--limit stops-per-list=N sets another)"},
+     "2:22: error: sf:right-opacity of <path>: more than the limit of 10000 stops in one list"
+     "; raise the limit with --limit stops-per-list=N"},
     {"million_radii",
      [] {
        return svg_of_lines("<path d='M9 9h80' sf:left='red' sf:radius='1" +
                            repeated(",2", kMillion) + "'/>");
      },
      3,
-     "2:1: error: sf:radius of <path>: more than the limit of 10000 stops in one list "
-     "(--limit stops-per-list=N sets another)"},
+     "2:1: error: sf:radius of <path>: more than the limit of 10000 stops in one list"
+     "; raise the limit with --limit stops-per-list=N"},
     {"million_in_a_gradient", [] { return gradient("", repeated("<stop/>", kMillion)); }, 3,
-     "3:70056: error: more than the limit of 10000 stops in one gradient "
-     "(--limit stops-per-list=N sets another)"},
+     "3:70056: error: more than the limit of 10000 stops in one gradient"
+     "; raise the limit with --limit stops-per-list=N"},
 };
 
 const BadDrawing kBombs[] = {
@@ -279,22 +279,25 @@ const BadDrawing kBombs[] = {
        }
        return "<!DOCTYPE svg [" + entities + "]>" + svg_of_lines("<g id='&a9;'>&a9;</g>" + kLayer);
      },
-     0, ""},
-    {"uses_of_layers", [] { return svg_of_lines(laughs(kLayer) + "<use href='#g9'/>"); }, 3,
+     3,
+     "2:8: error: more than the limit of 1048576 bytes of entities; raise the limit with --limit "
+     "entity-bytes=N"},
+    {"uses_of_layers",
+     [] { return svg_of_lines(laughs(repeated(kLayer, 10)) + "<use href='#g9'/>"); }, 3,
      "2:18: error: more than the limit of 200000 layers, local curves and groups after every use "
-     "was followed "
-     "(--limit stack-items=N sets another)"},
+     "was followed"
+     "; raise the limit with --limit stack-items=N"},
     {"uses_of_nothing", [] { return svg_of_lines(laughs("") + "<use href='#g9'/>"); }, 3,
-     "2:7: error: more than the limit of 1000000 elements read through <use> "
-     "(--limit used-elements=N sets another)"},
+     "2:7: error: more than the limit of 400000 elements read through <use>"
+     "; raise the limit with --limit used-elements=N"},
     {"uses_of_curves",
      [] {
-       return svg_of_lines(laughs("<path d='M9 9h9' sf:left='red'/>") +
+       return svg_of_lines(laughs(repeated("<path d='M9 9h9' sf:left='red'/>", 10)) +
                            "<g sf:diffuse='true'><use href='#g9'/></g>");
      },
      3,
-     "2:18: error: more than the limit of 200000 curves "
-     "(--limit curves=N sets another)"},
+     "2:18: error: more than the limit of 200000 curves"
+     "; raise the limit with --limit curves=N"},
     {"uses_of_stops",
      [] {
        return svg_of_lines(
@@ -302,12 +305,12 @@ const BadDrawing kBombs[] = {
            "<g sf:diffuse='true'><use href='#g9'/></g>");
      },
      3,
-     "2:18: error: more than the limit of 16777216 bytes read again through <use> or for paints "
-     "(--limit used-bytes=N sets another)"},
+     "2:18: error: more than the limit of 16777216 bytes read again through <use> or for paints"
+     "; raise the limit with --limit used-bytes=N"},
     {"nested_groups",
      [] { return svg_of_lines(repeated("<g>", kMillion) + repeated("</g>", kMillion)); }, 3,
-     "2:766: error: more than the limit of 256 elements within each other "
-     "(--limit xml-depth=N sets another)"},
+     "2:766: error: more than the limit of 256 elements within each other"
+     "; --limit xml-depth=N goes up to 256"},
 };
 
 const BadDrawing kValues[] = {
@@ -326,16 +329,17 @@ const BadDrawing kValues[] = {
      1, "2:22: error: d of <path>: at character 1, before \"xxxxxxxxxxxx\": expected M or m"},
     {"negative_radius_of_a_circle",
      [] { return svg_of_lines("<g sf:diffuse='true'><circle r='-1'/></g>"); }, 1,
-     "2:22: error: r of <circle> is negative; expected 0 or more"},
+     "2:22: error: r of <circle> is negative; use 0 or more"},
     {"negative_radius_of_a_corner",
      [] { return svg_of_lines("<g sf:diffuse='true'><rect width='3' height='3' rx='-1'/></g>"); },
-     1, "2:22: error: rx of <rect> is negative; expected 0 or more"},
+     1, "2:22: error: rx of <rect> is negative; use 0 or more"},
     {"negative_radius_of_blur", [] { return layer_of_curve("sf:left='red' sf:blur='3, -1'"); }, 1,
-     "2:22: error: sf:blur of <path>: \"-1\" is no blur radius; expected a number from 0 to "
+     "2:22: error: sf:blur of <path>: \"-1\" is not a valid blur radius; use a number from 0 to "
      "10000000"},
     {"negative_radius_of_influence",
      [] { return svg_of_lines("<path d='M9 9h80' sf:left='red' sf:radius='-1'/>"); }, 1,
-     "2:1: error: sf:radius of <path>: \"-1\" is no radius of influence; expected a number from 0 "
+     "2:1: error: sf:radius of <path>: \"-1\" is not a valid radius of influence; use a number "
+     "from 0 "
      "to 10000000"},
     {"negative_radius_of_a_gradient",
      [] {
@@ -343,15 +347,15 @@ const BadDrawing kValues[] = {
                              "<radialGradient id='p' gradientUnits='userSpaceOnUse' r='-1'><stop/>"
                              "</radialGradient>");
      },
-     1, "3:1: error: r is negative; expected 0 or more"},
+     1, "3:1: error: r is negative; use 0 or more"},
     {"alpha_in_hex", [] { return layer_of_curve("sf:left='#ff000080'"); }, 1,
-     "2:22: error: sf:left of <path>: the colour \"#ff000080\" is not opaque; expected an opaque "
+     "2:22: error: sf:left of <path>: the colour \"#ff000080\" is not opaque; use an opaque "
      "colour, and sf:left-opacity, sf:right-opacity or sf:opacity for the opacity"},
     {"alpha_in_rgba", [] { return layer_of_curve("sf:right='lime, rgba(255,0,0,.5)'"); }, 1,
-     "2:22: error: sf:right of <path>: the colour \"rgba(255,0,0,.5)\" is not opaque; expected an "
+     "2:22: error: sf:right of <path>: the colour \"rgba(255,0,0,.5)\" is not opaque; use an "
      "opaque colour, and sf:left-opacity, sf:right-opacity or sf:opacity for the opacity"},
     {"alpha_of_transparent", [] { return layer_of_curve("sf:left='transparent'"); }, 1,
-     "2:22: error: sf:left of <path>: the colour \"transparent\" is not opaque; expected an opaque "
+     "2:22: error: sf:left of <path>: the colour \"transparent\" is not opaque; use an opaque "
      "colour, and sf:left-opacity, sf:right-opacity or sf:opacity for the opacity"},
     {"alpha_of_1", [] { return layer_of_curve("sf:left='#ff0000ff'"); }, 0, ""},
 };

@@ -1,4 +1,4 @@
-// SVG documents at the command line: where textures are read from, and what is told.
+// SVG documents at the command line: the folders of textures, and the messages.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <zlib.h>
@@ -28,7 +28,7 @@ std::string texture() {
   return png_of({2, 2, PixelFormat::rgb8, std::vector<std::uint8_t>(12, 99)});
 }
 
-/// A folder with art/drawing.svg, and wood.png in it, in art, art/sub and art-of-others.
+/// A folder with art/drawing.svg, and wood.png in the folder, in art, art/sub and art-of-others.
 class SvgInput : public testing::Test {
  protected:
   SvgInput() {
@@ -83,8 +83,7 @@ TEST_F(SvgInput, textures_are_read_from_beside_the_document) {
 
 TEST_F(SvgInput, textures_from_elsewhere_need_leave) {
   const std::string outside = ", outside of " + real("art") +
-                              "; expected a file there or below, or --allow-files with another "
-                              "folder\n";
+                              "; move the file there, or allow its folder with --allow-files DIR\n";
   for (const std::string& href : {std::string("../wood.png"), std::string("sub/../../wood.png"),
                                   std::string("..%2Fwood.png"), folder_.path("wood.png")}) {
     expect_refused(href, ": leads to " + real("wood.png") + outside);
@@ -94,7 +93,7 @@ TEST_F(SvgInput, textures_from_elsewhere_need_leave) {
     expect_refused(href, " and " + real("other") + ";", {folder_.path("other")});
   }
   expect_refused("/etc/passwd", ": leads to /etc/passwd" + outside);
-  // Of two folders whose names begin alike, one does not hold the other's files.
+  // A folder whose name begins like another's does not hold the other's files.
   expect_refused("../art-of-others/wood.png", outside);
 }
 
@@ -116,8 +115,8 @@ TEST_F(SvgInput, folders_that_do_not_exist_are_bad_usage) {
   for (const std::string& name : {folder_.path("none"), folder_.path("wood.png"), std::string()}) {
     const CommandResult result = info_of("wood.png", {name});
     EXPECT_EQ(result.exit_code, 2) << name;
-    EXPECT_TRUE(result.err.starts_with("sfumato: error: --allow-files: \"" + name +
-                                       "\" given, expected a folder that exists\n"))
+    EXPECT_TRUE(result.err.starts_with("sfumato: error: --allow-files: there is no folder \"" +
+                                       name + "\"; use a folder that exists\n"))
         << result.err;
   }
 }
@@ -135,7 +134,7 @@ TEST_F(SvgInput, symbolic_links_do_not_lead_out) {
   expect_read("inside.png");
   expect_read("up/art/wood.png");
   expect_refused("loop.png", "Too many levels of symbolic links");
-  // The allowed folder may be a link itself.
+  // The allowed folder may itself be a link.
   expect_read("../wood.png", {folder_.path("art/up")});
 }
 
@@ -158,7 +157,7 @@ TEST_F(SvgInput, other_places_are_refused) {
   expect_refused("sub", "is not a file");
   expect_refused(".", "is not a file", {folder_.path("")});
   expect_refused("wood.png/more.png", "there is no such file");
-  expect_refused("a%00b.png", "is no file name");
+  expect_refused("a%00b.png", "is not a file name");
   const CommandResult long_name = info_of(std::string(5000, 'a'));
   EXPECT_EQ(long_name.exit_code, 1);
   EXPECT_NE(long_name.err.find("cannot be read: File name too long\n"), std::string::npos);
@@ -167,7 +166,7 @@ TEST_F(SvgInput, other_places_are_refused) {
 TEST_F(SvgInput, nothing_is_fetched) {
   for (const char* href : {"http://example.org/wood.png", "https://example.org/wood.png",
                            "//example.org/wood.png", "file:wood.png", "FTP:wood.png"}) {
-    expect_refused(href, "is not read: nothing is fetched; expected a file", {"/"});
+    expect_refused(href, "is not read: nothing is fetched; use a file", {"/"});
   }
 }
 

@@ -1,16 +1,16 @@
-// Nothing that a drawing or a name holds makes a terminal do what it says, or JSON what it is not.
+// No text of a drawing or a name can control a terminal or break JSON.
 #include <gtest/gtest.h>
 
 #include <array>
 
-#include "base/utf8.hpp"
+#include "base/text/utf8.hpp"
 #include "cli/run_command.hpp"
 #include "cli/scenes.hpp"
 
 namespace sfumato::test {
 namespace {
 
-/// CSI of C0 and of C1, an override of direction, DEL, a byte that is no UTF-8.
+/// CSI of C0 and of C1, an override of direction, DEL, a byte that is not UTF-8.
 const std::string kHarmful =
     "e\x1b[31m\xc2\x9b"
     "1m\xe2\x80\xae\x7f\xff";

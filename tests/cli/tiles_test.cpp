@@ -1,4 +1,4 @@
-// `sfumato tiles`: bad usage and input, shards that are killed, and a disk that is full.
+// `sfumato tiles`: bad usage and input, killed shards, and a full disk.
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <unistd.h>
@@ -98,12 +98,12 @@ TEST(Tiles, bad_usage_is_named) {
       {{"-o", "deep", "--shard", "-1/4"}, "I/N"},
       {{"-o", "deep", "--shard", "0/0"}, "I/N"},
       {{"-o", "deep", "--tile", "8"}, "from 16 to 4096"},
-      {{"-o", "deep", "--tile", "16", "--overlap", "16"}, "less than a tile"},
+      {{"-o", "deep", "--tile", "16", "--overlap", "16"}, "less than the side of a tile"},
       {{"-o", "deep", "--format", "tiff"}, "png|webp|jpg"},
       {{"-o", "deep", "--quality", "50"}, "JPEG"},
       {{"-o", "deep", "--scale", "2", "--width", "9"}, "--width and --height"},
       {{"-o", "deep", "--format", "jpg", "--background", "none"}, "no alpha"},
-      {{"-o", "-"}, "a folder or a file"},
+      {{"-o", "-"}, "use a folder, NAME.dzi or NAME.tif"},
       {{"-o", "a.tif", "--shard", "0/2"}, "one file"},
       {{"-o", "a.tif", "--overlap", "1"}, "Deep Zoom only"},
       {{"-o", "a.tif", "--format", "png"}, "Deep Zoom only"},
@@ -127,7 +127,7 @@ TEST(Tiles, bad_input_and_limits_are_told) {
   const CommandResult drawing =
       run_sfumato({"tiles", folder.add("a.xml", two_curve_scene()), "-o", out});
   EXPECT_EQ(drawing.exit_code, 1);
-  EXPECT_TRUE(contains(drawing.err, "expected a solved picture, which `sfumato solve` makes"))
+  EXPECT_TRUE(contains(drawing.err, "use a solved picture, which `sfumato solve` makes"))
       << drawing.err;
   const std::string cut = folder.add("cut.sfp", read_whole(picture).substr(0, 3000));
   EXPECT_EQ(run_sfumato({"tiles", cut, "-o", out}).exit_code, 1);
@@ -155,6 +155,24 @@ TEST(Tiles, a_full_disk_is_told_and_a_second_call_goes_on) {
   EXPECT_EQ(run_sfumato({"tiles", picture, "-o", out}).exit_code, 0);
   EXPECT_EQ(run_sfumato({"tiles", picture, "-o", folder.path("clean/scene.dzi")}).exit_code, 0);
   EXPECT_TRUE(content_of(out) == content_of(folder.path("clean")));
+}
+
+TEST(Tiles, of_two_pictures_that_begin_at_once_are_not_mixed) {
+  const TemporaryFolder folder;
+  const std::string first = solved_in(folder), second = folder.path("other.sfp");
+  ASSERT_EQ(run_sfumato({"solve", "-", "-o", second, "--scale", "4"}, two_curve_scene()).exit_code,
+            0);
+  for (int turn = 0; turn < 8; ++turn) {
+    const std::string out = folder.path("deep" + std::to_string(turn) + ".dzi");
+    const auto call = [&](const std::string& picture) {
+      return Names{sfumato_program(), "tiles", picture,     "-o", out,      "--width", "64",
+                   "--tile",          "16",    "--threads", "1",  "--quiet"};
+    };
+    RunningCommand one(call(first), {}), other(call(second), {});
+    const CommandResult results[] = {one.wait(), other.wait()};
+    EXPECT_EQ(results[0].exit_code + results[1].exit_code, 3) << results[0].err << results[1].err;
+    EXPECT_TRUE(contains(results[0].err + results[1].err, "tiles of another picture"));
+  }
 }
 
 TEST(Tiles, shards_that_are_killed_or_meet_leave_what_one_call_makes) {

@@ -1,5 +1,5 @@
-// `sfumato trace`: files, options, what is said, and what is refused. How good drawings are is the
-// affair of the tests of trace().
+// `sfumato trace`: files, options, messages and refusals. The tests of trace() check the quality of
+// drawings.
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -15,13 +15,14 @@
 #include "formats/image_files.hpp"
 #include "formats/photo_files.hpp"
 #include "support/places.hpp"
+#include "support/stroke_page.hpp"
 
 namespace sfumato::test {
 namespace {
 
 using Names = std::vector<std::string>;
 
-/// A disc on a ground of another colour.
+/// Returns a disc on a ground of another colour.
 Image disc(int width, int height) {
   Image image{width, height, PixelFormat::rgb8, {}};
   for (int y = 0; y < height; ++y) {
@@ -48,7 +49,7 @@ CommandResult trace(const TemporaryFolder& folder, const std::string& picture,
   return run_sfumato(std::move(options));
 }
 
-/// Whether a drawing is of this size, and `render` draws it.
+/// Expects a drawing of this size that `render` draws.
 void expect_drawing(const std::string& path, int width, int height) {
   const CommandResult facts = run_sfumato({"info", path, "--json"});
   EXPECT_EQ(facts.exit_code, 0) << facts.err;
@@ -116,6 +117,22 @@ TEST(Trace, takes_pictures_of_every_kind) {
   }
 }
 
+TEST(Trace, strokes_that_too_few_points_lose_are_a_warning) {
+  const TemporaryFolder folder;
+  const std::string page = png_of(stroke_page(6, 3));
+  const CommandResult lost = trace(folder, page, {"--points", "80", "--stats", "-"});
+  EXPECT_EQ(lost.exit_code, 0) << lost.err;
+  expect_drawing(folder.path("out.svg"), 144, 72);
+  std::smatch needed;
+  const std::regex warning(
+      "in\\.png: warning: .*trace is for photographs.* about ([0-9]+) control ");
+  ASSERT_TRUE(std::regex_search(lost.err, needed, warning)) << lost.err;
+  EXPECT_TRUE(contains(lost.out, ",\"points_needed\":" + needed[1].str())) << lost.out;
+  const CommandResult all = trace(folder, page, {"--points", needed[1]});
+  EXPECT_FALSE(contains(all.err, "warning")) << all.err;
+  EXPECT_EQ(trace(folder, page, {"--points", "80", "--quiet"}).err, "");
+}
+
 TEST(Trace, photos_stand_upright) {
   const TemporaryFolder folder;
   const std::string photo = text_of(with_exif(jpeg_file(30, 10, 3, {200, 9, 9, 0}), exif_of(6)));
@@ -149,14 +166,14 @@ TEST(Trace, what_is_no_picture_is_one_message_and_no_file) {
   const Bytes long_one = png_of(1, 20'000, 8, 0, Bytes(40'000));
   const Bytes many = png_of(16'000, 16'000, 8, 2, Bytes(1000));
   const BadPicture cases[] = {
-      {"empty", "", 1, "in.png: error: is an empty file; expected a PNG, a JPEG or a WebP"},
-      {"text", "hello", 1, "in.png: error: is no picture; expected"},
+      {"empty", "", 1, "in.png: error: is an empty file; use a PNG, a JPEG or a WebP"},
+      {"text", "hello", 1, "in.png: error: is not a picture; use"},
       {"drawing", two_curve_scene(), 1, "in.png: error: is "},
       {"cut PNG", disc_png().substr(0, 100), 1, "in.png: error: the PNG image is damaged"},
       {"cut JPEG", jpeg.substr(0, jpeg.size() / 2), 1, "in.png: error: the JPEG image is damaged"},
-      {"huge", text_of(huge), 3, "the limit is 16384 pixels on a side (--limit image-side=N"},
+      {"huge", text_of(huge), 3, "the limit is 16384 pixels on a side; --limit image-side=N"},
       {"long", text_of(long_one), 3, "an image of 1 × 20000 pixels; the limit is 16384"},
-      {"many pixels", text_of(many), 3, "(--limit texels=N sets another)"},
+      {"many pixels", text_of(many), 3, "; raise the limit with --limit texels=N"},
   };
   for (const BadPicture& bad : cases) {
     const TemporaryFolder folder;
@@ -188,7 +205,7 @@ TEST(Trace, files_that_cannot_be_read_or_written_are_told) {
   const std::string large = folder.add("large.png", png_of(disc(700, 700)));
   const CommandResult no_room = run_sfumato({"trace", large, "-o", out, "--max-memory", "1"});
   EXPECT_EQ(no_room.exit_code, 3);
-  EXPECT_TRUE(contains(no_room.err, "(--max-memory sets another)")) << no_room.err;
+  EXPECT_TRUE(contains(no_room.err, "; raise the limit with --max-memory MIB")) << no_room.err;
   EXPECT_EQ(run_sfumato({"trace", picture, "-o", out, "--limit", "image-file-bytes=9"}).exit_code,
             3);
   EXPECT_EQ(folder.names(), (Names{"in.png", "large.png"}));
@@ -243,35 +260,37 @@ struct BadTraceUsage {
 
 TEST(Trace, wrong_options_are_told_and_nothing_is_done) {
   const BadTraceUsage cases[] = {
-      {{"--points", "0"}, "expected a whole number from 1 to 4000000"},
-      {{"--detail", "1.5"}, "expected a number from 0 to 1"},
-      {{"--detail", "nan"}, "expected a number from 0 to 1"},
+      {{"--points", "0"}, "use a whole number from 1 to 4000000"},
+      {{"--detail", "1.5"}, "use a number from 0 to 1"},
+      {{"--detail", "nan"}, "use a number from 0 to 1"},
       {{"--points", "9", "--detail", "0.5"}, "excludes"},
-      {{"--max-curves", "-1"}, "expected a whole number from 1 to 200000"},
-      {{"--psnr", "0"}, "expected decibels above 0"},
-      {{"--psnr", "inf"}, "expected decibels above 0"},
-      {{"--blur", "maybe"}, "expected one of on|off|fixed"},
-      {{"--smooth", "-1"}, "expected a number of pixels from 0 to 32"},
-      {{"--stops", "most"}, "expected one of few|normal|many"},
-      {{"--max-side", "4"}, "expected a whole number of pixels from 16 to 16384"},
-      {{"--seed", "-1"}, "expected a whole number"},
-      {{"--threads", "0"}, "expected a whole number from 1 to 1024"},
+      {{"--max-curves", "-1"}, "use a whole number from 1 to 200000"},
+      {{"--psnr", "0"}, "use decibels above 0"},
+      {{"--psnr", "inf"}, "use decibels above 0"},
+      {{"--blur", "maybe"}, "use one of on|off|fixed"},
+      {{"--smooth", "-1"}, "use a number of pixels from 0 to 32"},
+      {{"--stops", "most"}, "use one of few|normal|many"},
+      {{"--max-side", "4"}, "use a whole number of pixels from 16 to 16384"},
+      {{"--seed", "-1"}, "use a whole number"},
+      {{"--threads", "0"}, "use a whole number from 1 to 1024"},
       {{"--max-time", "0"}, "--max-time"},
-      {{"--format", "svg"}, "no option of trace"},
-      {{"--colors-only", "a.svg", "--points", "9"}, "--points: has no place with --colors-only"},
-      {{"--colors-only", "a.svg", "--no-alpha"}, "--no-alpha: has no place with --colors-only"},
-      {{"--colors-only", "a.svg", "--texture"}, "--texture: has no place with --colors-only"},
+      {{"--format", "svg"}, "unknown option \"--format\" for trace"},
+      {{"--colors-only", "a.svg", "--points", "9"},
+       "--points: cannot be combined with --colors-only"},
+      {{"--colors-only", "a.svg", "--no-alpha"},
+       "--no-alpha: cannot be combined with --colors-only"},
+      {{"--colors-only", "a.svg", "--texture"}, "--texture: cannot be combined with --colors-only"},
       {{"--only", "0:0"}, "--only requires --colors-only"},
       {{"--keep-colors"}, "--keep-colors requires --colors-only"},
       {{"--colors-only", "a.svg", "--keep-colors", "--blur", "off"},
-       "--keep-colors: expected with --blur on"},
+       "--keep-colors: works with --blur on"},
       {{"--colors-only", "a.svg", "--keep-colors", "--blur", "fixed"},
-       "--keep-colors: expected with --blur on"},
+       "--keep-colors: works with --blur on"},
       {{"--colors-only", "a.svg", "--only", "0:0,1;1"},
-       "--only: \"0:0,1;1\" given, expected LAYER:CURVE, and so on, with commas between"},
-      {{"--colors-only", "a.svg", "--only", ""}, "--only: \"\" given, expected LAYER:CURVE"},
-      {{"--colors-only", "a.svg", "--only", "0:0,"}, "--only: \"0:0,\" given, expected"},
-      {{"--colors-only", "a.svg", "--only", "0:4294967296"}, "expected LAYER:CURVE"},
+       "--only: invalid value \"0:0,1;1\"; use LAYER:CURVE, and so on, with commas between"},
+      {{"--colors-only", "a.svg", "--only", ""}, "--only: invalid value \"\"; use LAYER:CURVE"},
+      {{"--colors-only", "a.svg", "--only", "0:0,"}, "--only: invalid value \"0:0,\"; use"},
+      {{"--colors-only", "a.svg", "--only", "0:4294967296"}, "use LAYER:CURVE"},
   };
   for (const BadTraceUsage& bad : cases) {
     const TemporaryFolder folder;
@@ -287,10 +306,10 @@ TEST(Trace, files_that_do_not_go_together_are_bad_usage) {
   const std::string a = folder.add("a.png", disc_png()), b = folder.add("b.png", disc_png());
   const std::string drawing = folder.add("d.svg", "x"), out = folder.path("o.svg");
   const BadTraceUsage cases[] = {
-      {{a}, "--output: expected, or --out-dir"},
-      {{a, b, "-o", out}, "several pictures given, expected --out-dir for their drawings"},
-      {{"-", b, "--out-dir", folder.path("o")}, "stdin has no name, expected -o"},
-      {{a, "-o", folder.path("o.png")}, "expected a file name that ends in .svg, .svgz, or -"},
+      {{a}, "no output: use -o drawing.svg or --out-dir DIR"},
+      {{a, b, "-o", out}, "several pictures given; use --out-dir DIR for their drawings"},
+      {{"-", b, "--out-dir", folder.path("o")}, "stdin has no name; use -o"},
+      {{a, "-o", folder.path("o.png")}, "use a file name that ends in .svg, .svgz, or -"},
       {{a, "-o", out, "--out-dir", folder.path("o")}, "excludes"},
       {{a, "-o", "-", "--stats", "-"}, "stdout is taken by the drawing"},
       {{a, "-o", out, "--stats", out}, "would both become"},
@@ -333,7 +352,7 @@ TEST(TraceMany, a_bad_one_ends_no_other_and_shows_in_the_exit_code) {
       run_sfumato({"trace", a, bad, z, "--out-dir", out, "--stats", stats, "--quiet"});
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_EQ(result.err, bad +
-                            ": error: is no picture; expected a PNG, a JPEG or a WebP\n"
+                            ": error: is not a picture; use a PNG, a JPEG or a WebP\n"
                             "sfumato: 1 of 3 pictures failed\n");
   EXPECT_TRUE(std::filesystem::exists(out + "/a.svg"));
   EXPECT_FALSE(std::filesystem::exists(out + "/bad.svg"));
@@ -359,13 +378,13 @@ TEST(TraceStatistics, are_one_object_that_tells_of_every_round) {
   EXPECT_TRUE(std::regex_match(result.out, line)) << result.out;
 }
 
-/// The elements of curves in an SVG.
+/// Returns the elements of curves in an SVG.
 Names curves_of(const std::string& svg) {
   const std::regex curve("<path[^>]*/>");
   return Names(std::sregex_token_iterator(svg.begin(), svg.end(), curve), {});
 }
 
-/// The values of an attribute in the order of the text.
+/// Returns the values of an attribute in the order of the text.
 Names values_of(const std::string& text, const std::string& attribute) {
   const std::regex value(" " + attribute + "=\"[^\"]*\"");
   return Names(std::sregex_token_iterator(text.begin(), text.end(), value), {});

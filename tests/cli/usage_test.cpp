@@ -6,7 +6,7 @@
 namespace sfumato::test {
 namespace {
 
-/// Runs `sfumato render` on a good scene with these options more.
+/// Runs `sfumato render` on a good scene with these extra options.
 CommandResult render_with(const TemporaryFolder& folder, std::vector<std::string> options) {
   const std::string input = folder.add("scene.xml", two_curve_scene());
   options.insert(options.begin(), {"render", input, "-o", folder.path("out.png")});
@@ -44,7 +44,7 @@ TEST(Usage, version_is_one_line) {
 struct BadValue {
   const char* option;
   const char* value;
-  const char* expected;  ///< what the message says it would have taken
+  const char* expected;  ///< the message's advice
 };
 
 TEST(Usage, bad_values_say_what_was_expected) {
@@ -97,8 +97,8 @@ TEST(Usage, bad_values_say_what_was_expected) {
     const CommandResult result = render_with(folder, {bad.option, bad.value});
     const std::string label = std::string(bad.option) + ' ' + bad.value;
     EXPECT_EQ(result.exit_code, 2) << label;
-    EXPECT_TRUE(result.err.starts_with("sfumato: error: " + std::string(bad.option) + ": \"" +
-                                       bad.value + "\" given, expected "))
+    EXPECT_TRUE(result.err.starts_with("sfumato: error: " + std::string(bad.option) +
+                                       ": invalid value \"" + bad.value + "\"; use "))
         << label << "\n"
         << result.err;
     EXPECT_TRUE(contains(result.err, bad.expected)) << label << "\n" << result.err;
@@ -146,8 +146,36 @@ TEST(Usage, unknown_options_and_missing_operands_are_named) {
   EXPECT_EQ(command.exit_code, 2);
   EXPECT_TRUE(
       contains(command.err,
-               "\"paint\" given, expected render, solve, tiles, info, convert, trace, lint, "
+               "unknown command \"paint\"; use render, solve, tiles, info, convert, trace, lint, "
                "compare, init, watch or edit"));
+}
+
+TEST(Usage, common_mistakes_say_what_to_do) {
+  const TemporaryFolder folder;
+  const std::string drawing = folder.path("a.svg"), copy = folder.path("b.svg");
+  ASSERT_EQ(run_sfumato({"init", drawing}).exit_code, 0);
+  ASSERT_EQ(run_sfumato({"init", copy}).exit_code, 0);
+  const struct {
+    std::vector<std::string> arguments;
+    const char* advice;
+  } cases[] = {
+      {{"render", drawing}, "no output: use -o picture.png or --out-dir DIR"},
+      {{"solve", drawing}, "no output: use -o picture.sfp or --out-dir DIR"},
+      {{"render", drawing, copy, "-o", "a.png"}, "several drawings given; use --out-dir DIR"},
+      {{"render", drawing, "-o", "a.jpg", "--lossless"}, "--lossless: works with WebP only"},
+      {{"render", drawing, "-o", "a.png", "--scale", "2", "--width", "9"},
+       "--scale: cannot be combined with --width and --height"},
+      {{"render", drawing, "-o", drawing}, "would replace the drawing"},
+      {{"render", drawing, "-o", folder.path("none/a.png")}, "does not exist; create it first"},
+      {{"render", drawing, "-o", folder.path("a.png"), "--width", "99999"},
+       "--limit image-side=N goes up to 16384; use a smaller image"},
+      {{"init", drawing}, "exists already; use a new name, or replace it with --force"},
+  };
+  for (const auto& mistake : cases) {
+    const CommandResult result = run_sfumato(mistake.arguments);
+    EXPECT_NE(result.exit_code, 0) << mistake.advice;
+    EXPECT_TRUE(contains(result.err, mistake.advice)) << result.err;
+  }
 }
 
 TEST(Usage, mistyped_options_get_a_suggestion_in_every_command) {
@@ -158,23 +186,24 @@ TEST(Usage, mistyped_options_get_a_suggestion_in_every_command) {
   };
   for (const std::string command :
        {"render", "info", "convert", "lint", "compare", "init", "watch"}) {
-    EXPECT_EQ(
-        message({command, "--max-tmie", "3"}),
-        "sfumato: error: \"--max-tmie\" is no option of " + command + "; did you mean --max-time?");
+    EXPECT_EQ(message({command, "--max-tmie", "3"}),
+              "sfumato: error: unknown option \"--max-tmie\" for " + command +
+                  "; did you mean --max-time?");
     EXPECT_EQ(message({command, "a.svg", "--ful"}),
-              "sfumato: error: \"--ful\" is no option of " + command);
+              "sfumato: error: unknown option \"--ful\" for " + command);
   }
   EXPECT_EQ(message({"render", "a.svg", "--out=b.png"}),
-            "sfumato: error: \"--out\" is no option of render; did you mean --output?");
+            "sfumato: error: unknown option \"--out\" for render; did you mean --output?");
   EXPECT_EQ(message({"render", "a.svg", "-w", "9"}),
-            "sfumato: error: \"-w\" is no option of render; expected --width");
-  EXPECT_EQ(message({"render", "a.svg", "-o", "b.png", "--method", "exat"}),
-            "sfumato: error: --method: \"exat\" given, expected one of exact|rays|pixels; did you "
-            "mean exact?");
+            "sfumato: error: unknown option \"-w\" for render; use --width");
+  EXPECT_EQ(
+      message({"render", "a.svg", "-o", "b.png", "--method", "exat"}),
+      "sfumato: error: --method: invalid value \"exat\"; use one of exact|rays|pixels; did you "
+      "mean exact?");
   EXPECT_TRUE(message({"render", "a.svg", "-o", "b.svg", "--svg", "vectr"})
                   .ends_with("; did you mean vector?"));
   EXPECT_TRUE(message({"render", "a.svg", "-o", "b.png", "--ends", "sharp"})
-                  .ends_with("expected one of soft|paper"));
+                  .ends_with("; use one of soft|paper"));
   EXPECT_TRUE(message({"--hlep"}).ends_with("; did you mean --help?"));
   EXPECT_TRUE(message({"lint", "a.svg", "--limit", "curvs=3"}).ends_with("; did you mean curves?"));
 }
@@ -193,10 +222,10 @@ TEST(Usage, mistyped_extensions_get_a_suggestion_in_every_command) {
   }
   EXPECT_TRUE(message({"render", "a.svg", "-o", "b.tiff"}).ends_with(".rgba64le, or -"));
   EXPECT_TRUE(message({"watch", "a.svg", "-o", "b"}).ends_with(".ply, .json"));
-  EXPECT_EQ(
-      message({"convert", "a.xml", "-o", "b.sgv"}),
-      "sfumato: error: --output: \"b.sgv\" given, expected a file name that ends in .svg, .svgz, "
-      "or -; did you mean b.svg?");
+  EXPECT_EQ(message({"convert", "a.xml", "-o", "b.sgv"}),
+            "sfumato: error: --output: cannot tell the format of \"b.sgv\"; use a file name that "
+            "ends in .svg, .svgz, "
+            "or -; did you mean b.svg?");
   EXPECT_TRUE(message({"convert", "a.xml", "-o", "b.pgn"}).ends_with(".svgz, or -"));
   EXPECT_TRUE(message({"init", "b.sgv"}).ends_with("; did you mean b.svg?"));
   EXPECT_TRUE(
@@ -204,7 +233,7 @@ TEST(Usage, mistyped_extensions_get_a_suggestion_in_every_command) {
   EXPECT_TRUE(
       message({"compare", "a.png", "b.png", "-o", "c.npg"}).ends_with("; did you mean c.png?"));
   EXPECT_EQ(message({"render", "a.svg", "-o", "-", "--format", "ppng"}),
-            "sfumato: error: --format: \"ppng\" given, expected one of "
+            "sfumato: error: --format: invalid value \"ppng\"; use one of "
             "png|jpg|jpeg|webp|html|pdf|eps|svg|glb|sfv|npz|ply|json|rgb24|rgba|rgb48le|rgba64le; "
             "did you mean png?");
 }
@@ -215,7 +244,7 @@ TEST(Usage, unknown_extensions_list_the_known_ones) {
     const CommandResult result = run_sfumato(
         {"render", folder.add("scene.xml", two_curve_scene()), "-o", folder.path(name)});
     EXPECT_EQ(result.exit_code, 2) << name;
-    EXPECT_TRUE(contains(result.err, "expected a file name that ends in .png")) << result.err;
+    EXPECT_TRUE(contains(result.err, "use a file name that ends in .png")) << result.err;
     EXPECT_EQ(folder.names(), std::vector<std::string>{"scene.xml"});
   }
 }

@@ -1,6 +1,10 @@
+#include <arpa/inet.h>
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <thread>
@@ -27,7 +31,7 @@ class Watch : public ServedCommand {
  public:
   explicit Watch(std::vector<std::string> arguments) : ServedCommand(words(std::move(arguments))) {}
 
-  /// The state once it holds `text`; asks for each newer one as the page does.
+  /// Returns the state once it contains `text`; asks for each newer one as the page does.
   std::string wait_for(const std::string& text) const {
     std::string version = "0", state;
     for (int i = 0; i < 50; ++i) {
@@ -92,7 +96,7 @@ TEST(Watch, keeps_the_last_good_picture_and_shows_what_is_wrong) {
   watch.wait_for("\"picture\":1");
   const std::string before = watch.picture();
   write(file, drawing_in("nonsense"));
-  // A slow machine may show the file between its emptying and its writing.
+  // A slow machine may show the file after it is emptied and before it is written.
   const std::string state = watch.wait_for("nonsense");
   EXPECT_NE(state.find("\"failed\":true"), std::string::npos) << state;
   EXPECT_EQ(watch.picture(), before);
@@ -110,7 +114,7 @@ TEST(Watch, draws_anew_when_a_texture_changes) {
   text.insert(text.find("<g "), texture);
   const std::string file = folder.add("a.svg", text);
   Watch watch({file});
-  watch.wait_for("\"failed\":true");  // it is not there yet
+  watch.wait_for("\"failed\":true");  // the file does not exist yet
   const CommandResult made =
       run_sfumato({"render", "-", "-o", folder.path("t.png"), "--width", "4"}, drawing_in("red"));
   EXPECT_EQ(made.exit_code, 0) << made.err;
@@ -146,6 +150,42 @@ TEST(Watch, answers_no_page_of_another_origin) {
   EXPECT_NE(from("http://" + watch.host()).find(" 200 "), std::string::npos);
   EXPECT_NE(from("http://evil.example").find(" 403 "), std::string::npos);
   EXPECT_NE(from("null").find(" 403 "), std::string::npos);
+}
+
+/// When connections use up the descriptors, they wait without a message, and the command can end.
+TEST(Watch, more_connections_than_descriptors_are_no_flood_of_messages) {
+  const TemporaryFolder folder;
+  const std::string messages = folder.path("err");
+  ServedCommand watch({"/bin/sh", "-c", "ulimit -n 24; exec \"$@\" 2>'" + messages + "'", "sh",
+                       sfumato_program(), "watch", "--quiet",
+                       folder.add("a.svg", drawing_in("red"))});
+  std::vector<int> held;
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_port = htons(static_cast<std::uint16_t>(watch.port()));
+  inet_pton(AF_INET, "127.0.0.1", &address.sin_addr);
+  for (int i = 0; i < 40; ++i) {
+    held.push_back(socket(AF_INET, SOCK_STREAM, 0));
+    // The system queues connections that nobody accepts.
+    EXPECT_EQ(connect(held.back(), reinterpret_cast<sockaddr*>(&address), sizeof(address)), 0);
+  }
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  for (const int one : held) close(one);
+  EXPECT_NE(watch.get("/").find(" 200 "), std::string::npos);
+  EXPECT_EQ(watch.stop(SIGTERM), 143);
+  EXPECT_EQ(read_whole(messages), "sfumato: interrupted\n");
+}
+
+/// Needs a right that few users have.
+TEST(Watch, answers_at_the_port_that_addresses_leave_out) {
+  const TemporaryFolder folder;
+  const std::string file = folder.add("a.svg", drawing_in("red"));
+  const Watch watch({file, "--port", "80"});
+  if (watch.port() != 80) GTEST_SKIP() << "port 80 cannot be had";
+  for (const char* host : {"127.0.0.1", "localhost", "127.0.0.1:80"}) {
+    EXPECT_NE(watch.get("/", host).find(" 200 "), std::string::npos) << host;
+  }
+  EXPECT_NE(watch.get("/", "evil.example").find(" 403 "), std::string::npos);
 }
 
 TEST(Watch, a_port_that_is_taken_is_told) {

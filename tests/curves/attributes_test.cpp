@@ -101,7 +101,7 @@ TEST(StopPlaces, are_fractions_between_stops_that_are_counted_curve_by_curve_lef
       *sample_stop_places(context, flat, curves, StopAttribute::color, memory);
   EXPECT_EQ(context.budget.used(),
             capacity_bytes(places.left, places.right, places.weight, places.vertex, places.curve));
-  // Before its first stop, between the two, behind the last.
+  // Before its first stop, between the two, after the last.
   EXPECT_EQ(place(places.left[0].value.start), (Place{0, 0, 0}));
   EXPECT_EQ(place(places.left[0].value.end), (Place{0, 0, 0}));
   EXPECT_EQ(place(places.left[1].value.start), (Place{0, 0, 0}));

@@ -10,7 +10,7 @@
 namespace sfumato::curves {
 namespace {
 
-/// A quarter of the unit circle, to 3e-4.
+/// A quarter of the unit circle, within 3e-4.
 constexpr double kCircle = 0.5522847498307936;
 const Cubic kQuarter{Vec2{1, 0}, Vec2{1, kCircle}, Vec2{kCircle, 1}, Vec2{0, 1}};
 

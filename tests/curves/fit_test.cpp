@@ -1,4 +1,4 @@
-// Béziers along points: how near they pass, where they are smooth, and that bad chains end, too.
+// Béziers fitted to points: their distance, their smooth joints, and that bad chains end as well.
 #include "curves/fit.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@
 namespace sfumato::curves {
 namespace {
 
-constexpr int kParts = 64;  ///< of a piece that is flattened
+constexpr int kParts = 64;  ///< parts per piece for flattening
 
 std::vector<Vec2> fitted(std::span<const Vec2> points, const FitOptions& options) {
   std::vector<Vec2> control_points;
@@ -27,7 +27,7 @@ std::vector<Vec2> fitted(std::span<const Vec2> points, const FitOptions& options
   return control_points;
 }
 
-/// From a point to the curve, by its flattened pieces.
+/// Returns the distance from a point to the curve, by its flattened pieces.
 double distance_to(const std::vector<Vec2>& control_points, Vec2 p) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; 3 * i + 1 < control_points.size(); ++i) {
@@ -40,7 +40,8 @@ double distance_to(const std::vector<Vec2>& control_points, Vec2 p) {
   return least;
 }
 
-/// A stroke as by hand: a few waves of random size and phase, sampled about a unit apart.
+/// Returns a stroke like a hand-drawn one: a few waves of random size and phase, sampled about a
+/// unit apart.
 std::vector<Vec2> random_stroke(std::uint32_t seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> phase(0, 2 * std::numbers::pi), size(2, 20);
@@ -70,7 +71,7 @@ std::vector<Vec2> circle_of_points(double radius, int count) {
   return points;
 }
 
-/// Whether the point is the end of a piece.
+/// Returns whether the point is the end of a piece.
 bool is_joint(const std::vector<Vec2>& control_points, Vec2 p) {
   for (std::size_t i = 0; i < control_points.size(); i += 3) {
     if (control_points[i] == p) return true;

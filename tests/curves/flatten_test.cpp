@@ -95,7 +95,7 @@ Curve with_stops(Curve curve, std::vector<double> offsets) {
   return curve;
 }
 
-/// A chain of two pieces that bends both ways, smooth where they meet.
+/// Returns a chain of two pieces that bends both ways, smooth where they meet.
 Curve wave() {
   return {
       .control_points = {{0, 0}, {0, 60}, {70, 90}, {100, 40}, {130, -10}, {180, 0}, {200, 50}}};
@@ -106,7 +106,7 @@ Curve reversed(Curve curve) {
   return curve;
 }
 
-/// The stretch of one piece of a curve from t0 to t1.
+/// Returns the part of one piece of a curve from t0 to t1.
 Curve stretch_of(const Curve& curve, std::size_t index, double t0, double t1) {
   const Cubic part = subcurve(piece(curve.control_points, index), t0, t1);
   return {.control_points = {part.begin(), part.end()}};
@@ -125,14 +125,15 @@ double distance_to_polyline(Vec2 p, const std::vector<Vec2>& polyline) {
   return least;
 }
 
-/// How far the vertices of two polylines lie from the other one, at most, where that one runs.
+/// Returns the largest distance of vertices of two polylines from the other one, along their common
+/// part.
 double distance_between(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
   double most = 0;
   for (Vec2 p : b) most = std::max(most, distance_to_polyline(p, a));
   for (Vec2 p : a) {
     const double t0 = length(p - b.front()), t1 = length(p - b.back());
     const double d = distance_to_polyline(p, b);
-    // Vertices beyond the end of a shorter one are nearest to that end.
+    // Vertices beyond the end of a shorter one are closest to that end.
     if (d < std::min(t0, t1)) most = std::max(most, d);
   }
   return most;
@@ -252,7 +253,8 @@ TEST(Flatten, a_circle_keeps_its_area) {
       twice_area += cross(flat.vertex[v] - Vec2{50, 50}, flat.vertex[v + 1] - Vec2{50, 50});
       perimeter += length(flat.vertex[v + 1] - flat.vertex[v]);
     }
-    // The mean of how far the chords lie inside; the cubics lie 2.7e-4 of the radius outside.
+    // The mean distance of the chords inside the circle; the cubics lie 2.7e-4 of the radius
+    // outside.
     const double inside = (3.14159265 * 1600 - std::fabs(twice_area) / 2) / perimeter;
     EXPECT_NEAR(inside, 0, 0.006 + 0.05 * tolerance);
   }
@@ -309,7 +311,7 @@ TEST(Flatten, of_many_focuses_the_finest_counts_where_it_looks) {
   const std::size_t fine = count({.focuses = {{near, 1e-4, 1e-4}}});
   ASSERT_GT(fine, 4 * coarse);
   EXPECT_EQ(count({.focuses = {{near, 0.1, 0.1}, {near, 1e-4, 1e-4}}}), fine);
-  // One that looks at a place far away hardly asks for more, however fine it is.
+  // A request for a distant place needs hardly more chords, however fine it is.
   const Box far{{1e4, 1e4}, {1e4 + 1e-6, 1e4 + 1e-6}};
   EXPECT_EQ(count({.focuses = {{near, 0.1, 0.1}, {far, 1e-12, 1e-12}}}), coarse);
 }
@@ -342,6 +344,111 @@ TEST(Flatten, the_lady_bug_has_about_1400_segments) {
   const FlatCurves flat = flattened(document->layers[0].curves);
   EXPECT_GT(flat.segment_count(), 1200u);
   EXPECT_LT(flat.segment_count(), 1900u);
+}
+
+/// Returns a closed curve with a tip at {60, 80}: a handle lies in the tip, so that vertices gather
+/// there.
+Curve tip_of_a_corner_node() {
+  return {.control_points = {{54, 66},
+                             {55, 71},
+                             {60, 80},
+                             {60, 80},
+                             {57.6, 76.6},
+                             {55.2, 73.2},
+                             {52, 68.6},
+                             {52.7, 67.7},
+                             {53.3, 66.9},
+                             {54, 66}}};
+}
+
+bool has_vertex_near(const FlatCurves& flat, Vec2 tip, double from, double to) {
+  return std::ranges::any_of(flat.vertex, [&](Vec2 v) {
+    const double distance = length(v - tip);
+    return distance > from && distance < to;
+  });
+}
+
+constexpr double kTipReach = 0.034;
+
+TEST(Flatten, sides_of_an_outline_have_no_vertices_within_reach_of_each_other_at_a_tip) {
+  Curve curve = tip_of_a_corner_node();
+  for (int i = 0; i < 2; ++i) {
+    const FlatCurves flat = flattened({curve}, {.tolerance = 0.025, .reach = kTipReach});
+    EXPECT_EQ(std::ranges::count(flat.vertex, Vec2{60, 80}), 1);
+    EXPECT_FALSE(has_vertex_near(flat, {60, 80}, 0, 0.3));
+    EXPECT_TRUE(has_vertex_near(flat, {60, 80}, 0.3, 2));
+    std::ranges::reverse(curve.control_points);
+  }
+}
+
+TEST(Flatten, a_tip_at_the_joint_of_an_outline_is_like_any_other) {
+  Curve curve = tip_of_a_corner_node();
+  std::vector<Vec2>& points = curve.control_points;
+  std::rotate(points.begin(), points.begin() + 3, points.end() - 1);
+  points.back() = points.front();
+  const FlatCurves flat = flattened({curve}, {.tolerance = 0.025, .reach = kTipReach});
+  EXPECT_EQ(flat.vertex.front(), flat.vertex.back());
+  EXPECT_FALSE(has_vertex_near(flat, {60, 80}, 0, 0.3));
+}
+
+/// Returns a closed curve whose sides leave the tip at `kCuspTip` in one direction.
+Curve cusp() {
+  return {.control_points = {{117.189, 60.185},
+                             {120.689, 58.015},
+                             {124.982, 53.87},
+                             {129.518, 55.365},
+                             {132.526, 56.357},
+                             {135.921, 61.442},
+                             {134.785, 64.742},
+                             {135.681, 62.136},
+                             {130.06, 57.244},
+                             {127.811, 57.244},
+                             {125.244, 57.245},
+                             {117.421, 60.042},
+                             {117.189, 60.185}}};
+}
+
+constexpr Vec2 kCuspTip{134.785, 64.742};
+
+/// Returns the least distance of a vertex near the tip from the chords on the other side of it.
+double width_near(const FlatCurves& flat, std::size_t tip) {
+  double least = INFINITY;
+  for (std::size_t v = 0; v < flat.vertex.size(); ++v) {
+    if (v == tip || length(flat.vertex[v] - flat.vertex[tip]) > 2) continue;
+    for (std::size_t s = 0; s + 1 < flat.vertex.size(); ++s) {
+      const bool is_other_side = v < tip ? s >= tip : s < tip;
+      if (!is_other_side) continue;
+      const double width =
+          test::distance_to_segment(flat.vertex[v], flat.vertex[s], flat.vertex[s + 1]);
+      least = std::min(least, width);
+    }
+  }
+  return least;
+}
+
+TEST(Flatten, sides_that_leave_a_tip_in_one_direction_keep_apart) {
+  for (int width_px = 100; width_px <= 1000; width_px += 25) {
+    Curve curve = cusp();
+    const double pixel = 136.612 / width_px, reach = std::min(136.612 / 1024, pixel) / 16;
+    const FlattenOptions options{.tolerance = std::min(136.612 * 0.05 / 512, 0.04 * pixel),
+                                 .reach = reach};
+    for (int i = 0; i < 2; ++i) {
+      const FlatCurves flat = flattened({curve}, options);
+      const auto tip = std::ranges::find(flat.vertex, kCuspTip);
+      ASSERT_NE(tip, flat.vertex.end());
+      const auto index = static_cast<std::size_t>(tip - flat.vertex.begin());
+      EXPECT_GT(width_near(flat, index), reach / 2) << width_px << " pixels";
+      std::ranges::reverse(curve.control_points);
+    }
+  }
+}
+
+/// It keeps the vertices of the curve, because either side may show at the tip.
+TEST(Flatten, a_curve_of_several_paints_keeps_its_vertices_at_a_tip) {
+  Curve curve = tip_of_a_corner_node();
+  curve.left.opacity.stops.stops = {{0, 1}, {1, 0}};
+  const FlatCurves flat = flattened({curve}, {.tolerance = 0.025, .reach = kTipReach});
+  EXPECT_TRUE(has_vertex_near(flat, {60, 80}, 0, 0.3));
 }
 
 }  // namespace

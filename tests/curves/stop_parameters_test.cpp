@@ -5,7 +5,7 @@
 namespace sfumato::curves {
 namespace {
 
-/// A chain of straight pieces, each of length 3.
+/// Returns a chain of straight pieces, each of length 3.
 std::vector<Vec2> staircase(std::size_t piece_count) {
   std::vector<Vec2> points{{0, 0}};
   for (std::size_t i = 0; i < piece_count; ++i) {

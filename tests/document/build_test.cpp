@@ -57,7 +57,7 @@ TEST(Build, layers_are_stacked_in_the_order_of_the_calls) {
   EXPECT_EQ(third.artboard_from_layer, (Affine{2, 0, 0, 2, 5, 6}));
 }
 
-/// What validate() says of a drawing with this curve.
+/// Returns validate()'s status for a drawing with this curve.
 Status status_with(Curve curve) {
   Document document;
   document.artboard = {{0, 0}, {10, 10}};

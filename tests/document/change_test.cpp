@@ -134,7 +134,7 @@ TEST(Change, beyond_a_limit_is_refused_and_changes_nothing) {
   take(apply_change(context, document, ReplaceCurve{0, 0, inserted_curve()}));
 }
 
-/// A layer of curves that use two of three shaders.
+/// Returns a layer of curves that use two of three shaders.
 Document shaded_document() {
   Document document = two_layers();
   GradientFill gradient;
@@ -145,7 +145,7 @@ Document shaded_document() {
   return document;
 }
 
-/// Curves that are valid, or not, or more than some limit allows.
+/// Returns curves that are valid, invalid, or beyond a limit.
 std::vector<Curve> curves_to_judge() {
   std::vector<Curve> curves(9, inserted_curve());
   curves[1] = circle_curve({30, 30}, 10);
@@ -158,7 +158,7 @@ std::vector<Curve> curves_to_judge() {
   return curves;
 }
 
-/// What a check of the whole document says of it with the change.
+/// Returns the status of a check of the whole document with the change.
 Status judged_as_a_whole(const Context& context, const Change& change) {
   Document document = shaded_document();
   if (const auto* replace = std::get_if<ReplaceCurve>(&change)) {
@@ -174,7 +174,7 @@ TEST(Change, of_a_curve_is_judged_as_the_whole_document_would_be) {
   int refused = 0, made = 0;
   for (int limit = 0; limit < 6; ++limit) {
     Context context;
-    if (limit == 1) context.limits.control_points = 34;  // as many as there are
+    if (limit == 1) context.limits.control_points = 34;  // the present number
     if (limit == 2) context.limits.stops = 4;
     if (limit == 3) context.limits.stops_per_list = 2;
     if (limit == 4) context.limits.shaders_per_layer = 2;

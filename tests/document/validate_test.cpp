@@ -34,7 +34,7 @@ LocalStroke some_stroke() {
   return stroke;
 }
 
-/// Holds one of everything.
+/// Returns a document with one of everything.
 Document some_document() {
   Document document;
   document.artboard = {{0, 0}, {100, 50}};
@@ -113,11 +113,11 @@ const Fault kFaults[] = {
      "the picture's size is not above 0"},
     {"background", [](Document& d) { d.background->g = 2; }, "the background is not within 0 to 1"},
     {"no_control_points", [](Document& d) { second_curve(d).control_points.clear(); },
-     "layer 0 \"paper\": curve 1: 0 control points; expected 3n+1 (4, 7, 10, …)"},
+     "layer 0 \"paper\": curve 1: 0 control points; use 3n+1 (4, 7, 10, …)"},
     {"one_control_point", [](Document& d) { second_curve(d).control_points.resize(1); },
-     "layer 0 \"paper\": curve 1: 1 control points; expected 3n+1 (4, 7, 10, …)"},
+     "layer 0 \"paper\": curve 1: 1 control points; use 3n+1 (4, 7, 10, …)"},
     {"five_control_points", [](Document& d) { second_curve(d).control_points.resize(5); },
-     "layer 0 \"paper\": curve 1: 5 control points; expected 3n+1 (4, 7, 10, …)"},
+     "layer 0 \"paper\": curve 1: 5 control points; use 3n+1 (4, 7, 10, …)"},
     {"nan_coordinate", [](Document& d) { second_curve(d).control_points[3].y = kNan; },
      "layer 0 \"paper\": curve 1: control point 3 is not finite or beyond the largest coordinate"},
     {"far_coordinate", [](Document& d) { second_curve(d).control_points[6].x = -1.1e7; },
@@ -162,8 +162,8 @@ const Fault kFaults[] = {
      "shader 0 \"sky\": the gradient has no stops"},
     {"gradient_stop_order", [](Document& d) { gradient_of(d).stops[0].offset = 1.5; },
      "shader 0 \"sky\": a stop's offset is out of order"},
-    {"focus_outside",
-     [](Document& d) { std::get<RadialGradient>(gradient_of(d).shape).focus.x = 2; },
+    {"negative_focal_radius",
+     [](Document& d) { std::get<RadialGradient>(gradient_of(d).shape).focal_radius = -1; },
      "shader 0 \"sky\": the gradient's shape is out of range"},
     {"texture_bytes", [](Document& d) { std::get<Texture>(d.shaders[1].paint).rgba.pop_back(); },
      "shader 1 \"wood\": the texture's size and bytes disagree"},

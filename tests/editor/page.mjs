@@ -1,4 +1,4 @@
-// The page that the editor exports is the one that the command writes, but for the picture in it.
+// Checks that the page that the editor exports equals the command's page, except for the picture in it.
 //
 //   node tests/editor/page.mjs SFUMATO
 import { execFileSync } from "node:child_process";
@@ -13,7 +13,7 @@ const name = "the editor's template is the page of `sfumato render -o page.html`
 const drawing = fileURLToPath(new URL("../../examples/portrait.svg", import.meta.url));
 const folder = mkdtempSync(join(tmpdir(), "sfumato-page-"));
 
-/** What stands for the marks of the template in a page of the command. */
+/** Returns the texts in the places of the template's marks in a page of the command. */
 function partsOf(page) {
   const part = (pattern) => pattern.exec(page)?.[1] ?? "";
   return {
@@ -23,7 +23,7 @@ function partsOf(page) {
   };
 }
 
-/** The shaders unpacked: versions of zlib pack the same text in other bytes. */
+/** Unpacks the shaders, because versions of zlib pack the same text into different bytes. */
 function unpacked(page) {
   return page.replace(/(id="shaders">)([^<]*)/, (_, mark, packed) => `${mark}${inflateSync(Buffer.from(packed, "base64"))}`);
 }

@@ -11,7 +11,7 @@ namespace {
 
 const std::vector<Vec2> kPlaces = {{1, 2}, {3, 4.5}, {5, 6}};
 
-/// Two stages: three points, then two floats at each.
+/// Returns two stages: three points, then two floats at each.
 Trace small_trace() {
   return {points("layer 0, mesh: vertices", kPlaces),
           numbers("layer 0, round 0: color node values",

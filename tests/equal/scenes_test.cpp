@@ -12,17 +12,17 @@
 #include "support/sanitizers.hpp"
 #include "support/soak.hpp"
 
-// Random scenes, each under four configurations (README.md): ninety, in `make soak` three hundred,
-// under sanitizers twenty.
+// Random scenes, each under four configurations (README.md): ninety; three hundred in `make soak`;
+// twenty under sanitizers.
 namespace sfumato::test {
 namespace {
 
 constexpr std::uint64_t kBlocks = SFUMATO_EQUAL_BLOCKS;
 constexpr std::uint64_t kScenesPerBlock = 10;
-/// Three seeds in a row have all pairs of threads and instruction sets. Sanitizers have few blocks.
+/// Three seeds in a row use all pairs of threads and instruction sets. Sanitizers have few blocks.
 constexpr std::uint64_t kQuickScenes = SFUMATO_HAS_SANITIZER ? 10 : 3;
 
-/// A block of seeds is one test, so that blocks run beside each other.
+/// A block of seeds is one test, so that blocks run in parallel.
 class EqualScenes : public testing::TestWithParam<std::uint64_t> {};
 
 TEST_P(EqualScenes, have_the_same_bits_under_every_configuration) {
@@ -64,7 +64,7 @@ TEST(EqualConfigurations, are_read_as_they_are_written) {
   }
 }
 
-/// The tests of the scenes would say nothing if the scenes did not differ, or did not come out.
+/// The tests of the scenes would be useless if the scenes were equal, or were not drawn.
 TEST(EqualScenesThemselves, differ_and_are_drawn) {
   SceneChecker checker;
   std::set<std::uint64_t> pixels;
@@ -85,14 +85,14 @@ TEST(EqualScenesThemselves, differ_and_are_drawn) {
   }
 }
 
-/// One thread and one of the other numbers in turn; in `make soak` all four numbers.
+/// Returns one thread and one of the other numbers in turn; in `make soak` all four numbers.
 std::vector<Configuration> configurations_of_file(std::uint64_t seed) {
   const std::vector<Configuration> all = configurations_of(seed);
   if (is_soak()) return all;
   return {all.front(), all[1 + seed % (all.size() - 1)]};
 }
 
-/// The public scenes and the examples; all of them together see every configuration.
+/// The public scenes and the examples; together they use every configuration.
 TEST(EqualFiles, have_the_same_bits_under_every_configuration) {
   SceneChecker checker;
   int count = 0;

@@ -16,7 +16,7 @@ const TraceArray* stage_of(const Trace& trace, const std::string& stage) {
   return found == trace.end() ? nullptr : &*found;
 }
 
-/// The bisection looks at the computation that the hashes are of, not at one of its own.
+/// The bisection examines the same computation as the hashes.
 TEST(SceneTraces, end_with_what_diffuse_and_rasterize_give) {
   for (std::uint64_t seed : {2, 5, 9, 17, 31}) {
     SCOPED_TRACE(seed);
@@ -30,7 +30,7 @@ TEST(SceneTraces, end_with_what_diffuse_and_rasterize_give) {
       const PatchLayer& layer = picture->layers[i];
       const std::string stage = "layer " + std::to_string(i) + ", patches: ";
       const TraceArray* const vertices = stage_of(*trace, stage + "vertices");
-      if (!vertices) continue;  // seen nowhere
+      if (!vertices) continue;  // outside the view
       EXPECT_EQ(vertices->bytes, points("", layer.vertex_position).bytes);
       EXPECT_EQ(stage_of(*trace, stage + "color node values")->bytes,
                 numbers("", layer.color.node_value, 1).bytes);

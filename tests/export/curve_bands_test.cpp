@@ -18,7 +18,7 @@
 namespace sfumato::outputs {
 namespace {
 
-/// A grid whose middle is another region: one closed curve.
+/// Returns a grid whose middle is another region, bounded by one closed curve.
 test::RegionMesh island() {
   return test::jittered_grid(test::kSquareBox, 8, 4, [](int column, int row) {
     return column >= 2 && column < 6 && row >= 2 && row < 6 ? 1 : 0;
@@ -31,14 +31,14 @@ Rgb color_of(int region, Vec2 p) {
 }
 
 CurveEdges edges_of(const PatchLayer& layer) {
-  static Context context;  // outlives what is charged to it
+  static Context context;  // must outlive the tables charged to it
   Result<CurveEdges> edges = find_curve_edges(context, layer);
   EXPECT_TRUE(edges.ok());
   return std::move(*edges);
 }
 
 CurveBands bands_of(const PatchLayer& layer, double width = 1) {
-  static Context context;  // outlives what is charged to it
+  static Context context;  // must outlive the tables charged to it
   const CurveEdges edges = edges_of(layer);
   Result<CurveBands> bands =
       make_curve_bands(context, layer, InterpolationSpace::srgb, {}, edges, width);
@@ -73,7 +73,7 @@ TEST(CurveBands, bands_have_the_colours_of_their_side_and_the_clip_holds_them) {
     EXPECT_GT(turned, 0);
     area += turned / 2;
   }
-  // A curve of about 128 units, a unit wide, and its corners.
+  // A curve of about 128 units, one unit wide, and its corners.
   EXPECT_GT(area, 120);
   EXPECT_LT(area, 240);
   const bool is_inside = bands.over.vertex_value[0] > 0.9f;
@@ -130,7 +130,7 @@ TEST(CurveBands, beyond_the_end_of_an_opaque_mesh_lies_an_opacity_of_0) {
   EXPECT_GE(outside, static_cast<int>(edges.side.size()));
 }
 
-/// The mean difference to our raster in viewers that antialias no mesh.
+/// The mean difference to our raster in viewers that do not antialias meshes.
 TEST(CurveBands, a_curve_between_two_colours_is_antialiased) {
   const Picture picture = test::make_picture(
       test::make_layer(test::cut_box(test::kSquareBox, {14, 64}, {47, 0}),
@@ -138,7 +138,8 @@ TEST(CurveBands, a_curve_between_two_colours_is_antialiased) {
   Context context;
   const auto pdf = export_pdf(context, picture, {});
   ASSERT_TRUE(pdf.ok());
-  // Aliased, the edge misses by 3.0 in the mean of the page in Splash and Ghostscript.
+  // Without bands, the aliased edge differs by a mean of 3.0 over the page in Splash and
+  // Ghostscript.
   const std::tuple<const char*, const char*, double> viewers[] = {
       {"mutool", "mutool draw -q -r 96 -o OUT IN", 0.35},
       {"pdftocairo", "pdftocairo -r 96 -png -singlefile IN OUT && mv OUT.png OUT", 0.1},
@@ -160,7 +161,7 @@ TEST(CurveBands, a_curve_between_two_colours_is_antialiased) {
   if (shows == 0) GTEST_SKIP() << "none of the programs is here";
 }
 
-/// Pixels that are unlike every pixel of `reference` around them.
+/// Returns the number of pixels that differ from all neighbouring pixels of `reference`.
 int stray_pixels(const Image& shown, const Image& reference) {
   constexpr int kReach = 1, kUnlike = 60;
   const auto pixel = [](const Image& image, int x, int y) {
@@ -184,8 +185,8 @@ int stray_pixels(const Image& shown, const Image& reference) {
   return count;
 }
 
-/// Splash paints every pixel that a mesh touches: what is carried under a band may not come out at
-/// the curve's vertices.
+/// Splash paints every pixel that a mesh touches. Triangles that extend under a band must not show
+/// at the curve's vertices.
 TEST(CurveBands, hardly_a_pixel_of_one_side_stands_alone_on_the_other) {
   if (!test::has_program("pdftoppm")) GTEST_SKIP() << "no pdftoppm here";
   const auto document = test::shared_scene("lady_bug.xml");
@@ -203,7 +204,8 @@ TEST(CurveBands, hardly_a_pixel_of_one_side_stands_alone_on_the_other) {
 
 /// The page is 72 points wide: whole pixels at the resolutions below.
 ///
-/// Pixels of the other side in a red ellipse on white, or the other way around, in Splash.
+/// Returns the number of pixels of the other side in a red ellipse on white, or the other way
+/// around, in Splash.
 int stray_pixels_of_ellipse(Vec2 center, Vec2 radius, bool is_white, int dpi) {
   const std::string dark = "#f00", light = "#fff";
   char text[512];
@@ -225,7 +227,7 @@ int stray_pixels_of_ellipse(Vec2 center, Vec2 radius, bool is_white, int dpi) {
   return shown ? stray_pixels(*shown, test::reference(picture, shown->width, shown->height)) : -1;
 }
 
-/// Where triangles at a curve are low, bands must reach beyond them.
+/// Bands must reach beyond low triangles at a curve.
 TEST(CurveBands, hardly_a_pixel_of_one_side_stands_in_a_circle_or_ellipse) {
   if (!test::has_program("pdftoppm")) GTEST_SKIP() << "no pdftoppm here";
   const std::tuple<Vec2, Vec2> ellipses[] = {{{48, 48}, {40, 40}},       {{48.3, 47.6}, {40, 40}},
@@ -239,7 +241,7 @@ TEST(CurveBands, hardly_a_pixel_of_one_side_stands_in_a_circle_or_ellipse) {
         std::printf("%g %g, %g %g, %s at %d: %d\n", center.x, center.y, radius.x, radius.y,
                     is_white ? "white" : "red", dpi, count);
         EXPECT_GE(count, 0);
-        // What Splash's rounding of vertices adds at 72 dpi is wider than bands.
+        // Splash's rounding of vertices at 72 dpi is larger than the width of bands.
         EXPECT_LE(count, dpi == 72 ? 1 : 0);
       }
     }

@@ -21,7 +21,7 @@ std::vector<std::uint8_t> unpacked(const std::vector<std::uint8_t>& packed, std:
   return bytes;
 }
 
-/// Hard to pack, so that the result takes more than one piece.
+/// Returns data that hardly compress, so that the result needs more than one piece.
 std::vector<std::uint8_t> noise(std::size_t size) {
   std::vector<std::uint8_t> bytes(size);
   std::uint32_t state = 1;

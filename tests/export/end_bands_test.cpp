@@ -18,7 +18,8 @@
 namespace sfumato::outputs {
 namespace {
 
-/// A grid of 64 units' side whose ends lie on curves, but for its left one: that is the frame's.
+/// Returns a grid with sides of 64 units whose borders are curves, except the left one, which is
+/// the frame's.
 PatchLayer open_grid() {
   PatchLayer layer = test::make_layer(
       test::jittered_grid(test::kSquareBox, 8, 4, [](int, int) { return 0; }), [](int, Vec2 p) {
@@ -58,7 +59,7 @@ TEST(EndBands, colours_go_on_beyond_curves_and_not_beyond_the_frame) {
     EXPECT_GE(at.x, 0);
     EXPECT_NEAR(band->vertex_value[3 * v + 2], std::clamp(at.y, 0.0, 64.0) / 64, 0.02);
   }
-  // Where neither curve nor colour bends, a strip needs few columns.
+  // A strip with neither bent curve nor bent colours needs few columns.
   EXPECT_LT(band->vertex_position.size(), 40u);
 }
 
@@ -96,7 +97,8 @@ std::string drawing(const std::string& shapes) {
 struct Viewer {
   const char *program, *command;
   double mean = 0,
-         far_percent = 0;  ///< limits; aliased, the edges below miss by 1.9 and 0.8 % or more
+         far_percent =
+             0;  ///< limits; without bands, the edges below differ by at least 1.9 and 0.8 %
 };
 
 constexpr Viewer kViewers[] = {
@@ -106,7 +108,7 @@ constexpr Viewer kViewers[] = {
     {"gs", "gs -q -dSAFER -dBATCH -dNOPAUSE -sDEVICE=png16m -dGraphicsAlphaBits=4 -r96 -o OUT IN",
      1, 0.1}};
 
-/// Calls check(viewer, picture, shown) with what every program that is here shows of shapes.
+/// Calls check(viewer, picture, shown) for the shapes in every installed program.
 template <class Check>
 void expect_shown(const std::string& shapes, std::span<const Viewer> viewers, const Check& check) {
   SCOPED_TRACE(shapes);
@@ -125,7 +127,7 @@ void expect_shown(const std::string& shapes, std::span<const Viewer> viewers, co
   }
 }
 
-/// Shapes that end at `none`.
+/// Expects smooth borders of shapes that end at `none`.
 void expect_smooth(const std::string& shapes) {
   expect_shown(shapes, kViewers,
                [](const Viewer& viewer, const Picture& picture, const Image& shown) {
@@ -147,7 +149,7 @@ TEST(EndBands, an_edge_beside_nothing_is_antialiased) {
   if (!has_any_viewer()) GTEST_SKIP() << "no poppler, MuPDF or Ghostscript here";
   expect_smooth(R"(<circle cx="50" cy="50" r="40" sf:left="none" sf:right="#f00"/>)");
   expect_smooth(R"(<path d="M10 20 L93 31 L72 92 L21 80 Z" sf:left="none" sf:right="#06c"/>)");
-  // Its outside is seen, and its inside is not.
+  // Its outside is visible, and its inside is not.
   expect_smooth(R"(<circle cx="50" cy="50" r="31" sf:left="#080" sf:right="none"/>)");
 }
 
@@ -163,8 +165,8 @@ constexpr Viewer kFineViewers[] = {
     {"pdftoppm", "pdftoppm -r 192 -png -singlefile IN OUT && mv OUT.png OUT"},
     {"mutool", "mutool draw -q -r 192 -o OUT IN"}};
 
-/// How many pixels that the layer covers wholly show something else, but for the topmost row:
-/// Splash leaves out what triangles that begin left of the page have there.
+/// Returns how many pixels that the layer covers completely show something else, except in the
+/// topmost row, where Splash leaves out triangles that begin left of the page.
 int gap_count(const Image& shown, const Image& expected) {
   int count = 0;
   for (auto i = static_cast<std::size_t>(expected.width); 4 * i < expected.bytes.size(); ++i) {

@@ -34,7 +34,7 @@ Picture two_flags() {
   return picture;
 }
 
-/// What Ghostscript shows at 192 dpi: two pixels to a unit.
+/// Compares with Ghostscript at 192 dpi: two pixels per unit.
 void expect_shown_by_ghostscript(const Picture& picture, double mean, int p99) {
   if (!test::has_program("gs")) GTEST_SKIP() << "no gs here";
   const auto shown = test::shown_by(exported_eps(picture), "in.eps",

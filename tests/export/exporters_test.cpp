@@ -14,8 +14,8 @@
 #include "sfumato/export/svg/svg.hpp"
 #include "sfumato/export/tables/tables.hpp"
 
-/// What every exporter does: the same for any number of threads, and no harm on pictures that are
-/// small, broken, or too large for its memory.
+/// Properties of every exporter: the same result for any number of threads, and no harm from
+/// pictures that are small, broken, or too large for the memory.
 namespace sfumato {
 namespace {
 
@@ -69,7 +69,7 @@ TEST(Exporters, write_the_same_for_any_number_of_threads) {
   }
 }
 
-/// Of a file that a budget was too small for.
+/// Expects the limit error, or the whole file if the budget sufficed.
 void expect_limit_or(const Bytes& whole, const Exporter& exporter, const Picture& picture,
                      std::size_t budget, std::size_t& successes) {
   Context context{.budget = Budget(budget)};

@@ -25,13 +25,13 @@ constexpr double kHalfStep = 0.5 / 255;
 FacetMesh facets(const PatchLayer& layer, double max_error,
                  const FacetSource& source = {FacetSource::Kind::color, 0},
                  InterpolationSpace space = InterpolationSpace::srgb) {
-  static Context context;  // outlives what is charged to it
+  static Context context;  // must outlive the tables charged to it
   Result<FacetMesh> mesh = make_facets(context, layer, space, source, max_error);
   EXPECT_TRUE(mesh.ok()) << to_string(mesh.status());
   return mesh ? std::move(*mesh) : FacetMesh{};
 }
 
-/// The barycentric weights of p in a triangle.
+/// Returns the barycentric weights of p in a triangle.
 Barycentric weights(const std::array<Vec2, 3>& corner, Vec2 p) {
   const double area = cross(corner[1] - corner[0], corner[2] - corner[0]);
   const double u = cross(p - corner[0], corner[2] - corner[0]) / area;
@@ -39,8 +39,8 @@ Barycentric weights(const std::array<Vec2, 3>& corner, Vec2 p) {
   return {1 - u - v, u, v};
 }
 
-/// The largest difference between facets and patches on a lattice of `density` points to a side of
-/// every facet.
+/// Returns the largest difference between facets and patches on a lattice of `density` points per
+/// side of every facet.
 double largest_error(const PatchLayer& layer, const FacetMesh& mesh, const FacetSource& source,
                      InterpolationSpace space, int density = 5) {
   double largest = 0;
@@ -72,8 +72,8 @@ double largest_error(const PatchLayer& layer, const FacetMesh& mesh, const Facet
   return largest;
 }
 
-/// A grid of patches whose nodes are random but shared, as a layer of diffuse() has them: within
-/// `spread` of `center` on the left, and calmer on the right, so that levels differ.
+/// Returns a grid of patches with random, shared nodes, like a layer of diffuse(): within `spread`
+/// of `center` on the left, and calmer on the right, so that levels differ.
 PatchLayer random_layer(std::uint32_t seed, float center, float spread) {
   std::mt19937 random(seed);
   std::map<std::pair<long, long>, Rgb> value_at;
@@ -88,7 +88,7 @@ PatchLayer random_layer(std::uint32_t seed, float center, float spread) {
     if (is_new) place->second = {draw(reach), draw(reach), draw(reach)};
     return place->second;
   });
-  // One node where the positions are one.
+  // One node where the positions are equal.
   std::map<std::pair<long, long>, std::uint32_t> node_at;
   for (std::uint32_t t = 0; t < layer.triangle_count(); ++t) {
     for (std::size_t n = 0; n < 10; ++n) {
@@ -106,7 +106,7 @@ PatchLayer random_layer(std::uint32_t seed, float center, float spread) {
 
 using Segment = std::pair<std::uint32_t, std::uint32_t>;
 
-/// Facet sides that no other facet has in the other direction.
+/// Returns facet sides that no other facet has in the other direction.
 std::vector<Segment> unmatched_sides(const FacetMesh& mesh) {
   std::map<Segment, int> side_count;
   for (std::size_t i = 0; i < mesh.facet_vertex.size(); ++i) {
@@ -121,7 +121,7 @@ std::vector<Segment> unmatched_sides(const FacetMesh& mesh) {
   return unmatched;
 }
 
-/// A layer of one triangle with one channel of colour, z(w, u, v) at the nodes.
+/// Returns a layer of one triangle with one channel of colour, z(w, u, v) at the nodes.
 PatchLayer one_patch(PatchOrder order, const std::function<double(double u, double v)>& z) {
   PatchLayer layer;
   layer.order = order;
@@ -146,8 +146,8 @@ TEST(Facets, a_linear_patch_is_one_facet) {
 }
 
 TEST(Facets, a_parabola_is_cut_along_itself_alone) {
-  // z = h u² misses a chord of length 1/n by h / 4 n². Edges are halved until that is 0.7 of the
-  // error; the one across does not bend.
+  // z = h u² differs from a chord of length 1/n by h / 4 n². Edges are halved until that is 0.7 of
+  // the error; the opposite edge does not bend.
   const double h = 0.6;
   int cuts = 1;
   while (h / (4 * cuts * cuts) > 0.7 * kHalfStep) cuts *= 2;
@@ -168,8 +168,8 @@ TEST(Facets, a_parabola_is_cut_along_itself_alone) {
   EXPECT_EQ(facets(flat, kHalfStep).facet_vertex.size(), 3u);
 }
 
-// A cubic misses its chord's middle by f'' / 8: `bend` reads f'' from Bézier ordinates, `shown` the
-// values from patch_basis.
+// A cubic differs from its chord's middle by f'' / 8: `bend` reads f'' from Bézier ordinates,
+// `shown` the values from patch_basis.
 TEST(Facets, ordinates_and_basis_are_of_one_cubic) {
   std::mt19937 random(7);
   for (int round = 0; round < 50; ++round) {
@@ -183,7 +183,7 @@ TEST(Facets, ordinates_and_basis_are_of_one_cubic) {
       const Barycentric middle{a[0] - kSide / 2, a[1] + kSide / 2, a[2]};
       const double miss =
           std::fabs(patch.shown(middle)[0] - (patch.shown(a)[0] + patch.shown(b)[0]) / 2);
-      // What f'' changes from the middle to an end: f''' of such values is below 20.
+      // The change of f'' from the middle to an end: f''' of such values is below 20.
       EXPECT_NEAR(patch.bend(a, b), miss, 20 * kSide * kSide * kSide / 16) << round;
     }
   }
@@ -232,7 +232,7 @@ TEST(Facets, other_interpolation_spaces_are_bound_in_code_values) {
     const FacetMesh mesh = facets(layer, 2 / 255.0, {}, space);
     EXPECT_LE(largest_error(layer, mesh, {}, space, 3), 2 / 255.0) << static_cast<int>(space);
     EXPECT_GT(mesh.facet_vertex.size(), layer.triangle_vertex.size());
-    // Without shaders the curves' share is everything.
+    // Without shaders the curves have the whole share.
     const FacetMesh base = facets(layer, 2 / 255.0, {FacetSource::Kind::color_base}, space);
     EXPECT_EQ(base.vertex_value, mesh.vertex_value);
   }

@@ -102,7 +102,7 @@ Matrix matrix_of(const Json& node) {
   return m;
 }
 
-/// All components of an accessor, normalized where it says so.
+/// Returns all components of an accessor, normalized if it asks for that.
 std::vector<double> read_accessor(const Glb& glb, std::size_t index) {
   const Json& accessor = glb.json["accessors"][index];
   const Json& view = glb.json["bufferViews"][accessor["bufferView"].index()];
@@ -242,7 +242,7 @@ void Screen::draw(const Placed& placed) {
     const Vec2 p{m[0] * x + m[4] * y + m[12], m[1] * x + m[5] * y + m[13]};
     point.push_back({(p.x / half_.x + 1) / 2 * width_, (1 - p.y / half_.y) / 2 * height_});
   }
-  // A centre belongs to the first triangle that has it.
+  // A centre belongs to the first triangle that contains it.
   std::vector<bool> is_done(pixels_.size());
   for (std::size_t i = 0; i < primitive.index.size(); i += 3) {
     std::array<std::size_t, 3> vertex;

@@ -9,10 +9,10 @@
 #include "sfumato/base/image.hpp"
 #include "sfumato/base/vec2.hpp"
 
-/// A reader of GLB as a program has one that knows nothing of Sfumato: for tests alone.
+/// A reader of GLB that knows nothing of Sfumato, only for tests.
 namespace sfumato::test {
 
-/// A value of JSON; of an object or array, its parts. Nothing is there where a name is not known.
+/// A JSON value; for an object or array, its parts. An unknown name has no value.
 struct Json {
   std::variant<std::monostate, bool, double, std::string, std::vector<Json>,
                std::map<std::string, Json>>
@@ -27,17 +27,18 @@ struct Json {
   std::string text() const;
 };
 
-/// A file with its chunks checked: magic, version, lengths. Throws std::runtime_error where one is
-/// wrong or the JSON is none.
+/// A file with checked chunks: magic, version, lengths. Throws std::runtime_error if one is wrong
+/// or the JSON is invalid.
 struct Glb {
   Json json;
   std::vector<std::uint8_t> binary;
 };
 Glb read_glb(const std::vector<std::uint8_t>& bytes);
 
-/// The scene as an engine shows it that looks along −z: from the nodes' order in depth, colours
-/// interpolated in linear light, blended in code values, on white; no antialiasing. rgb8. The
-/// picture of width × height pixels shows what lies within `half_size` around the origin.
+/// Returns the scene as an engine shows it that looks along −z: in the depth order of the nodes,
+/// with colours interpolated in linear light and blended in code values, on white, without
+/// antialiasing; rgb8. The picture of width × height pixels shows the area within `half_size`
+/// around the origin.
 Image show(const Glb& glb, int width, int height, Vec2 half_size);
 
 }  // namespace sfumato::test

@@ -31,7 +31,7 @@ test::Glb exported_glb(const Picture& picture, const GlbOptions& options = {},
   return bytes ? test::read_glb(*bytes) : test::Glb{};
 }
 
-/// Away from antialiased edges there is nothing but the facets' error and two roundings.
+/// Away from antialiased edges, differences come only from the facets' error and two roundings.
 void expect_scene_shown(const Picture& picture, double mean, int p99,
                         const GlbOptions& options = {}) {
   const Box& box = picture.viewport;
@@ -68,7 +68,7 @@ TEST(Glb, a_layer_is_one_mesh_that_all_its_nodes_show) {
   EXPECT_EQ(glb.json["nodes"].size(), 3u);
   EXPECT_EQ(glb.json["materials"].size(), 1u);
   EXPECT_FALSE(glb.json["materials"][0]["alphaMode"].is_there());
-  // The later one is nearer.
+  // The later one is closer.
   EXPECT_GT(glb.json["nodes"][2]["matrix"][14].number(),
             glb.json["nodes"][1]["matrix"][14].number());
 }
@@ -87,7 +87,7 @@ TEST(Glb, turned_mirrored_and_sheared_layers_stand_in_their_places) {
   picture.stack.clear();
   for (const Affine& place : places)
     picture.stack.push_back(PatchInstance{0, place, 1, BlendMode::normal});
-  // Centres on an edge may go either way.
+  // Centres on an edge may belong to either side.
   expect_scene_shown(picture, 1, 2);
   // No node's matrix shears.
   const test::Glb glb = exported_glb(picture);
@@ -122,7 +122,7 @@ TEST(Glb, shows_the_apple_as_we_do) {
   const auto document = test::example("apple.svg");
   ASSERT_TRUE(document);
   Picture picture = test::solved(*document);
-  // Modes that glTF has not would be seen.
+  // Modes that glTF lacks would be visible.
   for (PictureItem& item : picture.stack) {
     if (auto* instance = std::get_if<PatchInstance>(&item)) instance->blend = BlendMode::normal;
     if (auto* group = std::get_if<GroupBegin>(&item)) *group = {};
@@ -199,8 +199,8 @@ TEST(Glb, stops_when_it_is_cancelled_or_out_of_memory) {
   EXPECT_EQ(export_glb(poor, picture, {}).status().code, StatusCode::limit);
 }
 
-/// The largest difference, in code values of 255, between a patch and facets of it that are linear
-/// in light.
+/// Returns the largest difference, in code values of 255, between a patch and its facets, which are
+/// linear in light.
 double light_error(const PatchLayer& layer, double max_error) {
   using outputs::FacetSource;
   const FacetSource source{FacetSource::Kind::light, 0};
@@ -244,7 +244,7 @@ double light_error(const PatchLayer& layer, double max_error) {
 }
 
 TEST(LightFacets, keep_their_error_in_code_values) {
-  // From black, where equal steps of light are most unequal in code values, and around the plane.
+  // From black, where equal steps of light differ most in code values, and around the plane.
   const auto field = [](int, Vec2 p) {
     const double x = p.x / 100, y = p.y / 60;
     return Rgb{static_cast<float>(x * x), static_cast<float>(0.5 + 0.3 * std::sin(4 * x + 5 * y)),
@@ -264,7 +264,7 @@ TEST(LightFacets, keep_their_error_in_code_values) {
   for (const double max_error : {0.5, 1.0, 4.0}) {
     const double found = light_error(layer, max_error);
     EXPECT_LE(found, max_error);
-    EXPECT_GE(found, 0.3 * max_error);  // the bound is not idle
+    EXPECT_GE(found, 0.3 * max_error);  // the bound is not too loose
   }
 }
 

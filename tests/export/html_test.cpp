@@ -1,4 +1,4 @@
-// The HTML file as a text; what it shows is tested in a browser (tests/viewer).
+// The HTML file as a text; tests/viewer tests the page in a browser.
 #include "sfumato/export/html/html.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@
 namespace sfumato {
 namespace {
 
-/// One triangle of one colour.
+/// Returns one triangle of one colour.
 Picture triangle_picture() {
   Picture picture;
   picture.artboard = picture.viewport = {{0, 0}, {10, 10}};
@@ -55,12 +55,12 @@ TEST(Html, holds_all_that_it_needs) {
   EXPECT_NE(html.find("default-src 'none'"), std::string::npos);
 }
 
-/// What the page holds in its element "shaders".
+/// Returns the unpacked content of the page's element "shaders".
 std::string unpacked_shaders(const std::string& html) {
   const std::string mark = "id=\"shaders\">";
   const std::size_t begin = html.find(mark) + mark.size();
   const std::string coded = html.substr(begin, html.find('<', begin) - begin);
-  const Context context;  // first: it outlives what is charged to it
+  const Context context;  // first, because it must outlive the tables charged to it
   TableMemory memory("test");
   std::vector<std::uint8_t> packed;
   EXPECT_TRUE(codecs::decode_base64(context, coded, memory, packed));
@@ -81,7 +81,7 @@ TEST(Html, every_script_and_shader_is_compiled_in) {
     const std::string part = name + std::string(1, '\0') + outputs::condensed(shader) + '\0';
     EXPECT_NE(shaders.find(part), std::string::npos) << name;
   }
-  // What main.js begins, and what a file before it defines.
+  // The code that main.js starts, and a definition of an earlier file.
   EXPECT_NE(html.find("class ByteReader"), std::string::npos);
   EXPECT_NE(html.find("\nmain();\n"), std::string::npos);
 }
@@ -174,7 +174,8 @@ TEST(Html, values_that_are_no_numbers_are_not_written) {
   EXPECT_FALSE(html_of(odd).empty());
 }
 
-/// All on one vertex, one node and one edge: what finds neighbours must not become slow.
+/// Returns triangles that share one vertex, one node and one edge; the search for neighbours must
+/// not become slow.
 Picture many_triangles(std::size_t count) {
   Picture picture = triangle_picture();
   PatchLayer& layer = picture.layers[0];

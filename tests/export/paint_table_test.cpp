@@ -16,7 +16,7 @@ Picture picture_with(std::vector<Shader> shaders, std::vector<std::uint32_t> nam
 }
 
 display::PaintTable table_of(const Picture& picture) {
-  static Context context;  // outlives what is charged to it
+  static Context context;  // must outlive the tables charged to it
   Result<display::PaintTable> table =
       display::make_paint_table(context, picture, display::PaintTexels::kept);
   EXPECT_TRUE(table.ok()) << to_string(table.status());

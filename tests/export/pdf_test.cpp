@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "base/text/number_text.hpp"
 #include "export/support.hpp"
 #include "raster/pictures.hpp"
 #include "sfumato/base/native/thread_pool.hpp"
@@ -24,7 +25,7 @@ Bytes exported_pdf(const Picture& picture, const PdfOptions& options = {}) {
   return bytes ? std::move(*bytes) : Bytes{};
 }
 
-/// A layer of one colour, drawn as its instance says.
+/// Returns a layer of one colour, drawn with the instance's options.
 Picture flat_picture(const PatchInstance& instance = {}) {
   Picture picture = test::make_picture(test::flat_layer(test::kPageBox, {0.2f, 0.4f, 0.8f}));
   picture.stack = {instance};
@@ -120,6 +121,20 @@ TEST(Pdf, what_cannot_be_drawn_is_an_error) {
   Picture broken = flat_picture();
   broken.layers[0].triangle_vertex[0] = 99;
   EXPECT_EQ(export_pdf(context, broken, {}).status().code, StatusCode::bad_input);
+}
+
+TEST(Pdf, a_page_of_kilometres_is_an_error_that_says_its_size) {
+  Context context;
+  PdfOptions options;
+  options.page_width_pt = 1e7;
+  EXPECT_TRUE(export_pdf(context, flat_picture(), options).ok());
+  for (const double width : {2e7, 1e300}) {
+    options.page_width_pt = width;
+    const auto pdf = export_pdf(context, flat_picture(), options);
+    EXPECT_EQ(pdf.status().code, StatusCode::bad_input);
+    EXPECT_TRUE(pdf.status().message.starts_with("the page would be " + number_text(width)))
+        << pdf.status().message;
+  }
 }
 
 TEST(Pdf, a_picture_of_nothing_is_an_empty_page) {

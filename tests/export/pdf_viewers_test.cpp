@@ -1,5 +1,5 @@
-// Pictures as PDF in the programs that show PDF, held against our own raster. ViewerLimits are a
-// little above what was measured. Ghostscript antialiases where it is asked to only.
+// Pictures as PDF in programs that show PDF, compared with our raster. ViewerLimits are slightly
+// above the measured values. Ghostscript antialiases only on request.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -37,8 +37,8 @@ Bytes pdf_of(const Picture& picture) {
   return bytes ? std::move(*bytes) : Bytes{};
 }
 
-/// Largest mean and 99th percentile of the differences, code values, and share of the channels that
-/// differ by more than 64: an aliased edge has many.
+/// Largest mean and 99th percentile of the differences, code values, and the share of channels that
+/// differ by more than 64, which is large for an aliased edge.
 struct ViewerLimits {
   double mean;
   int p99;
@@ -68,9 +68,9 @@ void expect_valid(const Bytes& pdf) {
   EXPECT_EQ(said.exit_code, 0) << said.text;
 }
 
-/// One document in all programs; limits in the order Splash, cairo, MuPDF, Ghostscript. Splash
-/// takes longest of all, for some drawings twice as long as the others together: these it shows in
-/// `make soak` alone.
+/// Compares one document in all programs; limits in the order Splash, cairo, MuPDF, Ghostscript.
+/// Splash is the slowest: some drawings take twice as long as in all the others together. These run
+/// in Splash only in `make soak`.
 void expect_shown_everywhere(const Document& document, const ViewerLimits (&limits)[4],
                              bool is_slow_in_splash = false) {
   const Picture picture = test::solved(document);
@@ -130,7 +130,8 @@ TEST(PdfInViewers, the_fish) {
     expect_shown_everywhere(*document, {{2.1, 25}, {0.7, 8}, {2, 25}, {1.3, 19}});
 }
 
-/// Processor time, seconds, of programs that were run and have ended: other programs do not count.
+/// Returns processor time, seconds, of ended child processes, because other programs must not
+/// count.
 double seconds_of_programs() {
   rusage used{};
   getrusage(RUSAGE_CHILDREN, &used);
@@ -140,7 +141,7 @@ double seconds_of_programs() {
   return seconds(used.ru_utime) + seconds(used.ru_stime);
 }
 
-/// Its hundred fishes as triangles take several minutes there. As it is, it takes as long as two
+/// As triangles, its hundred fishes would take several minutes. The export takes as long as two
 /// flowers.
 TEST(PdfInViewers, the_fish_is_open_in_splash_as_soon_as_eight_flowers) {
   if (!test::has_program(kSplash.program) || !test::has_program("prlimit"))
@@ -170,7 +171,7 @@ TEST(PdfInViewers, opacity_by_a_paint_leaves_no_dark_pixels_where_it_ends) {
   const auto shown = test::shown_by(pdf_of(test::solved(read->document)), "in.pdf",
                                     "mutool draw -q -r 192 -o OUT IN");
   ASSERT_TRUE(shown);
-  // The circle's darkest is where the gradient has 105 of its 200 units.
+  // The circle is darkest where the gradient has 105 of its 200 units.
   EXPECT_GE(*std::min_element(shown->bytes.begin(), shown->bytes.end()), 255 - 255 * 105 / 200 - 4);
 }
 

@@ -35,7 +35,7 @@ class ExampleFiles : public ResourceLoader {
   }
 };
 
-/// The command with paths for IN and OUT, in one pass: the name of a folder may hold these letters.
+/// Replaces IN and OUT by paths in one pass, because the folder's name may contain these letters.
 std::string with_paths(const std::string& command, const std::string& in, const std::string& out) {
   std::string text;
   for (std::size_t i = 0; i < command.size();) {
@@ -58,7 +58,7 @@ Image on_white(const Image& image) {
   return opaque;
 }
 
-/// Runs a command in a folder that holds the file; IN and OUT become paths there.
+/// Runs a command in a folder with the file; IN and OUT become paths there.
 Said run_in(const TemporaryFolder& folder, const Bytes& file, const std::string& name,
             std::string command) {
   std::ofstream(folder.file(name), std::ios::binary)

@@ -1,4 +1,4 @@
-// SVG as a text, and as other programs show it.
+// SVG as a text, and in other programs.
 #include "sfumato/export/svg/svg.hpp"
 
 #include <gtest/gtest.h>
@@ -44,8 +44,8 @@ LocalStroke stroke() {
   return stroke;
 }
 
-/// What a program makes of an SVG, against our own raster. The limits are what was measured, and a
-/// third more.
+/// Compares a program's view of an SVG with our raster. The limits are a third above the measured
+/// values.
 void expect_shown(const std::string& command, const Document& document, const SvgOptions& options,
                   double mean, int p99) {
   const Picture picture = test::solved(document);
@@ -107,7 +107,7 @@ TEST(SvgVector, a_flat_layer_has_no_gradients) {
   EXPECT_EQ(notes.triangle_count, 8u);
   EXPECT_TRUE(notes.lost.empty());
   EXPECT_EQ(test::count(text, "<path"), 3 * 8u);
-  EXPECT_EQ(test::count(text, "<linearGradient"), 4u);  // those that hold the stops
+  EXPECT_EQ(test::count(text, "<linearGradient"), 4u);  // the elements with the stops
 }
 
 TEST(SvgVector, each_channel_has_its_own_mesh) {
@@ -157,7 +157,7 @@ TEST(SvgVector, strokes_in_a_row_are_one_image) {
   EXPECT_EQ(test::count(text, "<image "), 2u);
   EXPECT_LT(text.find("<image "), text.find("<use "));
   EXPECT_EQ(notes.lost.size(), 1u);
-  // Its pixels end where it does.
+  // Its pixels end at the layer's border.
   EXPECT_NE(text.find("<image x=\"11\" y=\"21\" width=\"78\" height=\"18\""), std::string::npos);
 }
 
@@ -257,7 +257,7 @@ TEST(SvgInPrograms, triangles_of_one_colour_have_no_seams) {
     const auto image = test::shown_by(*svg, "a.svg", command);
     ASSERT_TRUE(image);
     int largest = 0;
-    // Not the pixels that the page ends in.
+    // Leave out the pixels at the page's border.
     for (int y = 0; y < image->height - 1; ++y) {
       for (int x = 0; x < image->width - 1; ++x) {
         const std::uint8_t* pixel =

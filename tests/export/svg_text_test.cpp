@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <vector>
 
 namespace sfumato::outputs {
@@ -17,6 +18,15 @@ std::string path(const std::vector<Vec2>& points) {
   std::string text;
   append_closed_path(text, points);
   return text;
+}
+
+TEST(SvgText, a_path_with_a_point_beyond_whole_numbers_is_left_out) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const double far : {0x1p53, -0x1p53, 1e300, nan}) {
+    EXPECT_EQ(path({{0, 0}, {far, 0}, {0, 5}}), "");
+    EXPECT_EQ(path({{0, 0}, {5, 0}, {0, far}}), "");
+  }
+  EXPECT_NE(path({{0, 0}, {0x1p52, 0}, {0, 5}}), "");
 }
 
 TEST(SvgText, numbers_say_nothing_needless) {

@@ -11,8 +11,8 @@
 
 #include "export/support.hpp"
 
-/// The solution as tables. That NumPy and Python's json read them is tested with the package for
-/// Python (bindings/python/tests/test_tables.py).
+/// The solution as tables. The tests of the Python package check that NumPy and Python's json read
+/// them (bindings/python/tests/test_tables.py).
 namespace sfumato {
 namespace {
 
@@ -26,7 +26,7 @@ Number number_at(const Bytes& bytes, std::size_t at) {
   return value;
 }
 
-/// The arrays of an NPZ, by name: what follows the header of each.
+/// The arrays of an NPZ by name: the data after each header.
 struct Array {
   std::string header;
   Bytes data;
@@ -144,7 +144,7 @@ static_assert(sizeof(PlyVertex) == 28);
 struct Ply {
   std::string header;
   std::vector<PlyVertex> vertex;
-  std::vector<std::uint32_t> face;  ///< 3 a face
+  std::vector<std::uint32_t> face;  ///< 3 per face
 };
 
 Ply parse_ply(const Bytes& file) {

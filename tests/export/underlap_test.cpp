@@ -16,7 +16,7 @@ namespace {
 const Box kSmallBox{{0, 0}, {10, 8}};
 constexpr double kUnderlapReach = 0.8;
 
-/// Patches of a jittered grid as facets of their own, in a random order.
+/// Returns patches of a jittered grid as separate facets, in a random order.
 FacetMesh facets(std::uint32_t seed) {
   const test::RegionMesh grid = test::jittered_grid(kSmallBox, 6, seed);
   FacetMesh mesh;
@@ -33,16 +33,16 @@ FacetMesh facets(std::uint32_t seed) {
 }
 
 FacetLinks linked(const FacetMesh& mesh) {
-  static Context context;  // outlives what is charged to it
+  static Context context;  // must outlive the tables charged to it
   return std::move(*link_facets(context, mesh));
 }
 
 FacetOutlines outlined(const FacetMesh& mesh, double outside) {
-  static Context context;  // outlives what is charged to it
+  static Context context;  // must outlive the tables charged to it
   return std::move(*underlapped(context, mesh, linked(mesh), {kUnderlapReach, outside}));
 }
 
-/// How often a closed line goes around a point.
+/// Returns how often a closed line goes around a point.
 int winding(std::span<const Vec2> line, Vec2 p) {
   double angle = 0;
   for (std::size_t i = 0; i < line.size(); ++i) {
@@ -63,7 +63,7 @@ std::uint32_t facet_count(const FacetMesh& mesh) {
   return static_cast<std::uint32_t>(mesh.facet_vertex.size() / 3);
 }
 
-/// What shows at a point when outlines are painted in their order.
+/// Returns the facet that shows at a point when outlines are painted in order.
 std::optional<std::uint32_t> uppermost(const FacetOutlines& outlines, std::uint32_t count, Vec2 p) {
   for (std::uint32_t facet = count; facet-- > 0;)
     if (winding(outlines.of(facet), p) != 0) return facet;

@@ -1,4 +1,4 @@
-// Colours as CSS writes them.
+// Colours in CSS notation.
 #include <gtest/gtest.h>
 
 #include "formats/css/color.hpp"
@@ -78,7 +78,6 @@ TEST(CssColor, what_is_no_color_is_refused) {
                            "rgb(1,2,)",
                            "hsl(120)",
                            "hsl(a,b,c)",
-                           "color(display-p3 1 0 0)",
                            "var(--x)",
                            "url(#a)",
                            "none",
@@ -107,7 +106,7 @@ TEST(CssColor, escapes_comments_and_case_are_those_of_css) {
   expect_color("rgb(1+2+3)", 1, 2, 3);
   expect_color("rgb(none 2 3)", 0, 2, 3);
   expect_color("hsl(none none 40% / none)", 102, 102, 102, 0);
-  // What the end of the text leaves open is closed there.
+  // The end of the text closes open brackets.
   expect_color("rgb(1,2,3", 1, 2, 3);
   expect_color("rgb(1 2 3 / 20%/*", 1, 2, 3, 51);
 }
@@ -149,10 +148,10 @@ TEST(CssColor, commas_and_blanks_are_not_mixed) {
 
 TEST(CssColor, near_names_are_suggested) {
   EXPECT_EQ(css::parse_color("orangge").status().message,
-            "\"orangge\" is no colour; expected a CSS name, #rgb, #rrggbb, rgb(), hsl() or hwb(); "
-            "did you mean orange?");
+            "\"orangge\" is not a colour; use a CSS name, #rgb, #rrggbb, rgb(), hsl(), hwb(), "
+            "lab(), lch(), oklab(), oklch() or color(); did you mean orange?");
   EXPECT_EQ(css::parse_color("currentColor").status().message,
-            "currentColor depends on where it stands; expected the colour itself");
+            "currentColor depends on where it stands; use the colour itself");
 }
 
 }  // namespace

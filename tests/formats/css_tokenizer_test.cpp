@@ -16,8 +16,9 @@ namespace {
 
 using enum css::TokenType;
 
-/// Letters for types: i(dent) f(unction) @ #(id) h(ash) s(tring) S(bad) u(rl) U(bad) d(elim)
-/// n(umber) % D(imension) _(whitespace) <(CDO) >(CDC), brackets and signs for themselves.
+/// Returns letters for types: i(dent) f(unction) @ #(id) h(ash) s(tring) S(bad) u(rl) U(bad)
+/// d(elim) n(umber) % D(imension) _(whitespace) <(CDO) >(CDC); brackets and signs stand for
+/// themselves.
 std::string types_of(std::string_view text) {
   constexpr std::string_view kLetters = ".if@hsSuUdn%D_<>:;,[](){}";
   css::TextPoll poll;
@@ -99,7 +100,7 @@ TEST(CssTokenizer, escapes_name_characters) {
   EXPECT_FALSE(css::is_named("\\abort", "abort")) << "a and b are digits";
 }
 
-/// "name=value" or "name=value!" for each declaration, and "~" where something was passed over.
+/// Returns "name=value" or "name=value!" for each declaration, and "~" for skipped text.
 std::string declarations_in(std::string_view text, bool in_block = false) {
   css::TextPoll poll;
   css::Tokenizer tokens(text, poll);
@@ -180,15 +181,20 @@ TEST(CssSelector, tells_simple_ones_from_others_and_from_wrong_ones) {
     css::TextPoll poll;
     css::Tokenizer tokens(text, poll);
     std::string kinds;
+    std::vector<css::SelectorPart> parts;
     for (;;) {
-      const css::Selector selector = css::take_selector(tokens);
-      kinds += "*e.#o!"[static_cast<std::size_t>(selector.kind)];
+      const css::Selector selector = css::take_selector(tokens, parts);
+      kinds += "*e.#cu!"[static_cast<std::size_t>(selector.kind)];
       if (selector.is_last) return kinds;
     }
   };
   EXPECT_EQ(kinds_of("*, a, .b, #c, -d, .\\31 e,/**/f"), "*e.#e.e");
-  EXPECT_EQ(kinds_of("a.b, a b, a>b, a + b~c, a:b, a::b(c,d), [a=','], *.a, &, a|b, *|*"),
-            "ooooooooooo");
+  EXPECT_EQ(kinds_of("a.b, a b, a>b, a + b~c, [a], [a=','], [a~=b i], *.a, a:first-child, "
+                     ":root, a:not(.b), a:HOVER"),
+            "cccccccccccc");
+  EXPECT_EQ(
+      kinds_of("a:b, a::b(c,d), &, a|b, *|*, [a|b], [=a], :not(a,b), :not(a b), a:nth-child(2)"),
+      "uuuuuuuuuu");
   EXPECT_EQ(kinds_of(""), "!");
   EXPECT_EQ(kinds_of("a,,b,"), "e!e!");
   EXPECT_EQ(kinds_of("1a,#1,. a,>a,a>,a>>b,a!,.a*,.,(a),:,{},'a'"), "!!!!!!!!!!!!!");
@@ -199,7 +205,7 @@ TEST(CssTokenizer, deep_brackets_end_somewhere) {
   EXPECT_EQ(declarations_in(text).substr(0, 4), "a=((");
 }
 
-/// Counts the looks, and stops at the last of them.
+/// Counts the polls, and stops at the last one.
 struct Stopping : PollWatch {
   int looks = 0;
   void polled() override { ++looks; }

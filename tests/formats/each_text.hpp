@@ -7,7 +7,7 @@
 
 namespace sfumato::test {
 
-/// of(text) is `expected` for each of the texts.
+/// Expects that of(text) is `expected` for each of the texts.
 template <class Of, class Value>
 void expect_of_each(std::initializer_list<std::string> texts, Of of, const Value& expected) {
   for (const std::string& text : texts) EXPECT_EQ(of(text), expected) << text;

@@ -5,14 +5,15 @@
 #include <cmath>
 #include <memory>
 
-#include "codecs/jpeg_decode.hpp"
+#include "codecs/jpeg/jpeg_decode.hpp"
 #include "sfumato/codecs/jpeg_encode.hpp"
 #include "sfumato/codecs/webp_encode.hpp"
 
 namespace sfumato {
 namespace {
 
-/// Smooth, with a sharp red and green diagonal of equal lightness, and alpha in rgba8.
+/// Returns a smooth image with a sharp red and green diagonal of equal lightness, and alpha in
+/// rgba8.
 Image test_image(int width, int height, PixelFormat format) {
   Image image{width, height, format, {}};
   image.bytes.resize(image.row_bytes() * static_cast<std::size_t>(height));
@@ -30,7 +31,7 @@ Image test_image(int width, int height, PixelFormat format) {
   return image;
 }
 
-/// Of the first three channels, in code values.
+/// Returns the mean difference of the first three channels, in code values.
 double mean_difference(const Image& image, const std::uint8_t* rgba) {
   const auto channels = static_cast<std::size_t>(channel_count(image.format));
   const std::size_t pixel_count = static_cast<std::size_t>(image.width) * image.height;
@@ -67,7 +68,7 @@ TEST(JpegEncode, what_is_written_reads_back_nearly_the_same) {
     EXPECT_LT(difference, previous) << quality;
     previous = difference;
   }
-  // Colour at full resolution: the diagonal does not bleed.
+  // Colour has full resolution: the diagonal does not bleed.
   EXPECT_LT(previous, 0.6);
   EXPECT_EQ(context.budget.used(), 0u);
 }

@@ -7,10 +7,10 @@
 
 namespace sfumato::test {
 
-/// A PNG of some colours.
+/// Returns a PNG of some colours.
 std::vector<std::uint8_t> png_file(int width, int height);
 
-/// A JPEG of one colour: 1 channel is gray, 3 are RGB, 4 CMYK with Adobe's marker.
+/// Returns a JPEG of one colour: 1 channel is gray, 3 are RGB, 4 CMYK with Adobe's marker.
 std::vector<std::uint8_t> jpeg_file(int width, int height, int channels,
                                     std::array<std::uint8_t, 4> color, bool progressive = false);
 

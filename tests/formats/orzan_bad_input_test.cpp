@@ -1,4 +1,4 @@
-// Orzan's XML that nothing sensible can be drawn from: one clear message with its place.
+// Invalid XML of Orzan: one clear message with its place.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -43,10 +43,12 @@ TEST_P(BadOrzan, is_refused_with_place_and_reason) {
 }
 
 const BadInput kBadInputs[] = {
-    {"empty_file", "", "a.xml: the file is empty; expected XML"},
-    {"blank_file", " \n \n", "a.xml: no XML element found"},
-    {"not_xml", "solid ascii\nvertex 1 2 3\n", "a.xml: no XML element found"},
-    {"binary", std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16), "a.xml: no XML element found"},
+    {"empty_file", "", "a.xml: the file is empty; use an SVG or Orzan XML file"},
+    {"blank_file", " \n \n", "a.xml: no XML element found; use an SVG or Orzan XML file"},
+    {"not_xml", "solid ascii\nvertex 1 2 3\n",
+     "a.xml: no XML element found; use an SVG or Orzan XML file"},
+    {"binary", std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16),
+     "a.xml: is a PNG picture; use a drawing (SVG or Orzan XML), or trace the picture to make one"},
     {"truncated_in_a_tag", kHead + " <curve><control_po",
      "a.xml:2:19: the XML is cut short: Error parsing start element tag of <control_po>"},
     {"truncated_in_an_attribute", kHead + " <curve nb='",
@@ -57,37 +59,37 @@ const BadInput kBadInputs[] = {
      "a.xml:2:11: not well-formed XML: Start-end tags mismatch: <curve> of line 2 is still open at "
      "</carve>"},
     {"other_document", "\n  <svg/>",
-     "a.xml:2:3: the document is a <svg>; expected <curve_set> or <scene>"},
+     "a.xml:2:3: the document is a <svg>; use <curve_set> or <scene>"},
     {"no_canvas", "<curve_set image_height='3'/>",
      "a.xml:1:1: <curve_set> has no attribute image_width"},
     {"flat_canvas", "<curve_set image_width='0' image_height='3'/>",
-     "a.xml:1:1: the canvas has no area; expected image_width and image_height above 0"},
+     "a.xml:1:1: the canvas has no area; use image_width and image_height above 0"},
     {"negative_canvas", "<curve_set image_width='3' image_height='-3'/>",
-     "a.xml:1:1: the canvas has no area; expected image_width and image_height above 0"},
+     "a.xml:1:1: the canvas has no area; use image_width and image_height above 0"},
     {"canvas_of_nan", "<curve_set image_width='nan' image_height='3'/>",
-     "a.xml:1:1: image_width of <curve_set> is \"nan\"; expected a finite number"},
+     "a.xml:1:1: image_width of <curve_set> is \"nan\"; use a finite number"},
     {"huge_canvas", "<curve_set image_width='1e300' image_height='3'/>",
-     "a.xml:1:1: image_width of <curve_set> is 1e300; expected a magnitude of at most 10000000"},
+     "a.xml:1:1: image_width of <curve_set> is 1e300; use a magnitude of at most 10000000"},
     {"no_control_points_set", curve_with(""),
-     "a.xml:2:2: the curve has 0 control points; expected 3n+1 of them (4, 7, 10, …)"},
+     "a.xml:2:2: the curve has 0 control points; use 3n+1 of them (4, 7, 10, …)"},
     {"control_points_0", curve_with(points(0)),
-     "a.xml:2:9: the curve has 0 control points; expected 3n+1 of them (4, 7, 10, …)"},
+     "a.xml:2:9: the curve has 0 control points; use 3n+1 of them (4, 7, 10, …)"},
     {"control_points_1", curve_with(points(1)),
-     "a.xml:2:9: the curve has 1 control points; expected 3n+1 of them (4, 7, 10, …)"},
+     "a.xml:2:9: the curve has 1 control points; use 3n+1 of them (4, 7, 10, …)"},
     {"control_points_2", curve_with(points(2)),
-     "a.xml:2:9: the curve has 2 control points; expected 3n+1 of them (4, 7, 10, …)"},
+     "a.xml:2:9: the curve has 2 control points; use 3n+1 of them (4, 7, 10, …)"},
     {"control_points_5", curve_with(points(5)),
-     "a.xml:2:9: the curve has 5 control points; expected 3n+1 of them (4, 7, 10, …)"},
+     "a.xml:2:9: the curve has 5 control points; use 3n+1 of them (4, 7, 10, …)"},
     {"coordinate_nan", curve_with(points(4, "<control_point x='NaN' y='0'/>")),
-     "a.xml:2:29: x of <control_point> is \"NaN\"; expected a finite number"},
+     "a.xml:2:29: x of <control_point> is \"NaN\"; use a finite number"},
     {"coordinate_infinite", curve_with(points(4, "<control_point x='0' y='-inf'/>")),
-     "a.xml:2:29: y of <control_point> is \"-inf\"; expected a finite number"},
+     "a.xml:2:29: y of <control_point> is \"-inf\"; use a finite number"},
     {"coordinate_1e308", curve_with(points(4, "<control_point x='1e308' y='0'/>")),
-     "a.xml:2:29: x of <control_point> is 1e308; expected a magnitude of at most 10000000"},
+     "a.xml:2:29: x of <control_point> is 1e308; use a magnitude of at most 10000000"},
     {"coordinate_1e309", curve_with(points(4, "<control_point x='1e309' y='0'/>")),
-     "a.xml:2:29: x of <control_point> is \"1e309\"; expected a finite number"},
+     "a.xml:2:29: x of <control_point> is \"1e309\"; use a finite number"},
     {"coordinate_words", curve_with(points(4, "<control_point x='1,5' y='0'/>")),
-     "a.xml:2:29: x of <control_point> is \"1,5\"; expected a finite number"},
+     "a.xml:2:29: x of <control_point> is \"1,5\"; use a finite number"},
     {"coordinate_missing", curve_with(points(4, "<control_point x='1'/>")),
      "a.xml:2:29: <control_point> has no attribute y"},
     {"colour_missing",
@@ -97,7 +99,7 @@ const BadInput kBadInputs[] = {
     {"colour_nan",
      curve_with(points(4) + "\n<left_colors_set><left_color R='1' G='nan' B='1' globalID='0'/>"
                             "</left_colors_set>"),
-     "a.xml:3:18: G of <left_color> is \"nan\"; expected a finite number"},
+     "a.xml:3:18: G of <left_color> is \"nan\"; use a finite number"},
     {"stop_without_place",
      curve_with(points(4) + "\n<left_colors_set><left_color R='1' G='1' B='1'/>"
                             "</left_colors_set>"),
@@ -105,7 +107,7 @@ const BadInput kBadInputs[] = {
     {"blur_infinite",
      curve_with(points(4) + "\n<blur_points_set><best_scale value='inf' globalID='0'/>"
                             "</blur_points_set>"),
-     "a.xml:3:18: value of <best_scale> is \"inf\"; expected a finite number"},
+     "a.xml:3:18: value of <best_scale> is \"inf\"; use a finite number"},
 };
 
 INSTANTIATE_TEST_SUITE_P(, BadOrzan, testing::ValuesIn(kBadInputs),

@@ -1,4 +1,5 @@
-// The public scenes: what README.md beside them says of the format holds for what is read.
+// The public scenes: the read documents match the format's description in the README.md beside
+// them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -74,7 +75,7 @@ TEST(LadyBug, first_curve_is_turned_upright_with_its_colours_in_order) {
   EXPECT_EQ(second.value, (Rgb{247 / 255.f, 187 / 255.f, 135 / 255.f}));
 }
 
-// The lady bug's outline runs clockwise on the screen: the red body lies on its right.
+// The lady bug's outline runs clockwise on the screen, so the red body lies on its right.
 TEST(LadyBug, red_body_is_right_of_its_outline) {
   const auto document = test::shared_scene("lady_bug.xml");
   if (!document) GTEST_SKIP() << "no public scene lady_bug.xml";
@@ -88,7 +89,7 @@ TEST(LadyBug, red_body_is_right_of_its_outline) {
   EXPECT_GT(body.r, body.b + 0.3f);
 }
 
-// The two files hold the same drawing at half the size, in two dialects.
+// The two files hold the same drawing, one at half the size, in two dialects.
 TEST(LadyBug, is_the_same_in_both_dialects) {
   const auto orzan = test::shared_scene("lady_bug.xml");
   const auto scene = test::shared_scene("usvg_ladybug.xml");

@@ -1,4 +1,4 @@
-// Orzan's XML on small files of our own: what is read, and what is overlooked.
+// Small files of Orzan's XML: the content that is read, and the content that is ignored.
 #include "sfumato/formats/orzan/orzan.hpp"
 
 #include <gtest/gtest.h>
@@ -85,6 +85,49 @@ TEST(Orzan, stops_are_sorted_stably_and_clamped_to_the_curve) {
                              {1, {0.8f, 0, 0}},
                              {1, {1, 0, 0}}}};
   EXPECT_EQ(curve.right.color.stops, expected);
+}
+
+/// Some programs number stops from 0 to 10000, whatever the number of pieces.
+TEST(Orzan, stops_that_are_numbered_far_past_the_curve_are_scaled_with_a_warning) {
+  const auto color = [](const char* id, const char* red) {
+    return std::string("<right_color R='0' G='0' B='") + red + "' globalID='" + id + "'/>";
+  };
+  const ReadDocument document =
+      read(one_curve("<right_colors_set>" + color("0", "0") + color("5000", "51") +
+                     color("10000", "255") + "</right_colors_set>" +
+                     "<blur_points_set><best_scale value='0' globalID='0'/>"
+                     "<best_scale value='2' globalID='2500'/></blur_points_set>"));
+  const Curve& curve = document.document.layers[0].curves[0];
+  const ColorStops expected{StopSpace::parameter,
+                            {{0, {0, 0, 0}}, {0.5, {0.2f, 0, 0}}, {1, {1, 0, 0}}}};
+  EXPECT_EQ(curve.right.color.stops, expected);
+  EXPECT_EQ(curve.left.blur_radius.stops.back().offset, 0.25);
+  ASSERT_EQ(document.warnings.size(), 1u);
+  EXPECT_TRUE(document.warnings[0].message.starts_with("stops are numbered past the end"));
+}
+
+TEST(Orzan, portals_are_told) {
+  const ReadDocument document = read(curve_set(
+      "<curve connects='1'>" + kPoints + "</curve><curve connects='0'>" + kPoints + "</curve>"));
+  EXPECT_EQ(document.document.layers[0].curves.size(), 2u);
+  ASSERT_EQ(document.warnings.size(), 1u);
+  EXPECT_EQ(to_string(document.warnings[0]),
+            "a.xml:3:1: portals (connects) are not read; the curve is an ordinary one");
+}
+
+TEST(Orzan, a_bad_curve_of_many_is_left_out_and_named) {
+  const std::string good = "<curve>" + kPoints + "</curve>", few = "<curve/>";
+  const std::string no_number = "<curve>" + kPoints +
+                                "<left_colors_set><left_color R='-1.#IND' G='1' B='1' "
+                                "globalID='0'/></left_colors_set></curve>";
+  const ReadDocument document = read(curve_set(good + "\n" + few + good + no_number));
+  EXPECT_EQ(document.document.layers[0].curves.size(), 2u);
+  ASSERT_EQ(document.warnings.size(), 2u);
+  EXPECT_EQ(to_string(document.warnings[0]),
+            "a.xml:4:1: curve 2 is left out: the curve has 0 control points; use 3n+1 of them "
+            "(4, 7, 10, …)");
+  EXPECT_TRUE(document.warnings[1].message.starts_with("curve 4 is left out: R of <left_color>"))
+      << document.warnings[1].message;
 }
 
 TEST(Orzan, colours_beyond_the_range_are_clamped_with_one_warning) {
@@ -197,11 +240,10 @@ TEST(Orzan, utf16_is_read_without_places) {
             "a.xml: <extra> is not read; such elements are ignored");
 }
 
-TEST(Orzan, entities_of_a_doctype_are_not_expanded) {
+TEST(Orzan, entities_of_a_doctype_are_expanded) {
   const std::string xml =
-      "<!DOCTYPE curve_set [<!ENTITY a 'aaaaaaaa'><!ENTITY b '&a;&a;&a;&a;'>]>"
-      "<curve_set image_width='3' image_height='2'>&b;<curve>" +
-      kPoints + "</curve></curve_set>";
+      "<!DOCTYPE curve_set [<!ENTITY width '3'><!ENTITY points \"" + kPoints +
+      "\">]><curve_set image_width='&width;' image_height='2'><curve>&points;</curve></curve_set>";
   EXPECT_EQ(read(xml).document.layers[0].curves.size(), 1u);
 }
 

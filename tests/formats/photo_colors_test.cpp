@@ -1,11 +1,11 @@
-// Photos whose colours are not sRGB's.
+// Photos whose colours are not in sRGB.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstring>
 #include <random>
 
-#include "codecs/photo.hpp"
+#include "codecs/photo/photo.hpp"
 #include "formats/image_files.hpp"
 #include "formats/photo_files.hpp"
 #include "formats/photo_support.hpp"
@@ -18,7 +18,7 @@ using namespace test;
 
 using Color = std::array<int, 3>;
 
-/// A PNG of 8 bits of one pixel.
+/// Returns an 8-bit PNG of one pixel.
 Bytes pixel_png(const Color& color, const std::vector<PngChunk>& chunks) {
   Bytes row{0};
   for (const int channel : color) row.push_back(static_cast<std::uint8_t>(channel));
@@ -41,7 +41,7 @@ int srgb_code_of(double light) {
   return static_cast<int>(std::lround(255 * std::clamp(code, 0.0, 1.0)));
 }
 
-/// By the matrix between the two spaces, both of the white D65.
+/// Converts by the matrix between the two spaces, both with white D65.
 Color srgb_of_p3(const Color& color) {
   const double r = light_of(color[0] / 255.0), g = light_of(color[1] / 255.0),
                b = light_of(color[2] / 255.0);
@@ -66,7 +66,7 @@ TEST(PhotoColors, display_p3_becomes_srgb) {
     expect_color(photo_in(pixel_png(color, {{"iCCP", png_profile(profile)}})), expected);
     const std::array<std::uint8_t, 4> bytes{std::uint8_t(color[0]), std::uint8_t(color[1]),
                                             std::uint8_t(color[2]), 0};
-    // YCbCr of the file is rounded.
+    // YCbCr in the file is rounded.
     expect_color(photo_in(with_profile(jpeg_file(8, 8, 3, bytes), profile)), expected, 3);
     expect_color(photo_in(with_profile(jpeg_file(8, 8, 3, bytes), profile, 100)), expected, 3);
     const auto webp = encode_webp(
@@ -116,7 +116,7 @@ TEST(PhotoColors, gray_with_a_profile_of_rgb_is_converted_by_it) {
 
 TEST(PhotoColors, inks_with_a_profile_are_converted_by_it) {
   const Bytes profile = ink_profile();
-  // Adobe's bytes: 255 is no ink. All cyan makes L* of 100 · 2/3.
+  // Adobe's bytes: 255 is no ink. Full cyan gives L* of 100 · 2/3.
   const auto gray_of = [](double lightness) {
     return srgb_code_of(std::pow((lightness + 16) / 116, 3));
   };
@@ -216,7 +216,7 @@ TEST(PhotoColors, profiles_with_any_damage_make_pictures) {
     const auto kind = static_cast<std::size_t>(turn % 3);
     Bytes profile = profiles[kind];
     for (int i = 0; i <= turn % 5; ++i) {
-      // Most of a table of inks is colours.
+      // The largest part of a table of inks is colours.
       const std::size_t end =
           turn % 2 == 0 ? std::min<std::size_t>(600, profile.size()) : profile.size();
       profile[random() % end] = static_cast<std::uint8_t>(random());

@@ -18,7 +18,7 @@ void append_little(std::uint32_t value, int byte_count, Bytes& out) {
   for (int i = 0; i < byte_count; ++i) out.push_back(static_cast<std::uint8_t>(value >> 8 * i));
 }
 
-/// Takes the profile.
+/// Returns the bytes of the profile, and closes it.
 Bytes saved(cmsHPROFILE profile) {
   cmsUInt32Number size = 0;
   EXPECT_TRUE(profile && cmsSaveProfileToMem(profile, nullptr, &size));
@@ -28,7 +28,7 @@ Bytes saved(cmsHPROFILE profile) {
   return bytes;
 }
 
-/// With sRGB's curve and white.
+/// Returns a profile with sRGB's curve and white.
 Bytes rgb_profile(const cmsCIExyYTRIPLE& primaries) {
   constexpr std::array<double, 5> kSrgbCurve{2.4, 1 / 1.055, 0.055 / 1.055, 1 / 12.92, 0.04045};
   cmsToneCurve* const curve = cmsBuildParametricToneCurve(nullptr, 4, kSrgbCurve.data());
@@ -39,7 +39,7 @@ Bytes rgb_profile(const cmsCIExyYTRIPLE& primaries) {
   return bytes;
 }
 
-/// Lab of four inks, both as 16 bits of the library.
+/// Computes Lab of four inks, both as 16-bit values of the library.
 cmsInt32Number darken(const cmsUInt16Number* inks, cmsUInt16Number* lab, void*) {
   const double color = (inks[0] + inks[1] + inks[2]) / (3 * 65535.0), black = inks[3] / 65535.0;
   const cmsCIELab value{100 * (1 - color) * (1 - black), 0, 0};

@@ -4,14 +4,14 @@
 
 #include <vector>
 
-#include "codecs/photo.hpp"
+#include "codecs/photo/photo.hpp"
 #include "formats/png_chunks.hpp"
 
 namespace sfumato::test {
 
 using Warnings = std::vector<Diagnostic>;
 
-/// The image of a file's bytes, or why there is none.
+/// Returns the image of a file's bytes, or the error.
 inline Result<Image> photo_in(const Bytes& file, Warnings* warnings = nullptr) {
   Context context;
   Result<Image> image = codecs::read_photo(context, file, "a.file", warnings);

@@ -1,5 +1,5 @@
-// Photos as people see them: kinds of files, orientation, and what is damaged.
-#include "codecs/photo.hpp"
+// Photos as people see them: kinds of files, orientation, and damaged files.
+#include "codecs/photo/photo.hpp"
 
 #include <gtest/gtest.h>
 
@@ -28,7 +28,7 @@ Image gradient(int width, int height, PixelFormat format) {
   return image;
 }
 
-/// Rows of gray pixels, a digit each.
+/// Returns rows of gray pixels, one digit per pixel.
 Bytes digits_png(const std::vector<std::string>& rows, const std::vector<PngChunk>& before,
                  const std::vector<PngChunk>& after = {}) {
   Bytes samples;
@@ -94,7 +94,7 @@ TEST(PhotoOrientation, every_one_stands_upright_in_webp) {
   }
 }
 
-/// Squares of 16 pixels, lighter from one to the next.
+/// Squares of 16 pixels, each lighter than the previous one.
 TEST(PhotoOrientation, every_one_stands_upright_in_jpeg) {
   for (int orientation = 1; orientation <= 8; ++orientation) {
     const auto& stored = kStored[static_cast<std::size_t>(orientation - 1)];
@@ -122,7 +122,7 @@ TEST(PhotoOrientation, every_one_stands_upright_in_jpeg) {
 }
 
 TEST(PhotoOrientation, sixteen_bits_and_alpha_are_turned_with_their_pixels) {
-  // Two pixels beside each other, stored below each other.
+  // Two horizontal neighbours, stored one below the other.
   const Bytes rows{0, 1, 2, 3, 4, 5, 6, 7, 8, 0, 11, 12, 13, 14, 15, 16, 17, 18};
   const Result<Image> image = photo_in(png_of(1, 2, 16, 6, rows, {{"eXIf", exif_of(8)}}));
   ASSERT_TRUE(image.ok());
@@ -218,7 +218,7 @@ TEST(Photo, webp_of_either_kind_is_read) {
   }
 }
 
-/// A file of each kind, with all that is looked at.
+/// Returns a file of each kind, with all parts that the reader examines.
 std::vector<Bytes> whole_files() {
   Context context;
   const Image image = gradient(64, 48, PixelFormat::rgba8);
@@ -277,15 +277,15 @@ TEST(Photo, files_of_other_kinds_are_named) {
   const auto message = [](std::string_view text) {
     return to_string(photo_in(Bytes(text.begin(), text.end())).status());
   };
-  const std::string expected = "; expected a PNG, a JPEG or a WebP";
+  const std::string expected = "; use a PNG, a JPEG or a WebP";
   EXPECT_EQ(message(""), "a.file: is an empty file" + expected);
-  EXPECT_EQ(message("GIF89a......"), "a.file: is a GIF" + expected);
+  EXPECT_EQ(message("GIF89a......"), "a.file: is a GIF picture" + expected);
   EXPECT_EQ(message({"\0\0\0\x18"
                      "ftypheic",
                      12}),
             "a.file: is a HEIC or AVIF picture" + expected);
   EXPECT_EQ(message("<svg/>"), "a.file: is a drawing or other XML" + expected);
-  EXPECT_EQ(message("hello"), "a.file: is no picture" + expected);
+  EXPECT_EQ(message("hello"), "a.file: is not a picture" + expected);
   EXPECT_EQ(message({"II*\0", 4}), "a.file: is a TIFF or raw file" + expected);
 }
 
@@ -294,7 +294,7 @@ TEST(Photo, animation_is_refused) {
   const auto webp = encode_webp(context, gradient(8, 8, PixelFormat::rgb8), {.lossless = true});
   ASSERT_TRUE(webp.ok());
   EXPECT_EQ(to_string(photo_in(webp_with(*webp, {}, {}, 8, 8, 0x02)).status()),
-            "a.file: an animated WebP; expected a still picture");
+            "a.file: an animated WebP; use a still picture");
 }
 
 TEST(Photo, limits_are_checked_at_the_header) {

@@ -1,4 +1,4 @@
-// PNG files that are damaged, cut short or lie.
+// PNG files that are damaged, truncated or inconsistent.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -76,7 +76,7 @@ TEST(PngReading, empty_and_foreign_files_are_no_png_images) {
   const std::string text = "<svg xmlns='http://www.w3.org/2000/svg'/>";
   const Status status = decoded(Bytes(text.begin(), text.end())).status();
   EXPECT_EQ(status.code, StatusCode::bad_input);
-  EXPECT_EQ(to_string(status), "a.png: is not a PNG image");
+  EXPECT_EQ(to_string(status), "a.png: is a drawing or other XML; use a PNG");
 }
 
 TEST(PngReading, file_cut_short_anywhere_is_bad_input) {

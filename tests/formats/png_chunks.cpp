@@ -32,12 +32,12 @@ Bytes packed(const Bytes& bytes) {
 
 Bytes png_of(std::uint32_t width, std::uint32_t height, int depth, int color_type,
              const Bytes& rows, const std::vector<PngChunk>& before,
-             const std::vector<PngChunk>& after) {
+             const std::vector<PngChunk>& after, bool is_interlaced) {
   Bytes png{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
   PngChunk header{"IHDR", {}};
   append_number(width, header.data);
   append_number(height, header.data);
-  for (const int value : {depth, color_type, 0, 0, 0}) {
+  for (const int value : {depth, color_type, 0, 0, is_interlaced ? 1 : 0}) {
     header.data.push_back(static_cast<std::uint8_t>(value));
   }
   append_chunk(header, png);

@@ -1,4 +1,4 @@
-#include "codecs/png_filter.hpp"
+#include "codecs/png/png_filter.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// PNG's predictors as its specification has them.
+/// Returns PNG's predictors, by the specification.
 int predicted(int filter, int left, int up, int corner) {
   if (filter == 0) return 0;
   if (filter == 1) return left;
@@ -44,7 +44,7 @@ int sum_of_magnitudes(const Bytes& row) {
   return sum;
 }
 
-/// Slopes with noise, so that each filter is the best of some rows.
+/// Returns slopes with noise, so that each filter is the best one for some rows.
 Bytes random_row(std::mt19937& random, std::size_t size) {
   const unsigned slope = random() % 4, spread = 1 + random() % 60, start = random();
   Bytes row(size);

@@ -1,4 +1,4 @@
-#include "codecs/png_huffman.hpp"
+#include "codecs/png/png_huffman.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ Words huffman_code_of(const Counts& counts, int most_bits = codecs::kMostHuffman
   return words;
 }
 
-/// The weights of all joints of a tree that is made by the book.
+/// Returns the weights of all joints of a tree built by the textbook algorithm.
 std::uint64_t fewest_bits(const Counts& counts) {
   std::priority_queue<std::uint64_t, std::vector<std::uint64_t>, std::greater<>> weights;
   for (const std::uint32_t count : counts) {
@@ -55,7 +55,7 @@ void expect_complete(const Counts& counts, const Words& words, int most_bits) {
   EXPECT_EQ(taken, std::uint64_t{1} << most_bits);
 }
 
-/// No word begins another: words are written first bit lowest.
+/// Expects that no word is the beginning of another one; the first bit of a word is its lowest.
 void expect_prefix_free(const Words& words) {
   for (std::size_t i = 0; i < words.size(); ++i) {
     for (std::size_t k = 0; k < words.size(); ++k) {
@@ -66,7 +66,7 @@ void expect_prefix_free(const Words& words) {
   }
 }
 
-/// Counts of many kinds: even, steep, sparse.
+/// Returns counts of many kinds: even, steep, sparse.
 Counts random_counts(std::mt19937& random) {
   Counts counts(2 + random() % (codecs::kMostHuffmanSymbols - 1));
   const unsigned shift_range = 1 + random() % 16, share = 1 + random() % 4;
@@ -102,7 +102,7 @@ TEST(PngHuffman, fewest_bits_are_reached_where_no_word_is_shortened) {
 }
 
 TEST(PngHuffman, deepest_tree_is_cut_to_the_longest_word) {
-  Counts counts{1, 1};  // Fibonacci's numbers: each joint is the brother of one leaf
+  Counts counts{1, 1};  // Fibonacci numbers: each joint is the sibling of one leaf
   while (counts.size() < 40) counts.push_back(counts.back() + counts[counts.size() - 2]);
   for (const int most_bits : {6, 7, 9, codecs::kMostHuffmanBits}) {
     const Words words = huffman_code_of(counts, most_bits);

@@ -1,4 +1,4 @@
-#include "codecs/png_pack.hpp"
+#include "codecs/png/png_pack.hpp"
 
 #include <gtest/gtest.h>
 #include <zlib.h>
@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-// zlib, which did not pack it, says what a stream holds.
+// zlib, which did not write the stream, decodes it.
 namespace sfumato {
 namespace {
 
@@ -17,7 +17,7 @@ using Bytes = std::vector<std::uint8_t>;
 
 constexpr std::uint8_t kEmptyLastBlock[] = {3, 0};
 
-/// Appended to what is there, in the room that is asked for.
+/// Appends packed bytes after existing ones, in the requested room.
 void append_packed(const Bytes& bytes, Bytes& out) {
   Bytes room(out);
   room.reserve(out.size() + codecs::packed_bound(bytes.size()));
@@ -34,7 +34,7 @@ Bytes packed(const Bytes& bytes) {
   return out;
 }
 
-/// What the blocks hold; empty with an error where they are not deflate's.
+/// Returns the content of the blocks; empty with an error if they are not valid deflate data.
 Bytes unpacked(Bytes stream, std::size_t size) {
   stream.insert(stream.end(), std::begin(kEmptyLastBlock), std::end(kEmptyLastBlock));
   Bytes bytes(size + 1);
@@ -62,7 +62,7 @@ Bytes noise(std::size_t size, std::uint32_t seed, unsigned value_count = 256) {
   return bytes;
 }
 
-/// Stretches of noise of few and many values, of one value, and of rising ones.
+/// Returns stretches of noise with few and many values, of one value, and of rising values.
 Bytes mixture(std::size_t size, std::uint32_t seed) {
   std::mt19937 random(seed);
   Bytes bytes;
@@ -103,7 +103,7 @@ TEST(PngPack, gives_back_runs_of_any_length_at_any_place) {
     bytes.insert(bytes.end(), length, static_cast<std::uint8_t>(length));
     const Bytes behind = noise(length % 17, 5);
     bytes.insert(bytes.end(), behind.begin(), behind.end());
-    bytes.insert(bytes.end(), 3000, 0);  // so that it is not stored
+    bytes.insert(bytes.end(), 3000, 0);  // so that it is not stored uncompressed
     expect_round_trip(bytes);
   }
 }

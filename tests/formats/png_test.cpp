@@ -17,7 +17,7 @@ namespace {
 constexpr PixelFormat kFormats[] = {PixelFormat::rgb8, PixelFormat::rgba8, PixelFormat::rgb16,
                                     PixelFormat::rgba16};
 
-/// A number that depends on the index alone and looks random.
+/// Returns a pseudo-random number that depends only on the index.
 std::uint32_t hashed(std::uint32_t index) {
   index = (index ^ (index >> 16)) * 0x45d9f3bu;
   index = (index ^ (index >> 16)) * 0x45d9f3bu;
@@ -30,7 +30,7 @@ Image blank_image(int width, int height, PixelFormat format) {
   return image;
 }
 
-/// Noise: nothing repeats, so that blocks are stored as they are.
+/// Returns noise without repetitions, so that blocks are stored uncompressed.
 Image noise(int width, int height, PixelFormat format) {
   Image image = blank_image(width, height, format);
   std::uint32_t index = 0;
@@ -38,7 +38,7 @@ Image noise(int width, int height, PixelFormat format) {
   return image;
 }
 
-/// Smooth areas, flat areas, edges and a little noise.
+/// Returns smooth areas, flat areas, edges and a little noise.
 Image drawing(int width, int height, PixelFormat format) {
   Image image = blank_image(width, height, format);
   const std::size_t pixel_bytes = image.row_bytes() / static_cast<std::size_t>(width);
@@ -86,7 +86,7 @@ TEST(Png, every_format_and_odd_size_comes_back_as_it_was) {
   }
 }
 
-/// Rows in bands: noise, one colour, gradients with and without dither; all from the seed.
+/// Returns rows in bands: noise, one colour, gradients with and without dither; all from the seed.
 Image random_image(std::uint32_t seed) {
   std::mt19937 random(seed);
   const auto side = [&random] { return 1 + static_cast<int>(random() % (1u << (random() % 11))); };

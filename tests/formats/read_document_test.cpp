@@ -1,9 +1,9 @@
-// What a file is, by its root element; gzip.
+// The kind of a file, from its root element; gzip.
 #include "sfumato/formats/read_document.hpp"
 
 #include <gtest/gtest.h>
 
-#include "formats/svg_support.hpp"
+#include "formats/svg/svg_support.hpp"
 #include "sfumato/base/limits.hpp"
 #include "support/gzip.hpp"
 
@@ -40,13 +40,13 @@ TEST(ReadDocument, what_stands_before_the_root_is_passed) {
 
 TEST(ReadDocument, other_documents_are_refused_with_their_place) {
   EXPECT_EQ(message_of("\n <html></html>"),
-            "a:2:2: the document is a <html>; expected <svg>, or Orzan's <curve_set> or <scene>");
+            "a:2:2: the document is a <html>; use <svg>, or Orzan's <curve_set> or <scene>");
   EXPECT_EQ(message_of("<!-- <html> -->\n<x:html xmlns:x='urn:x'/>"),
-            "a:2:1: the document is a <html>; expected <svg>, or Orzan's <curve_set> or <scene>");
+            "a:2:1: the document is a <html>; use <svg>, or Orzan's <curve_set> or <scene>");
   EXPECT_EQ(message_of("text\n<html/>"),
-            "a:2:1: the document is a <html>; expected <svg>, or Orzan's <curve_set> or <scene>");
-  EXPECT_EQ(message_of(""), "a: the file is empty; expected XML");
-  EXPECT_EQ(message_of("hello"), "a: no XML element found");
+            "a:2:1: the document is a <html>; use <svg>, or Orzan's <curve_set> or <scene>");
+  EXPECT_EQ(message_of(""), "a: the file is empty; use an SVG or Orzan XML file");
+  EXPECT_EQ(message_of("hello"), "a: no XML element found; use an SVG or Orzan XML file");
   EXPECT_EQ(message_of("<!-- <svg>"), "a:1:10: the XML is cut short: Error parsing comment");
 }
 
@@ -63,7 +63,7 @@ TEST(ReadDocument, gzip_is_unpacked) {
   EXPECT_EQ(read_any(gzipped(svg("")))->format, DocumentFormat::svg);
   EXPECT_EQ(read_any(gzipped(kCurveSet))->format, DocumentFormat::orzan);
   EXPECT_EQ(message_of(gzipped("<html/>")),
-            "a:1:1: the document is a <html>; expected <svg>, or Orzan's <curve_set> or <scene>");
+            "a:1:1: the document is a <html>; use <svg>, or Orzan's <curve_set> or <scene>");
 }
 
 TEST(ReadDocument, damaged_gzip_is_refused) {
@@ -76,7 +76,7 @@ TEST(ReadDocument, damaged_gzip_is_refused) {
   EXPECT_EQ(message_of("\x1f\x8bhello, this is no gzip"), "a: the gzip data are damaged");
 }
 
-/// The message of reading with another limit; empty where it can be read.
+/// Returns the message of reading with another limit; empty if it can be read.
 std::string message_with(const std::string& bytes, std::size_t Limits::*limit, std::size_t value) {
   Context context;
   context.limits.*limit = value;

@@ -1,4 +1,4 @@
-#include "codecs/webp_import.hpp"
+#include "codecs/webp/webp_import.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 
 #include "sfumato/base/native/thread_pool.hpp"
 
-/// The picture that libwebp gets in parts against the one that it makes of the whole.
+/// Compares the picture that libwebp receives in parts with the one that it makes from the whole.
 namespace sfumato {
 namespace {
 
@@ -27,7 +27,7 @@ struct Webp {
   Webp& operator=(const Webp&) = delete;
 };
 
-/// All planes, row by row.
+/// Returns all planes, row by row.
 std::vector<std::uint8_t> planes(const WebPPicture& picture) {
   std::vector<std::uint8_t> all;
   const auto append = [&all](const std::uint8_t* plane, int stride, int width, int height) {
@@ -62,8 +62,8 @@ std::vector<std::uint8_t> as_one(const Image& image) {
   return planes(webp.picture);
 }
 
-/// Rings of saturated colours, which half-sized chroma is worst at, over a gradient; alpha in one
-/// corner.
+/// Returns rings of saturated colours, the worst case for half-sized chroma, over a gradient, with
+/// alpha in one corner.
 Image rings(int width, int height, PixelFormat format) {
   Image image{width, height, format, {}};
   image.bytes.resize(image.row_bytes() * static_cast<std::size_t>(height));

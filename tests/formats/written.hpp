@@ -8,7 +8,7 @@
 
 namespace sfumato::test {
 
-/// The document as SVG.
+/// Returns the document as SVG.
 inline std::string written(const Document& document) {
   Context context;
   const Result<std::string> text = write_svg(context, document);

@@ -27,7 +27,7 @@ TEST(Blends, the_packets_agree_with_the_reference) {
   }
 }
 
-/// The mean of 16 runs of 4096 rays.
+/// Returns the mean of 16 runs of 4096 rays.
 std::vector<float> many_rays(const Drawing& drawing, const std::vector<Vec2>& points) {
   Context context;
   std::vector<float> mean;
@@ -48,7 +48,8 @@ TEST(Blends, rays_with_the_same_beta_approach_the_exact_gather) {
   EXPECT_LE(difference(many_rays(drawing, points), exact.value).rms, 0.1);
 }
 
-/// A line of `size`, red and blue, whose radius runs from `from` to `to`, in a white square.
+/// Returns a line of `size`, red and blue, whose radius runs from `from` to `to`, in a white
+/// square.
 Drawing growing_line(double size, float from, float to) {
   Line line{.points = {{256, 256}, {256 + size, 256 + size / 4}},
             .left = {{1, 0, 0}, {1, 1, 0}},
@@ -59,7 +60,7 @@ Drawing growing_line(double size, float from, float to) {
   return draw({line, around});
 }
 
-/// Points near the line, also close to its ends and beyond them.
+/// Returns points near the line, also close to its ends and beyond them.
 std::vector<Vec2> points_near(double size) {
   std::vector<Vec2> points;
   for (double along : {-1.0, -0.05, 0.01, 0.1, 0.35, 0.6, 0.9, 0.99, 1.02, 1.5, 4.0}) {
@@ -71,8 +72,8 @@ std::vector<Vec2> points_near(double size) {
   return points;
 }
 
-// The bound of docs/mathematics.md is 0.001 of the contrast, a quarter of a code value; and the
-// reference itself misses by a tenth of that.
+// The bound of docs/mathematics.md is 0.001 of the contrast, a quarter of a code value. The
+// reference itself has an error of a tenth of that.
 TEST(Blends, a_radius_that_varies_is_integrated_along_the_line) {
   for (double size : {1.0, 16.0, 200.0}) {
     for (auto [from, to] : {std::pair{0.0f, 60.0f},
@@ -152,7 +153,8 @@ TEST(Blends, a_scene_of_one_shader_gives_it_the_whole_weight) {
   }
 }
 
-/// A long line, white above (on its left), black below; the frame's far sides see nothing else.
+/// Returns a long line, white above (on its left), black below; the frame's far sides see nothing
+/// else.
 Drawing long_line(curves::SegmentValues<float> radius) {
   Line line = plain_line({{16, 256}, {496, 256}}, kWhite);
   line.right.assign(2, kBlack);

@@ -1,4 +1,4 @@
-#include "gather/blind.hpp"
+#include "gather/scene/blind.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 namespace sfumato::gather::test {
 namespace {
 
-/// As build_scene has them; stops and passages are not numbered.
+/// Returns codes as in build_scene; stops and passages are not numbered.
 std::vector<EdgeCode> codes_of(const Drawing& drawing) {
   std::vector<EdgeCode> codes;
   for (std::uint32_t h = 0; h < drawing.mesh.triangle_vertex.size(); ++h) {
@@ -26,7 +26,7 @@ std::vector<EdgeCode> codes_of(const Drawing& drawing) {
   return codes;
 }
 
-/// A drawing and what is blind in it.
+/// A drawing and its blind parts.
 struct Looked {
   explicit Looked(std::vector<Line> lines) : drawing(draw(std::move(lines))) {
     codes = codes_of(drawing);
@@ -42,7 +42,7 @@ struct Looked {
            !drawing.mesh.pieces(drawing.mesh.constraint[static_cast<std::uint32_t>(c)]).empty();
   }
 
-  /// Of all open sides of curves.
+  /// Returns the blind share of all open sides of curves.
   double blind_share() const {
     double open = 0, found = 0;
     for (std::uint32_t h = 0; h < codes.size(); ++h) {
@@ -52,7 +52,7 @@ struct Looked {
     return found / open;
   }
 
-  /// Whether a ray from p through x on half-edge h meets a stop farther away.
+  /// Returns whether a ray from p through x on half-edge h meets a stop farther away.
   bool meets_stop(std::uint32_t h, Vec2 p, Vec2 x) const {
     const mesh::TriangleMesh& mesh = drawing.mesh;
     for (std::uint32_t s = 0; s < codes.size(); ++s) {
@@ -84,7 +84,7 @@ Vec2 on_circle(double radius, int i, int count) {
   return {std::round(p.x * 16) / 16, std::round(p.y * 16) / 16};
 }
 
-/// Colours outside.
+/// Returns a circle; colours_outside: the side with colours.
 Line circle(double radius, bool colours_outside) {
   std::vector<Vec2> points;
   for (int i = 0; i <= 48; ++i) points.push_back(on_circle(radius, i % 48, 48));
@@ -94,7 +94,7 @@ Line circle(double radius, bool colours_outside) {
 }
 
 TEST(Blind, behind_a_straight_line_with_many_vertices_nothing_is_seen) {
-  // Along the fourth, vertices lie off the line by what the lattice rounds.
+  // Along the fourth, vertices are off the line by the rounding of the lattice.
   for (const double slope : {0.0, 0.25, -1.5, 0.3819660113, 1000.0}) {
     std::vector<Vec2> points;
     for (int i = 0; i < 200; ++i) {
@@ -145,7 +145,7 @@ TEST(Blind, no_ray_through_a_blind_edge_meets_a_stop_on_random_scenes) {
   };
   int looked = 0;
   for (std::uint32_t seed = 0; seed < 12; ++seed) {
-    // Without barriers, behind which a ray would meet what nobody sees.
+    // Without barriers, because a ray behind them would meet edges that nobody sees.
     const Looked scene(random_lines(seed, 20 + 10 * static_cast<int>(seed), 0.6, 0));
     const mesh::TriangleMesh& mesh = scene.drawing.mesh;
     for (std::uint32_t h = 0; h < scene.codes.size(); ++h) {

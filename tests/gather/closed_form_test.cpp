@@ -16,7 +16,7 @@ struct Part {
   Vec2 q1, q2;
 };
 
-/// Visible parts of every angle, size and distance, seen from the origin counter-clockwise.
+/// Returns visible parts of every angle, size and distance, seen from the origin counter-clockwise.
 std::vector<Part> parts(double least_angle, double greatest_angle, double greatest_ratio) {
   std::mt19937 random(3);
   const auto uniform = [&] { return static_cast<double>(random()) / 4294967296.0; };
@@ -33,7 +33,7 @@ std::vector<Part> parts(double least_angle, double greatest_angle, double greate
   return result;
 }
 
-/// ∫ r⁻² (1 - l) dθ and ∫ r⁻² l dθ by Simpson's rule, l the fraction from q1 to q2.
+/// Returns ∫ r⁻² (1 - l) dθ and ∫ r⁻² l dθ by Simpson's rule, l the fraction from q1 to q2.
 ReferenceWeights simpson(const Part& part) {
   const double start = std::atan2(part.q1.y, part.q1.x);
   const double angle = std::atan2(cross(part.q1, part.q2), dot(part.q1, part.q2));
@@ -169,7 +169,7 @@ TEST(ClosedForm, a_loop_of_one_colour_is_constant) {
   }
   ASSERT_GT(inside.size(), 200u);
   const Gathered gathered = gather_at(context, drawing, inside);
-  // The polyline runs clockwise on the screen: inside is its right.
+  // The polyline runs clockwise on the screen, so its inside is on the right.
   for (std::size_t i = 0; i < inside.size(); ++i) {
     EXPECT_NEAR(gathered.value[3 * i], 0.75, 1e-6);
     EXPECT_NEAR(gathered.value[3 * i + 1], 0.5, 1e-6);

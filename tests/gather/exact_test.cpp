@@ -117,8 +117,8 @@ TEST(ExactGather, packets_give_the_reference_on_random_scenes) {
   }
 }
 
-// Most of what a point sees here is far: windows wait until all that is near is integrated. More
-// specks have a far field (far_field_test.cpp).
+// A point sees mostly distant curves here: windows wait until all near ones are integrated. With
+// more specks there is a far field (far_field_test.cpp).
 TEST(ExactGather, packets_give_the_reference_among_specks) {
   for (const int count : {30, 100, 250}) {
     const Drawing drawing = draw(specks(7, count));
@@ -265,7 +265,7 @@ TEST(ExactGather, a_point_on_a_line_takes_the_colour_of_one_of_its_sides) {
 }
 
 TEST(ExactGather, a_waiting_window_for_every_tooth_of_a_comb_finds_room) {
-  // From the left every tooth's tip cuts the view; all the gaps wait at the same time.
+  // From the left, every tooth's tip interrupts the view, and all gaps wait at the same time.
   std::vector<Line> lines;
   for (int i = 0; i < 1200; ++i) {
     const double x = 16 + i * 0.375;

@@ -13,7 +13,7 @@
 #include "support/cancel_at.hpp"
 #include "support/sanitizers.hpp"
 
-/// What is gathered after a curve was inserted is what is gathered from a scene that is built anew.
+/// Gathering after a curve was inserted gives the same as gathering from a new scene.
 namespace sfumato::gather::test {
 namespace {
 
@@ -22,10 +22,10 @@ using sfumato::test::CancelAt;
 constexpr std::uint32_t kSeeds = SFUMATO_HAS_SANITIZER ? 3 : 20;
 constexpr int kExtendedPoints = 600;
 
-/// Windows too narrow to count are left out of a gather: which ones depends on the mesh.
+/// A gather skips windows too narrow to count; the skipped ones depend on the mesh.
 constexpr float kMost = 1.0f / 255;
 
-/// The lines of a drawing without the last.
+/// Returns the lines of a drawing without the last.
 curves::FlatCurves without_last(const curves::FlatCurves& flat) {
   curves::FlatCurves rest = flat;
   rest.curve_begin.pop_back();
@@ -63,7 +63,7 @@ class Inserted {
     return Gatherer::create(context, mesh_, drawing_.attributes, ends_, {is_inserted_},
                             {&*before, is_same});
   }
-  /// The same from another's `before`, of the same lines, and from tables that it was used for.
+  /// The same from another `before` with the same lines, and from used tables.
   Result<Gatherer> extended_from(const Inserted& other, Gatherer* used) const {
     return Gatherer::create(context_, mesh_, drawing_.attributes, ends_, {is_inserted_},
                             {&*other.before, is_same, used});
@@ -84,7 +84,7 @@ class Inserted {
   std::vector<std::uint8_t> is_inserted_;
 };
 
-/// Random lines, and one that crosses some of them, at some place.
+/// Returns random lines, and one that crosses some of them, at some place.
 Drawing crossed(std::uint32_t seed, float blur, float weight, std::uint32_t place = 0) {
   std::vector<Line> lines = random_lines(seed, 40, 0.2, 0.1);
   if (blur > 0) lines = with_blends(std::move(lines), seed, blur, 2);
@@ -199,7 +199,7 @@ TEST(ExtendedScene, is_built_anew_for_the_first_curve) {
   EXPECT_GT(gathered(context, *extended, {{300, 100}})[0], 0.99f);
 }
 
-/// A drawing, with meshes of all and without one of its lines, which was taken out.
+/// A drawing, with meshes of all lines and with one line removed.
 struct Reduced {
   Reduced(Context& context, const Drawing& drawing, std::uint32_t line, Ends ends) {
     mesh::MeshOptions options;
@@ -229,7 +229,7 @@ struct Reduced {
   TableMemory memory{"a test"};
 };
 
-/// How many points the line changes.
+/// Returns how many points the line changes.
 int expect_reduced(const Drawing& drawing, std::uint32_t line, std::uint32_t seed, Ends ends) {
   Context context;
   Reduced scene(context, drawing, line, ends);

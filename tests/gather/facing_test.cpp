@@ -1,13 +1,13 @@
 #include <gtest/gtest.h>
 
-#include "gather/scene.hpp"
+#include "gather/scene/scene.hpp"
 #include "gather/scenes.hpp"
 
 namespace sfumato::gather::test {
 namespace {
 
-/// A diamond of two triangles, above and below an edge from vertex 0 (left) to 1 (right) that runs
-/// along the x axis. y is down: the triangle of half-edge 0 is below, on its right.
+/// A diamond of two triangles, above and below an edge from vertex 0 (left) to 1 (right) along the
+/// x axis. y is down: the triangle of half-edge 0 is below, on its right.
 struct Diamond {
   mesh::TriangleMesh mesh;
   curves::SegmentAttributes attributes;
@@ -24,7 +24,7 @@ struct Diamond {
     mesh.constraint = {{0, 1, 0, 0}};
   }
 
-  /// A segment of a curve of its own over the edge; against it where `reversed`.
+  /// Adds a segment of a separate curve over the edge; in the opposite direction if `reversed`.
   void add(curves::SegmentSide left, curves::SegmentSide right, bool reversed = false,
            float weight = 1) {
     const auto segment = static_cast<std::uint32_t>(attributes.weight.size());
@@ -100,7 +100,7 @@ TEST(Facing, of_passages_that_were_apart_the_outer_one_wins) {
   diamond.add(color(kRed, kRed), color(kGreen, kGreen));
   diamond.add(color(kBlue, kBlue), color(kWhite, kWhite), true);
   diamond.attributes.curve.assign(4, 0);
-  // Before the weld the first ran below the second.
+  // Before the weld the first curve ran below the second.
   for (Vec2* p : {&diamond.attributes.vertex[0], &diamond.attributes.vertex[1]}) p->y += 1.5;
   EXPECT_EQ(diamond.facing(Diamond::kBelow).from, kGreen);
   EXPECT_EQ(diamond.facing(Diamond::kAbove).from, kWhite);
@@ -149,7 +149,7 @@ TEST(Scene, edges_are_stops_borders_or_passages) {
   EXPECT_EQ(scene->triangle[1].edge[0], hit_code(0));
   EXPECT_EQ(scene->triangle[1].edge[1], kBorder);
   EXPECT_EQ(scene->triangle[1].twin[0], 0);
-  // From above one looks through, at the triangle below.
+  // From above a ray passes, to the triangle below.
   EXPECT_EQ(scene->triangle[0].edge[0], 0);
   ASSERT_EQ(scene->edge_beyond.size(), 1u);
   EXPECT_EQ(scene->edge_beyond[0].apex_x, 0);

@@ -1,4 +1,4 @@
-#include "gather/far_field.hpp"
+#include "gather/scene/far_field.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,13 +11,13 @@
 #include "sfumato/base/native/thread_pool.hpp"
 #include "support/cancel_at.hpp"
 
-// What far windows of thin layers add is estimated from the far field.
+// The far field estimates the contribution of distant windows of thin layers.
 namespace sfumato::gather::test {
 namespace {
 
 constexpr int kFarPoints = 300;
 
-/// Charged to the context, which has to outlive it.
+/// Returns the scene, charged to the context, which must outlive it.
 Scene scene_of(Context& context, const Drawing& drawing, const GatherUse& use = {}) {
   Result<Scene> scene = build_scene(context, drawing.mesh, drawing.attributes, use);
   EXPECT_TRUE(scene.ok()) << scene.status().message;
@@ -29,7 +29,7 @@ bool has_far_field(const Drawing& drawing, const GatherUse& use = {}) {
   return !scene_of(context, drawing, use).far_mean.empty();
 }
 
-/// White squares with a door, `inside` of this kind. Specks that they would cross are gone.
+/// Adds white squares with a door, `inside` of this kind, and removes specks that they would cross.
 void add_rooms(std::vector<Line>& lines, double size, ShaderKind inside) {
   for (const Vec2 a : {Vec2{70, 80}, Vec2{300, 60}, Vec2{120, 330}, Vec2{350, 300}}) {
     Line room = plain_line({a + Vec2{size / 2, 0}, a, a + Vec2{0, size}, a + Vec2{size, size},
@@ -193,7 +193,7 @@ TEST(FarField, tells_the_nearest_direction) {
   }
 }
 
-/// As build_scene has it before it adds the far field.
+/// Returns the scene of build_scene before the far field is added.
 Scene without_far_field(const Scene& scene) {
   Scene copy;
   copy.triangle = scene.triangle;

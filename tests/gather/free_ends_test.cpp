@@ -1,4 +1,4 @@
-#include "gather/free_ends.hpp"
+#include "gather/ends/free_ends.hpp"
 
 #include <gtest/gtest.h>
 
@@ -58,7 +58,7 @@ std::vector<float> soft_reference_at(const Drawing& drawing, const std::vector<V
   return values;
 }
 
-/// Points within the reach of the ends, in rings around them.
+/// Returns points within the reach of the ends, in rings around them.
 std::vector<Vec2> points_round_ends(const Drawing& drawing) {
   std::vector<Vec2> points;
   for (const FreeEnd& end : ends_of(drawing)) {
@@ -88,7 +88,7 @@ TEST(FreeEnds, beside_a_straight_curve_the_colour_turns_with_the_angle_alone) {
   Context context;
   for (double r : {0.4, 2.0, 6.0}) {
     for (int i = 1; i < 12; ++i) {
-      // The end at the right; white above, which is on the left on the screen.
+      // The end on the right; white is above, which is the left on the screen.
       const double off = std::numbers::pi * (i - 6) / 6.5;
       const Vec2 p{456 + r * std::cos(off), 256 + r * std::sin(off)};
       const double s = std::sin(off), c = std::cos(off), turned = std::fabs(off);
@@ -160,7 +160,7 @@ TEST(FreeEnds, a_finely_cut_curve_hides_no_other_and_stands_in_its_own_way_where
   EXPECT_NEAR(at(hook, {100, 100}), 30, 1e-9);
 }
 
-/// Arcs of a circle, and one that turns the other way in its second half.
+/// Returns arcs of a circle, and one that turns the other way in its second half.
 std::vector<Line> bent_curves() {
   Line arc = two_sided({}), wave = two_sided({});
   for (int i = 0; i <= 200; ++i) {
@@ -303,7 +303,7 @@ TEST(FreeEnds, a_value_does_not_depend_on_the_points_beside_it) {
       worst = std::max(worst, std::fabs(double{alone[c]} - together[channels * i + c]));
     }
   }
-  // What windows leave out, and the order of sums, depend on the packet; ends do not.
+  // The skipped windows and the order of sums depend on the packet; ends do not.
   EXPECT_LE(worst, 1e-4);
 }
 

@@ -5,7 +5,7 @@
 namespace sfumato::gather::test {
 namespace {
 
-/// What single precision and negligible windows may change, in code values.
+/// Limits for the changes by single precision and by skipped windows, in code values.
 constexpr double kRms = 2e-3;
 constexpr double kLargest = 0.02;
 

@@ -1,4 +1,4 @@
-#include "gather/packing.hpp"
+#include "gather/scene/packing.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include "sfumato/base/native/thread_pool.hpp"
 #include "support/twin_source.hpp"
 
-// point_walk.glsl, read as C++.
+// point_walk.glsl, compiled as C++.
 namespace sfumato::gather::test {
 namespace {
 
@@ -24,7 +24,7 @@ std::vector<float> walked(const Drawing& drawing, const std::vector<Vec2>& point
   return value;
 }
 
-/// A line along the lower border, and needles that stand on it and hide what lies between them.
+/// Returns a line along the lower border, and needles on it that hide the gaps between them.
 std::vector<Line> comb(int needles) {
   std::vector<Line> lines{plain_line({{16, 16}, {496, 16}}, {1, 0, 0})};
   for (int i = 0; i < needles; ++i) {
@@ -101,7 +101,7 @@ TEST(PointWalk, leaves_a_walk_without_end_to_the_packets) {
   EXPECT_EQ(twin.most_steps(), 101);
 }
 
-/// A source that can do nothing, or nothing for some.
+/// A source that supports nothing, or not every scene.
 class PoorSource : public TwinSource<> {
  public:
   PoorSource(StatusCode code, int answers) : code_(code), answers_(answers) {}

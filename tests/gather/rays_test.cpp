@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "gather/ray_grid.hpp"
+#include "gather/scene/ray_grid.hpp"
 #include "gather/scenes.hpp"
 
 namespace sfumato::gather::test {
@@ -105,7 +105,7 @@ TEST(Visibility, open_sides_are_seen_through_and_barriers_are_not) {
   for (Method method : {Method::exact, Method::rays}) {
     Context context;
     const GatherOptions options{.method = method, .rays_per_node = 1024, .seed = 0};
-    // Below a line that runs right is its right side.
+    // The side below a line that runs right is its right side.
     wall.right_kind = ShaderKind::open;
     Gathered gathered = gather_at(context, draw({white, wall}), below, options);
     EXPECT_NEAR(gathered.value[1], 1, 1e-5);

@@ -1,4 +1,4 @@
-#include "gather/rows.hpp"
+#include "gather/rows/rows.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <random>
 
 #include "curves/flatten.hpp"
-#include "gather/free_ends.hpp"
+#include "gather/ends/free_ends.hpp"
 #include "gather/reference.hpp"
-#include "gather/rows_reference.hpp"
+#include "gather/rows/rows_reference.hpp"
 #include "gather/scenes.hpp"
 #include "mesh/mesher.hpp"
 #include "sfumato/base/native/thread_pool.hpp"
@@ -25,7 +25,7 @@ namespace {
 using curves::FieldValue;
 using curves::SegmentAttributes;
 
-/// A layer, where its segments lie among its stops, and what these give.
+/// A layer, the places of its segments among its stops, and the values of the stops.
 struct Mapped {
   mesh::TriangleMesh mesh;
   SegmentAttributes attributes;
@@ -33,7 +33,7 @@ struct Mapped {
   std::vector<FieldValue> stop;  ///< per column
 };
 
-/// The ends of each segment's sides are stops of their own.
+/// Makes a separate stop for each end of each segment's sides.
 Mapped mapped(const Drawing& drawing) {
   Mapped m{drawing.mesh, drawing.attributes, drawing.attributes, {}};
   for (std::size_t s = 0; s < m.places.left.size(); ++s) {
@@ -48,7 +48,7 @@ Mapped mapped(const Drawing& drawing) {
   return m;
 }
 
-/// A document's first layer.
+/// Uses a document's first layer.
 Mapped mapped(const Document& document) {
   Context context;
   const std::vector<Curve>& curves = document.layers[0].curves;
@@ -92,7 +92,7 @@ std::span<const RowTerm> terms(const Rows& rows, std::size_t point) {
   return std::span(rows.term).subspan(rows.begin[point], rows.begin[point + 1] - rows.begin[point]);
 }
 
-/// Row times stops: channels of the colour, then the shares of shaders.
+/// Returns the product of a row and the stops: channels of the colour, then the shares of shaders.
 std::vector<double> value_of(const Rows& rows, std::size_t point, const Mapped& m) {
   std::vector<double> value(3 + m.attributes.shader.size());
   for (const RowTerm& term : terms(rows, point)) {
@@ -118,7 +118,7 @@ double sum_of(const Rows& rows, std::size_t point) {
   return sum;
 }
 
-/// Those of the places, with what their stops give.
+/// Returns the free ends at the places, with the values of their stops.
 std::vector<FreeEnd> ends_of(const Mapped& m) {
   Context context;
   TableMemory memory("a test");
@@ -142,7 +142,7 @@ std::vector<double> reference_of(const Mapped& m, Vec2 p, std::span<const FreeEn
   return value;
 }
 
-/// The largest difference of a channel at any of the points.
+/// Returns the largest difference of a channel at any of the points.
 double difference_of_rows(const Mapped& m, const Rows& rows, std::span<const Vec2> points) {
   const std::vector<FreeEnd> ends = ends_of(m);
   double largest = 0;
@@ -157,7 +157,7 @@ double difference_of_rows(const Mapped& m, const Rows& rows, std::span<const Vec
   return largest;
 }
 
-/// Anywhere, near lines, and round the free ends.
+/// Returns points anywhere, near lines, and around the free ends.
 std::vector<Vec2> points_of(const Drawing& drawing, std::uint32_t seed) {
   std::vector<Vec2> points = random_points(drawing, seed, 300, 1e-3);
   std::mt19937 random(seed);
@@ -171,7 +171,7 @@ std::vector<Vec2> points_of(const Drawing& drawing, std::uint32_t seed) {
   return points;
 }
 
-/// Weights of all stops, then of all shaders.
+/// Returns the weights of all stops, then of all shaders.
 std::vector<double> row_of(const Rows& rows, std::size_t point, const Mapped& m) {
   std::vector<double> row(m.stop.size() + m.attributes.shader.size());
   for (const RowTerm& term : terms(rows, point)) {
@@ -186,7 +186,7 @@ std::vector<double> row_of(const Rows& rows, std::size_t point, const Mapped& m)
   return row;
 }
 
-/// Sums of the differences of two rows: of the point where it is largest, and the mean.
+/// The summed difference of two rows: the largest of any point, and the mean.
 struct RowDifference {
   double largest = 0;
   double mean = 0;
@@ -205,7 +205,8 @@ RowDifference difference_of_rows(const Mapped& m, const Rows& rows, const Rows& 
   return result;
 }
 
-/// Single precision: what weighs most are curves nearer than a hundredth of a unit.
+/// The tolerance covers single precision near curves closer than a hundredth of a unit, which weigh
+/// most.
 void expect_about_the_same(const Mapped& m, std::span<const Vec2> points, const Rows& expected) {
   Context context;
   const RowDifference d = difference_of_rows(m, rows_of(context, m, points), expected);
@@ -311,7 +312,7 @@ Curve line_of_stops(double y, std::vector<Stop<Rgb>> stops) {
   return curve;
 }
 
-/// A line of one colour on both sides within a ring of another: its ends are none.
+/// A line of one colour on both sides inside a ring of another colour: its ends have no effect.
 TEST(Rows, with_values_leave_out_ends_whose_sides_are_alike) {
   Document document;
   document.artboard = {{0, 0}, {512, 512}};
@@ -390,7 +391,7 @@ TEST(Rows, of_curves_that_cross_and_lie_on_each_other_are_the_gather) {
   expect_about_the_same(m, points, expected);
 }
 
-/// A radius that is told anew takes the place of the one with which rows were made.
+/// A newly given radius replaces the one that the rows were made with.
 TEST(Rows, take_another_radius_later) {
   std::vector<Line> lines = random_lines(31, 40, 0, 0);
   const Drawing sharp = draw(lines);
@@ -437,7 +438,7 @@ TEST(Rows, have_the_same_bytes_for_any_number_of_threads_and_every_width) {
   }
 }
 
-/// So many windows wait that the kernel has to begin anew, with a larger stack.
+/// So many windows wait that the kernel must start again with a larger stack.
 TEST(Rows, among_thousands_of_specks_are_the_same) {
   const Drawing drawing = draw(specks(26, 3000));
   const Mapped m = mapped(drawing);

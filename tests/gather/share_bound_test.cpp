@@ -1,13 +1,13 @@
-#include "gather/share_bound.hpp"
+#include "gather/scene/share_bound.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <vector>
 
-#include "gather/weight_class.hpp"
+#include "gather/rows/weight_class.hpp"
 
-/// What is known of weights, and of changes that are too small to matter.
+/// Bounds on weights, and on changes that are too small to matter.
 namespace sfumato::gather {
 namespace {
 
@@ -38,7 +38,7 @@ Result<ShareBound> bound_of_unit_segment(const Context& context, double weight, 
 
 TEST(ShareBound, holds_from_the_distance_on_that_its_formula_gives) {
   const Context context;
-  // Seen from a point d from the bounding circle: Â = 1 / d³, and 2 Â <= 0.02 (W - Â).
+  // Seen from a point at distance d from the bounding circle: Â = 1 / d³, and 2 Â <= 0.02 (W - Â).
   const auto bound = bound_of_unit_segment(context, 1, 0.02);
   ASSERT_TRUE(bound.ok());
   const double d = std::cbrt(2.02 / 0.02);
@@ -69,7 +69,7 @@ TEST(ShareBound, says_how_much_and_with_fewer_runs_no_less) {
       EXPECT_GE(share, 0);
       EXPECT_LE(share, coarse->share_at(p, 0.25f, 4)) << y;
       if (std::fabs(share - most) < 1e-9 * most) continue;
-      // The circle around the whole may know less than the runs, and holds_at() asks both.
+      // The circle around the whole may give a worse bound than the runs; holds_at() uses both.
       if (share > most) continue;
       EXPECT_TRUE(fine->holds_at(p, 0.25f, 4)) << y;
       ++held;

@@ -36,7 +36,7 @@ class SharedScene : public testing::TestWithParam<const char*> {
     points_ = points_off_the_curves();
   }
 
-  /// A regular grid that misses vertices, without the points nearer than 0.05 to a curve: there
+  /// Returns a regular grid that misses vertices, without points closer than 0.05 to a curve, where
   /// the rounding of the point itself shows.
   std::vector<Vec2> points_off_the_curves() const {
     std::vector<Vec2> points;

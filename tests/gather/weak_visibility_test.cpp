@@ -1,4 +1,4 @@
-#include "gather/weak_visibility.hpp"
+#include "gather/scene/weak_visibility.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,21 +8,21 @@
 #include "gather/scenes.hpp"
 #include "support/cancel_at.hpp"
 
-/// Who may see a curve.
+/// The points that may see a curve.
 namespace sfumato::gather::test {
 namespace {
 
 using sfumato::test::CancelAt;
 
-/// Per segment: 1 on the first curve.
+/// Returns a number per segment: 1 on the first curve.
 std::vector<std::uint8_t> first_curve(const Drawing& drawing) {
   std::vector<std::uint8_t> is_watched(drawing.flat.vertex.size(), 0);
   std::fill_n(is_watched.begin(), drawing.flat.curve_begin[1], std::uint8_t{1});
   return is_watched;
 }
 
-/// Lines of which the first has a shader wherever it stops rays, the others have none: that
-/// shader's share of a value says exactly who sees the first.
+/// Returns lines, the first with a shader wherever it stops rays, the others without one. The
+/// shader's share of a value shows exactly which points see the first line.
 std::vector<Line> with_a_tell_tale(std::vector<Line> lines) {
   Line& first = lines.front();
   for (ShaderKind* kind : {&first.left_kind, &first.right_kind}) {

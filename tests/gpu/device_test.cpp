@@ -103,7 +103,7 @@ TEST(GpuDevice, bad_sizes_and_pictures_are_refused_before_anything_is_done) {
   EXPECT_EQ(image.status().code, StatusCode::bad_input);
 }
 
-/// In a process of its own: whether there is a GPU where EGL finds no driver.
+/// In a separate process: exits according to whether there is a GPU when EGL finds no driver.
 [[noreturn]] void look_without_drivers() {
   setenv("__EGL_VENDOR_LIBRARY_FILENAMES", "/dev/null", 1);
   const auto device = Device::create();

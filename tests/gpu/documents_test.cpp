@@ -1,5 +1,5 @@
-// Whole documents by both ways of drawing: the examples, a public scene, and random ones of
-// everything that the format knows.
+// Whole documents drawn by GPU and CPU: the examples, a public scene, and random ones with all
+// features of the format.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@
 namespace sfumato::test {
 namespace {
 
-/// Shaders of these are compiled for longest, and nothing in them is not in another example.
+/// Their shaders take longest to compile, and other examples have all of their features.
 const std::set<std::string> kLong{"apple.svg", "blur.svg", "fish.svg"};
 
 void expect_drawn_near(const Document& document, double pixels_per_unit, PixelFormat format) {

@@ -1,5 +1,5 @@
-// Whole documents gathered by point_walk.glsl: random ones against the packets, examples on the
-// device against the twin.
+// Whole documents gathered by point_walk.glsl: random ones compared with the packets, examples on
+// the device compared with the twin.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -50,7 +50,7 @@ std::vector<Vec2> points_in(const Box& box, std::uint64_t seed, int count) {
   return points;
 }
 
-/// The values of a layer at points, colours and then opacities.
+/// Returns the values of a layer at points, colours and then opacities.
 std::vector<float> values_at(const PointEvaluator& evaluator, std::uint32_t layer,
                              const std::vector<Vec2>& points, PointSource* source) {
   Context context;
@@ -68,7 +68,7 @@ std::vector<float> values_at(const PointEvaluator& evaluator, std::uint32_t laye
 }
 
 // Beside curves of little weight the packets leave out up to half a code value of an opacity; the
-// walk of points a tenth of that.
+// walk of points leaves out a tenth of that.
 TEST(GpuGatherDocuments, random_ones_agree_with_the_packets) {
   Differences from_packets, from_all;
   for (std::uint64_t seed = 0; seed < 150; ++seed) {
@@ -84,7 +84,7 @@ TEST(GpuGatherDocuments, random_ones_agree_with_the_packets) {
       Context probe;
       std::vector<float> color(static_cast<std::size_t>(evaluator->color_channels(layer)) * 100);
       std::vector<std::uint8_t> hit(100);
-      // An instance may show another part of the layer than the artboard's.
+      // An instance may show another part of the layer than the artboard's part.
       if (!evaluator->evaluate(probe, layer, points, color, hit)) continue;
       const std::vector<float> walked = values_at(*evaluator, layer, points, &twin);
       from_all.add(walked, values_at(*evaluator, layer, points, &thorough));

@@ -24,7 +24,7 @@ using gather::test::random_lines;
 using gather::test::random_points;
 using test::TwinSource;
 
-/// A device, or a reason to skip.
+/// Returns a device, or a reason to skip.
 std::unique_ptr<GatherDevice> device_of(const WalkShape& shape = {},
                                         const GatherFaults& faults = {}) {
   Result<std::unique_ptr<GatherDevice>> device = GatherDevice::create(shape, faults);
@@ -98,7 +98,7 @@ TEST(GpuGather, specks_are_an_answer_in_short_batches) {
   EXPECT_EQ(gathered(drawing, points, device.get()), gathered(drawing, points, &twin));
 }
 
-/// Asks a device however few points there are.
+/// Uses a device even for a few points.
 class EvenOfFew : public PointSource {
  public:
   explicit EvenOfFew(PointSource& device) : device_(device) {}
@@ -164,13 +164,13 @@ TEST(GpuGather, a_lost_device_leaves_all_to_the_packets) {
   EXPECT_EQ(gathered(drawing, points, device.get()), packets);
 }
 
-/// In a process of its own, before it has a device: what is said where Mesa has OpenGL ES 3.0
-/// alone. Other drivers do not know the variable.
+/// In a separate process, before it has a device: checks the message if Mesa offers only OpenGL ES
+/// 3.0. Other drivers ignore the variable.
 [[noreturn]] void look_in_es_3_0() {
   setenv("MESA_GLES_VERSION_OVERRIDE", "3.0", 1);
   const auto device = GatherDevice::create();
   if (device.ok()) std::exit((*device)->name().find("llvmpipe") == std::string::npos ? 0 : 1);
-  if (!Device::create().ok()) std::exit(0);  // there is no driver at all
+  if (!Device::create().ok()) std::exit(0);  // there is no driver
   const std::string& message = device.status().message;
   const bool says_so = device.status().code == StatusCode::unavailable &&
                        message.find("no GPU can be used") == 0 &&
@@ -207,7 +207,7 @@ TEST(GpuGather, what_no_storage_block_holds_is_left_to_the_packets) {
   EXPECT_FALSE(device->is_lost());
 }
 
-/// What a gather of 1,200 points by a device says.
+/// Returns the status of gathering 1,200 points on a device.
 Status status_of_gather(Context& context) {
   const std::unique_ptr<GatherDevice> device = device_of();
   const Drawing drawing = blended(14, 4);

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "raster/layer_view.hpp"
+#include "raster/layers/layer_view.hpp"
 #include "raster/pictures.hpp"
 #include "support.hpp"
 
@@ -16,7 +16,7 @@ namespace {
 constexpr int kWidth = 64, kHeight = 48;
 const Box kPaintedBox{{0, 0}, {kWidth, kHeight}};
 
-/// A wave under its mirror image, both in code values, and a local curve.
+/// Returns a wave under its mirror image, both in code values, and a local curve.
 Picture layered_picture() {
   const test::RegionMesh mesh =
       test::jittered_grid(kPaintedBox, 5, 3, [](int x, int y) { return x ^ y; });
@@ -33,7 +33,7 @@ Picture layered_picture() {
   return picture;
 }
 
-/// The largest difference to rasterize(), code values of 255.
+/// Returns the largest difference to rasterize(), in code values of 255.
 double worst_difference(bool single_precision) {
   const Picture picture = layered_picture();
   const RasterOptions options = test::image_size(kWidth, kHeight);

@@ -1,4 +1,4 @@
-// The GPU's picture held against the CPU's (docs/gpu.md, "How near to the CPU").
+// Compares the GPU's picture with the CPU's (docs/gpu.md, "How near to the CPU").
 #include "sfumato/gpu/render.hpp"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ Picture wavy_picture() {
   return make_picture(make_layer(checkered(8), wavy));
 }
 
-/// The same with an opacity.
+/// Returns the same layer with an opacity.
 PatchLayer veil() {
   const RegionMesh mesh = checkered(6);
   PatchLayer layer = make_layer(mesh, wavy);
@@ -41,7 +41,7 @@ PatchLayer veil() {
   return layer;
 }
 
-/// `wavy` with the veil on top, turned, in a blend mode.
+/// Returns `wavy` with the veil on top, rotated, in a blend mode.
 Picture veiled(float opacity, BlendMode mode) {
   Picture picture = wavy_picture();
   picture.layers.push_back(veil());

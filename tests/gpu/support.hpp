@@ -13,7 +13,7 @@
 #include "sfumato/gpu/render.hpp"
 #include "support/places.hpp"
 
-/// Skips a test where there is no context of OpenGL ES 3.
+/// Skips a test if there is no OpenGL ES 3 context.
 #define SFUMATO_NEEDS_GPU()                                                        \
   if (const auto found = sfumato::gpu::Device::create(); !found) {                 \
     ASSERT_EQ(found.status().code, sfumato::StatusCode::unavailable);              \
@@ -24,7 +24,7 @@ namespace sfumato::test {
 
 inline const std::string kExamplesFolder = source_path("examples");
 
-/// Two images of one picture, code values of 255, colours times alpha.
+/// The difference of two images of one picture, in code values of 255, for colours times alpha.
 struct Nearness {
   std::size_t pixels = 0;
   std::size_t differing = 0;  ///< by more than one code value
@@ -63,7 +63,8 @@ inline Image on_gpu(const Picture& picture, const RasterOptions& options) {
   return image.ok() ? std::move(*image) : Image{};
 }
 
-/// Both ways of drawing agree, but for one pixel in 5,000 (docs/gpu.md, "How near to the CPU").
+/// Expects GPU and CPU to agree, except for one pixel in 5,000 (docs/gpu.md, "How near to the
+/// CPU").
 inline void expect_near(const Picture& picture, const RasterOptions& options) {
   const Image expected = rasterized(picture, options);
   const Image image = on_gpu(picture, options);

@@ -5,10 +5,11 @@
 #include <utility>
 #include <vector>
 
-/// One attack: files in an empty folder, a call of `sfumato` there, and how it must end.
+/// An attack: files in an empty folder, a call of `sfumato` there, and the expected end.
 namespace sfumato::hostile {
 
-/// Bytes of a file. Made only in a process that ends with them: what measures stays small.
+/// Bytes of a file. They are made only in a short-lived process, so that the measuring process
+/// stays small.
 class Bytes {
  public:
   Bytes(const char* text) : make_([text] { return std::string(text); }) {}
@@ -28,12 +29,12 @@ enum Exit : int { kDone = 0, kBadInput = 1, kBadUsage = 2, kLimit = 3 };
 struct Case {
   std::string name;
   int exit_code = kDone;
-  /// Stands in what is printed on standard error; "" with kDone: nothing is printed there.
+  /// Part of the text on standard error; "" with kDone: no text there.
   std::string message;
   std::vector<std::pair<std::string, Bytes>> files{};
-  /// Behind the command's name; with an empty folder as the current one.
+  /// Follow the command's name; the current folder is empty except for the case's files.
   std::vector<std::string> arguments{"render", "in.svg", "-o", "out.png"};
-  /// Makes what is no file: links, pipes, folders. In the case's folder; in a process of its own.
+  /// Makes links, pipes and folders in the case's folder, in a separate process.
   std::function<void()> prepare{};
   std::string input{};  ///< standard input
 
@@ -45,7 +46,7 @@ struct Case {
     arguments = std::move(with_arguments);
     return *this;
   }
-  /// More arguments of `render in.svg -o out.png`.
+  /// Adds arguments to `render in.svg -o out.png`.
   Case& also(const std::vector<std::string>& more) {
     arguments.insert(arguments.end(), more.begin(), more.end());
     return *this;
@@ -61,13 +62,14 @@ class Family {
  public:
   explicit Family(std::string name) : name_(std::move(name)) {}
 
-  /// A case whose document is in.svg (Orzan's XML too: what a file is shows in its text).
+  /// Adds a case whose document is in.svg (also for Orzan's XML; the text shows the kind of the
+  /// file).
   Case& add(std::string name, int exit_code, std::string message, Bytes document) {
     Case& made = add_call(std::move(name), exit_code, std::move(message), {});
     made.arguments = {"render", "in.svg", "-o", "out.png"};
     return made.with("in.svg", std::move(document));
   }
-  /// A case without a document.
+  /// Adds a case without a document.
   Case& add_call(std::string name, int exit_code, std::string message,
                  std::vector<std::string> arguments) {
     Case& made = cases_.emplace_back();
@@ -86,10 +88,10 @@ class Family {
   std::vector<Case> cases_;
 };
 
-/// Every family there is, by name.
+/// Returns all families, by name.
 std::vector<Family> all_families();
 
-/// Registers what fills a family: `const Register kPaths("paths", add_paths);`.
+/// Registers the function that fills a family: `const Register kPaths("paths", add_paths);`.
 struct Register {
   Register(const char* name, void (*fill)(Family&));
 };

@@ -17,7 +17,7 @@
 namespace sfumato::hostile {
 namespace {
 
-/// Memory that this process and those that it starts see alike.
+/// Memory shared by this process and its children.
 template <class T>
 class Shared {
  public:
@@ -43,7 +43,8 @@ void note(Result& result, const std::string& complaint) {
   result.complaint[length] = '\0';
 }
 
-/// How often a case may run that takes too long: what else the machine does only lengthens a run.
+/// Limit for the runs of a case that takes too long; other work of the machine only lengthens a
+/// run.
 constexpr int kMostRuns = 3;
 
 /// One run of a case.
@@ -52,7 +53,7 @@ struct Run {
   Ended ended;
 };
 
-/// Empty where the case's files cannot be made.
+/// Returns nothing if the case's files cannot be made.
 std::optional<Run> run_once(const Case& attack, const std::string& binary) {
   const Sandbox sandbox;
   if (!sandbox.prepare(attack)) return std::nullopt;
@@ -63,7 +64,7 @@ std::optional<Run> run_once(const Case& attack, const std::string& binary) {
   return run;
 }
 
-/// Notes what is wrong with a run. False where it took too long, and nothing else is wrong.
+/// Records the faults of a run. Returns false if its only fault is the time.
 bool judge(const Case& attack, const Run& run, double granted_seconds, Result& result) {
   result.exit_code = run.ended.exit_code;
   result.cpu_seconds = run.ended.cpu_seconds;
@@ -82,7 +83,7 @@ void run_one(const Case& attack, const std::string& binary, Pace& pace, Result& 
   }
 }
 
-/// Runs jobs from the next one on, until there are none.
+/// Runs jobs from the next one on, until none are left.
 void work(const std::vector<Job>& jobs, const std::string& binary, std::atomic<std::size_t>& next,
           const Shared<Result>& results) {
   Pace pace(binary);

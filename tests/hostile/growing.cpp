@@ -13,7 +13,7 @@ const Arguments kConvert{"convert", "in.svg", "-o", "-"};
 const Arguments kLint{"lint", "in.svg"};
 const Arguments kRender{"render", "in.svg", "-o", "out.png"};
 
-/// Text alone: what the parsers go through.
+/// Only text: the parsers' part.
 void add_texts(std::vector<Growing>& all) {
   const auto add = [&](const char* name, std::size_t first, std::size_t most, auto document) {
     all.push_back({name, first, most, document, kInfo});
@@ -133,7 +133,7 @@ void add_documents(std::vector<Growing>& all) {
   });
 }
 
-/// Drawn, written back, held against the hints. The picture's area is constant.
+/// Documents drawn, written back, and checked for hints. The picture's area is constant.
 void add_work(std::vector<Growing>& all) {
   const auto add = [&](const char* name, std::size_t first, std::size_t most,
                        const Arguments& arguments, auto document) {
@@ -147,7 +147,7 @@ void add_work(std::vector<Growing>& all) {
     return svg("<defs><g id='a' sf:diffuse='true'><path d='M9 9h9' sf:left='red'/></g></defs>" +
                repeated("<use href='#a'/>", n));
   });
-  // Closer than half a pixel from the first on.
+  // Closer than half a pixel from the beginning.
   add("drawn_circles_open_inside", 200, 2'000, kRender,
       [](std::size_t n) { return concentric_circles(n, "sf:left='red'"); });
   add("drawn_circles", 200, 2'000, kRender,

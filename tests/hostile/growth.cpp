@@ -14,14 +14,14 @@ namespace {
 
 constexpr double kMostGrowth = 2.5;
 
-/// Shorter runs say nothing: the first is made longer until it takes this much.
+/// Shorter runs are too inexact: n is doubled until the first run takes this long.
 constexpr double kLeastSeconds = 0.05;
-/// Memory that comes and goes with the pages of an allocator.
+/// Noise of an allocator's pages.
 constexpr double kLeastBytes = 4 << 20;
 
-/// Other programs only ever add time: the least of some runs is the truest.
+/// Other programs only lengthen runs, so the minimum of some runs is the best estimate.
 constexpr int kRuns = 3;
-/// Before a generator is called guilty.
+/// Attempts until a generator fails.
 constexpr int kAttempts = 4;
 
 struct Cost {
@@ -35,7 +35,7 @@ class Measurement {
   Measurement(const Growing& growing, const std::string& binary, const Cost& empty)
       : growing_(growing), binary_(binary), empty_(empty) {}
 
-  /// "" or what is wrong.
+  /// Returns "" or the fault.
   std::string run() {
     if (!choose_size()) return failure_;
     for (int attempt = 0; attempt < kAttempts; ++attempt) {
@@ -87,8 +87,8 @@ class Measurement {
     return growth(cost_[0].seconds, cost_[2].seconds, kLeastSeconds / 2);
   }
   double memory_growth() const { return growth(cost_[0].bytes, cost_[2].bytes, kLeastBytes); }
-  /// Per doubling, from n to 4n: a machine that is slower for a while moves it half as much as one
-  /// doubling.
+  /// Returns the growth per doubling, from n to 4n, because a temporary slowdown of the machine
+  /// distorts it half as much as a single doubling.
   static double growth(double from, double to, double least) {
     return std::sqrt(std::max(to, least) / std::max(from, least));
   }
@@ -102,7 +102,7 @@ class Measurement {
   std::string failure_;
 };
 
-/// What the command takes for next to nothing.
+/// Returns the command's cost for an empty drawing.
 Cost cost_of_nothing(const std::string& binary) {
   Cost least;
   for (int i = 0; i < 2 * kRuns; ++i) {

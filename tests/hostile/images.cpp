@@ -30,7 +30,7 @@ std::string chunk_with_crc(const std::string& type, const std::string& data) {
          big_end_first(static_cast<std::uint32_t>(crc));
 }
 
-/// One colour into an encoder that was set up but for its kind.
+/// Encodes one colour with an encoder that is set up except for its kind.
 std::string encoded(jpeg_compress_struct& encoder, int channels) {
   unsigned char* memory = nullptr;
   unsigned long size = 0;
@@ -50,7 +50,7 @@ std::string encoded(jpeg_compress_struct& encoder, int channels) {
   return bytes;
 }
 
-/// An encoder that goes away with its scope.
+/// An encoder that is destroyed with its scope.
 class Encoder {
  public:
   Encoder(int width, int height, int channels) {
@@ -129,7 +129,7 @@ std::string jpeg(int width, int height, int channels, JpegKind kind) {
 }
 
 std::string jpeg_of_scans(int width, int height, int scan_count) {
-  // The first scan of coefficient 1 and its refinement are written over and over.
+  // The first scan of coefficient 1 and its refinement are written repeatedly.
   Encoder encoder(width, height, 1);
   const jpeg_scan_info scans[] = {{1, {0}, 0, 0, 0, 0}, {1, {0}, 1, 63, 0, 0}};
   encoder.state().scan_info = scans;

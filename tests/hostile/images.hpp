@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-/// PNG and JPEG files, right and wrong.
+/// PNG and JPEG files, valid and invalid.
 namespace sfumato::hostile {
 
-/// A chunk of a PNG with its length and CRC.
+/// Returns a PNG chunk with its length and CRC.
 std::string png_chunk(const std::string& type, const std::string& data);
 
 struct PngHeader {
@@ -24,13 +24,13 @@ struct PngHeader {
 inline const std::string kPngSignature = "\x89PNG\r\n\x1a\n";
 std::string png_header(const PngHeader& header);
 
-/// A PNG of this header: `data` packed into one IDAT; `before` stands before it.
+/// Returns a PNG with this header: `data` packed into one IDAT, after `before`.
 std::string png(const PngHeader& header, const std::string& data, const std::string& before = "");
 
-/// 15 × 15 RGB, in colours.
+/// Returns a PNG of 15 × 15 RGB pixels.
 std::string good_png();
 
-/// A PNG of so many rows of zeros, packed without taking their memory.
+/// Returns a PNG of so many rows of zeros, packed without using their memory.
 std::string png_of_zeros(const PngHeader& header, std::size_t row_bytes);
 
 std::string zlib_packed(const std::string& data);
@@ -38,16 +38,16 @@ std::string zlib_of_zeros(std::size_t count);
 
 enum class JpegKind { baseline, progressive, arithmetic, arithmetic_progressive };
 
-/// A JPEG of one colour; 1 channel is gray, 3 are RGB, 4 CMYK.
+/// Returns a JPEG of one colour; 1 channel is gray, 3 are RGB, 4 CMYK.
 std::string jpeg(int width, int height, int channels, JpegKind kind);
 
-/// A progressive gray JPEG whose scans are repeated.
+/// Returns a progressive gray JPEG with repeated scans.
 std::string jpeg_of_scans(int width, int height, int scan_count);
 
-/// The offset of a marker's 0xFF, by the byte behind it; npos where there is none.
+/// Returns the offset of a marker's 0xFF, by the byte after it; npos if there is none.
 std::size_t jpeg_marker(const std::string& jpeg, unsigned char marker);
 
-/// The same with another size in its header.
+/// Returns the file with another size in its header.
 std::string jpeg_of_size(std::string jpeg, unsigned width, unsigned height);
 
 std::string base64(const std::string& bytes);

@@ -1,11 +1,12 @@
 // hostile [--binary FILE] [--jobs N] [--family NAME] [--case NAME] [--at-most N]
-//         [--list | --table | --growth | --keep DIR]
+//         [--list | --table | --check-table | --growth | --keep DIR]
 //
-// Runs `sfumato` against the cases of this folder. Exit 1 where one fails; each failure is a line
-// "not ok FAMILY/CASE: why". The last lines count.
+// Runs `sfumato` against the cases of this folder. Exit 1 if one fails; each failure is a line "not
+// ok FAMILY/CASE: why". The last lines count.
 //   --binary  another build of the command; also by SFUMATO_HOSTILE_BINARY
-//   --at-most N of each family that has more cases, evenly spread
-//   --table   what each family took at most, as the table of README.md
+//   --at-most N cases of each larger family, evenly spread
+//   --table   the maxima of each family, as the table of README.md
+//   --check-table  checks the counts in that table against the cases; runs nothing
 //   --growth  runs the generators of growing.cpp instead, or the one that --family names
 //   --keep    writes the cases' files there, in FAMILY/CASE/, and runs nothing
 #include <unistd.h>
@@ -23,6 +24,7 @@
 #include "hostile/crew.hpp"
 #include "hostile/growth.hpp"
 #include "hostile/sandbox.hpp"
+#include "hostile/table.hpp"
 #include "support/places.hpp"
 
 namespace sfumato::hostile {
@@ -37,6 +39,7 @@ struct Options {
   std::size_t at_most = SIZE_MAX;
   bool list = false;
   bool table = false;
+  bool check_table = false;
   bool growth = false;
 };
 
@@ -68,6 +71,8 @@ Options parse(int argc, char** argv) {
       options.list = true;
     } else if (word == "--table") {
       options.table = true;
+    } else if (word == "--check-table") {
+      options.check_table = true;
     } else if (word == "--growth") {
       options.growth = true;
     } else {
@@ -78,13 +83,13 @@ Options parse(int argc, char** argv) {
   return options;
 }
 
-/// Whether the item at `index` of `count` is in an even sample of at most `most`.
+/// Returns whether the item at `index` of `count` is in an even sample of at most `most`.
 bool is_in_sample(std::size_t index, std::size_t count, std::size_t most) {
   const std::size_t share = std::min(most, count);
   return (index + 1) * share / count > index * share / count;
 }
 
-/// The cases that were asked for. A name that stands twice in a family is our mistake.
+/// Returns the requested cases. A name that occurs twice in a family is our mistake.
 std::vector<Job> jobs_of(const std::vector<Family>& families, const Options& options) {
   std::vector<Job> jobs;
   for (const Family& family : families) {
@@ -165,6 +170,9 @@ int run(int argc, char** argv) {
   const Options options = parse(argc, argv);
   if (options.growth) return run_growth(options.binary, options.family);
   const std::vector<Family> families = all_families();
+  if (options.check_table) {
+    return check_table(families, test::source_path("tests/hostile/README.md")) ? 0 : 1;
+  }
   const std::vector<Job> jobs = jobs_of(families, options);
   if (options.list) {
     for (const Job& job : jobs) std::printf("%s\n", job.name().c_str());

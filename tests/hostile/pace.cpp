@@ -10,14 +10,14 @@
 namespace sfumato::hostile {
 namespace {
 
-/// Seconds that are little on any machine.
+/// A short time on any machine, seconds.
 constexpr double kLittleSeconds = 0.25;
 
 constexpr std::size_t kElements = 20'000;
 constexpr std::size_t kCurves = 40;
 
-/// Elements with ids, classes and transforms to be read; curves in sight of each other to be
-/// meshed and gathered.
+/// Returns elements with ids, classes and transforms for the reader, and curves that see each other
+/// for meshing and gathering.
 std::string reference_drawing() {
   const std::string elements =
       numbered("<g id='a", kElements, "' class='b' transform='scale(1)'/>");

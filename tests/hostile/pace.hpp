@@ -8,19 +8,19 @@
 
 namespace sfumato::hostile {
 
-/// A case may take so many times the processor time of the reference, all threads together. The
-/// slowest case takes 11 times as much (README.md). Sanitizers slow readers down more than
-/// drawing.
+/// Limit for the processor time of a case, all threads together, as a multiple of the reference's
+/// time. The slowest case takes 11 times as much (README.md). Sanitizers slow down readers more
+/// than drawing.
 constexpr double kMostReferences = SFUMATO_HAS_SANITIZER ? 60 : 25;
 
-/// The reference: the command draws a fixed drawing. The limit on time is a multiple of what that
-/// takes in the same run, so that a slow or busy machine lengthens both.
+/// The reference: the command draws a fixed drawing. The time limit is a multiple of its time in
+/// the same run, so that a slow or busy machine lengthens both.
 class Pace {
  public:
   explicit Pace(const std::string& binary);
 
-  /// Returns the processor time, seconds, that a case was granted which took `taken` just before.
-  /// Runs the reference only where `taken` is not little, and earlier runs do not grant it.
+  /// Returns the processor time, seconds, allowed to a case that has just taken `taken`. Runs the
+  /// reference only if `taken` is not short and earlier runs do not allow it.
   double granted_seconds(double taken);
 
  private:

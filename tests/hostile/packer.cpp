@@ -12,19 +12,19 @@ std::string little_end_first(std::uint32_t value) {
   return bytes;
 }
 
-/// With nothing around it, ended as `flush` says.
+/// Returns raw deflate data, ended by `flush`.
 std::string deflated(const std::string& bytes, int flush) {
   Packer packer(Wrapper::none);
   packer.add(bytes, flush);
   return packer.packed();
 }
 
-/// What stands behind deflated bytes, of the bytes themselves: CRC-32 in gzip, Adler-32 in zlib.
+/// The checksum after deflated bytes: CRC-32 in gzip, Adler-32 in zlib.
 class Checksum {
  public:
   explicit Checksum(bool is_crc) : is_crc_(is_crc), value_(is_crc ? 0 : 1) {}
 
-  /// The same bytes, so many times.
+  /// Adds the same bytes so many times.
   void add(const std::string& bytes, std::size_t times) {
     const auto* data = reinterpret_cast<const Bytef*>(bytes.data());
     const auto size = static_cast<uInt>(bytes.size());
@@ -68,7 +68,8 @@ std::string packed_run(Wrapper wrapper, char byte, std::size_t count) {
   Checksum checksum(is_gzip);
   checksum.add(block, block_count);
   checksum.add(rest, 1);
-  // Blocks that begin afresh are packed alike: a gibibyte takes no longer than one of them.
+  // Blocks that restart compression are packed to equal bytes, so a gibibyte takes no longer than
+  // one of them.
   const std::string packed_block = block_count > 0 ? deflated(block, Z_FULL_FLUSH) : std::string();
   std::string packed =
       is_gzip ? std::string("\x1f\x8b\x08\0\0\0\0\0\x02\x03", 10) : std::string("\x78\xda");

@@ -7,10 +7,10 @@
 
 namespace sfumato::hostile {
 
-/// What stands around deflated bytes, as deflateInit2 takes it.
+/// The container of deflated bytes, as a parameter of deflateInit2.
 enum class Wrapper { none = -15, zlib = 15, gzip = 15 + 16 };
 
-/// A stream that takes what it packs in pieces.
+/// A stream that packs its input in pieces.
 class Packer {
  public:
   explicit Packer(Wrapper wrapper);
@@ -18,7 +18,7 @@ class Packer {
   Packer(const Packer&) = delete;
   Packer& operator=(const Packer&) = delete;
 
-  /// flush: as deflate() takes it; Z_FINISH with the last piece.
+  /// flush: as for deflate(); Z_FINISH with the last piece.
   void add(const std::string& bytes, int flush);
   const std::string& packed() const { return packed_; }
 
@@ -27,7 +27,7 @@ class Packer {
   std::string packed_;
 };
 
-/// A byte again and again, packed; `count` of them.
+/// Returns `count` copies of a byte, packed.
 std::string packed_run(Wrapper wrapper, char byte, std::size_t count);
 
 }  // namespace sfumato::hostile

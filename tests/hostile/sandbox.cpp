@@ -16,10 +16,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A sanitizer's shadow and its memory of freed blocks count as the process's own: blocks are kept
-/// less long than by default, the stack that functions return from not at all (the unit tests look
-/// there), of who allocated a block one function is noted, and what asks for more than any limit
-/// grants is reported.
+/// A sanitizer's shadow and its memory of freed blocks count as the process's own. Therefore freed
+/// blocks are kept for a shorter time than by default, returned stack frames not at all (the unit
+/// tests check them), and only one function is recorded per allocation; a request above every limit
+/// is reported.
 constexpr const char* kAddressOptions =
     "quarantine_size_mb=8:thread_local_quarantine_size_kb=64:malloc_context_size=1:"
     "detect_stack_use_after_return=0:max_allocation_size_mb=2048:hard_rss_limit_mb=1024:"
@@ -71,7 +71,7 @@ Sandbox::Sandbox() {
 
 Sandbox::~Sandbox() {
   std::error_code ignored;
-  // Cases may have taken the permission to remove what they made.
+  // Cases may have removed the permission to delete their files.
   for (const auto& entry : fs::recursive_directory_iterator(path_, ignored)) {
     if (entry.is_directory(ignored)) fs::permissions(entry, fs::perms::owner_all, ignored);
   }

@@ -6,14 +6,14 @@
 namespace sfumato::hostile {
 namespace {
 
-/// Warnings are at most 101 lines and an error, each of which quotes little.
+/// At most 101 lines of warnings and an error, each with short quotes.
 constexpr std::size_t kMostMessageBytes = std::size_t{64} << 10;
 
 bool has(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-/// The last lines, where the error stands.
+/// Returns the last lines, which contain the error.
 std::string shown(const std::string& err) {
   constexpr std::size_t kShown = 1500;
   std::string text = err.size() > kShown ? "…" + err.substr(err.size() - kShown) : err;
@@ -47,7 +47,7 @@ std::string complaint_of_messages(const Case& of, const Ended& ended) {
   return {};
 }
 
-/// A picture appears where it was made, and nothing else does.
+/// Expects a picture if one was made, and no other files.
 std::string complaint_of_files(const Case& of, const std::vector<std::string>& before,
                                const std::vector<std::string>& after) {
   std::vector<std::string> made, gone;

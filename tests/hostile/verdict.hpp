@@ -9,18 +9,18 @@
 
 namespace sfumato::hostile {
 
-/// Resident memory that every case has to stay below, whatever it is about; pace.hpp has the time.
-/// AddressSanitizer takes an eighth more and what surrounds each block.
+/// Limit for the resident memory of every case; pace.hpp has the time. AddressSanitizer takes an
+/// eighth more and the surroundings of each block.
 constexpr std::size_t kMostBytes = std::size_t{SFUMATO_HAS_SANITIZER ? 320 : 256} << 20;
 
-/// What is wrong with how a case ended, in one line; "" where nothing is.
+/// Returns the fault of a case's end, in one line; "" if there is none.
 ///
-/// before, after     names in its folder, sorted
-/// granted_seconds   of processor time (pace.hpp)
+/// before, after: names in its folder, sorted
+/// granted_seconds: allowed processor time (pace.hpp)
 std::string complaint(const Case& of, const Ended& ended, const std::vector<std::string>& before,
                       const std::vector<std::string>& after, double granted_seconds);
 
-/// Of that what is about time and memory.
+/// Returns only the faults in time and memory.
 std::string complaint_of_cost(const Ended& ended, double granted_seconds);
 
 }  // namespace sfumato::hostile

@@ -1,5 +1,5 @@
-// Strokes and fills whose parts hardly differ: pieces and handles of rounding's size, ways back
-// along the way there. Held against what is within half the width of the path.
+// Strokes and fills with nearly equal parts: pieces and handles of the size of rounding errors, and
+// paths that return along themselves. Compared with the area within half the width of the path.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-#include "base/number_text.hpp"
+#include "base/text/number_text.hpp"
 #include "import/boundary.hpp"
 #include "import/chords.hpp"
 #include "import/stroke_outline.hpp"
@@ -55,7 +55,7 @@ std::string text_of(const std::vector<Vec2>& path) {
   return text;
 }
 
-/// A round stroke of the path holds what is within half its width, and goes round it once.
+/// Expects that a round stroke of the path covers the area within half its width exactly once.
 void expect_stroke(const std::vector<Vec2>& path, double width, const std::string& name) {
   Context context;
   const svg::StrokeStyle style{
@@ -79,7 +79,7 @@ void expect_stroke(const std::vector<Vec2>& path, double width, const std::strin
   }
 }
 
-/// Paths of lines and of curves that are nearly straight, of which many differ by rounding only.
+/// Returns paths of lines and of nearly straight curves, many of which differ only by rounding.
 std::vector<Vec2> random_path(std::uint32_t seed) {
   std::mt19937 random(seed);
   const auto share = [&] { return static_cast<double>(random()) / 4294967296.0; };
@@ -138,7 +138,7 @@ TEST(DegenerateStrokes, a_piece_of_roundings_size_makes_no_corner) {
     ASSERT_EQ(boundary->size(), 1u) << apart;
     Box box;
     for (const Vec2 p : boundary->at(0)) box.extend(p);
-    EXPECT_NEAR(box.min.x, 30, 1e-3);  // the way turns round: no miter is so long
+    EXPECT_NEAR(box.min.x, 30, 1e-3);  // the path turns back here, so a miter would be too long
     EXPECT_NEAR(box.max.x, 40, 1e-3);
     EXPECT_NEAR(box.height(), 4, 1e-3);
   }

@@ -48,6 +48,58 @@ TEST(ImportSvg, a_filled_shape_is_a_curve_with_its_colour_inside_and_nothing_out
   EXPECT_EQ(curve.left.opacity.stops.stops.front().value, 0);
 }
 
+TEST(ImportSvg, colours_outside_srgb_are_mapped_with_one_warning) {
+  const ImportedSvg made =
+      imported(R"x(<circle cx="50" cy="50" r="20" fill="color(display-p3 0 1 0)"/>)x"
+               R"x(<circle cx="20" cy="20" r="9" style="fill:oklch(0.9 0.4 150)"/>)x");
+  ASSERT_EQ(made.warnings.size(), 1u);
+  EXPECT_TRUE(made.warnings[0].message.starts_with("fill of <circle>: the colour \"color(display-"))
+      << made.warnings[0].message;
+  const Rgb color = color_of(made.document.layers.at(0).curves.at(0).right.color);
+  EXPECT_NEAR(color.g, 0.985764, 1e-5);
+  EXPECT_NEAR(color.b, 0.159742, 1e-5);
+}
+
+TEST(ImportSvg, reports_its_progress_and_can_be_cancelled) {
+  struct Fractions final : Progress {
+    void report(std::string_view stage, double fraction) override {
+      EXPECT_EQ(stage, "import");
+      seen.push_back(fraction);
+      if (context && seen.size() == 3) context->cancel = true;
+    }
+    std::vector<double> seen;
+    Context* context = nullptr;
+  };
+  std::string dots;
+  for (int i = 0; i < 10; ++i)
+    dots += "<circle cx=\"50\" cy=\"50\" r=\"" + std::to_string(40 - i) + "\"/>";
+  Fractions all;
+  Context context;
+  context.progress = &all;
+  EXPECT_TRUE(import_svg(context, icon(dots), "dots.svg"));
+  EXPECT_EQ(all.seen.size(), 10u);
+  EXPECT_TRUE(std::ranges::is_sorted(all.seen));
+  EXPECT_LE(all.seen.back(), 1);
+  Fractions some;
+  Context cancelled;
+  some.context = &cancelled;
+  cancelled.progress = &some;
+  EXPECT_EQ(import_svg(cancelled, icon(dots), "dots.svg").status().code, StatusCode::cancelled);
+  EXPECT_EQ(some.seen.size(), 3u);
+}
+
+TEST(ImportSvg, a_gradient_that_is_a_cone_is_clear_outside_of_it) {
+  const auto made_of = [](const std::string& focus) {
+    return imported("<radialGradient id=\"g\" r=\".3\" " + focus +
+                    "><stop stop-color=\"red\"/><stop offset=\"1\"/></radialGradient>"
+                    "<circle cx=\"50\" cy=\"50\" r=\"20\" fill=\"url(#g)\"/>");
+  };
+  const ImportedSvg cone = made_of("fx=\"0\"");
+  EXPECT_EQ(cone.document.shaders.size(), 2u);
+  EXPECT_EQ(cone.document.layers[0].curves[0].right.opacity.kind, ShaderKind::image_domain);
+  EXPECT_EQ(made_of("fx=\".4\" fr=\".1\"").document.shaders.size(), 1u);
+}
+
 TEST(ImportSvg, a_shape_on_another_has_its_colour_outside) {
   const ImportedSvg made = imported(
       R"x(<rect x="10" y="10" width="80" height="80" fill="#00f"/><circle cx="50" cy="50")x"
@@ -72,7 +124,7 @@ TEST(ImportSvg, a_rectangle_over_everything_is_the_background) {
   EXPECT_EQ(made.document.background, (Rgb{0, 1, 0}));
 }
 
-/// A square that fills a viewBox of 100 × 100, with more attributes of <svg>.
+/// Returns a square that fills a viewBox of 100 × 100, with more attributes of <svg>.
 ImportedSvg framed(const std::string& attributes) {
   return imported_text("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 100 100\" " +
                        attributes + "><circle cx=\"50\" cy=\"50\" r=\"40\" fill=\"#f00\"/></svg>");
@@ -126,7 +178,7 @@ TEST(ImportSvg, opacity_of_a_shape_with_fill_and_stroke_is_that_of_a_group) {
   EXPECT_EQ(std::get<GroupBegin>(made.document.stack[0]).opacity, 0.5F);
 }
 
-/// The colours of the layers, bottom first, of a shape that is red and has a blue stroke.
+/// Returns the colours of the layers, bottom first, of a red shape with a blue stroke.
 std::string painted(const std::string& attributes, const std::string& around = "") {
   const ImportedSvg made =
       imported("<g " + around + "><rect x='20' y='20' width='40' height='40' fill='#f00'" +
@@ -163,14 +215,14 @@ TEST(ImportSvg, paint_order_says_whether_the_stroke_lies_below_the_fill) {
   EXPECT_EQ(painted("paint-order='normal'", "paint-order='stroke'"), "fill stroke 0");
   EXPECT_EQ(painted("style='paint-order:inherit'", "style='paint-order:stroke'"), "stroke fill 0");
   EXPECT_EQ(painted("opacity='.5' paint-order='stroke'"), "stroke fill 0");
-  // What is no order is told, and changes nothing.
+  // An invalid order causes a warning, and changes nothing.
   test::expect_of_each({"stroke stroke", "stroke normal", "stroke,fill", "stoke", "1"},
                        by_attribute, "fill stroke 1");
   test::expect_of_each({"stroke stroke", "stroke normal", "stroke,fill", "stoke", "1"}, by_style,
                        "fill stroke 1");
 }
 
-/// The box of the only curve that a stroke of width 10 makes; empty where it makes none.
+/// Returns the box of the only curve of a stroke of width 10; empty if it makes no curve.
 Box stroked(const std::string& shape) {
   const ImportedSvg made =
       imported("<g fill='none' stroke='#000' stroke-width='10'>" + shape + "</g>");
@@ -183,7 +235,7 @@ Box stroked(const std::string& shape) {
   return box;
 }
 
-/// Where a stroked dot reaches: left, top, right and bottom, in thousandths.
+/// Returns the extent of a stroked dot: left, top, right and bottom, in thousandths.
 std::string dot_of(const std::string& shape) {
   const Box box = stroked(shape);
   if (box.empty()) return "nothing";
@@ -237,7 +289,7 @@ TEST(ImportSvg, a_star_that_crosses_itself_is_filled_by_its_rule) {
   const std::string star = R"x(d="M50 5 L78 90 L5 37 L95 37 L22 90 Z")x";
   const ImportedSvg nonzero = imported("<path " + star + "/>");
   const ImportedSvg even_odd = imported("<path fill-rule=\"evenodd\" " + star + "/>");
-  // An outline of ten corners; five tips around a hole.
+  // An outline of ten corners, or five tips around a hole.
   ASSERT_EQ(nonzero.document.layers[0].curves.size(), 1u);
   std::size_t pieces = 0;
   for (const Curve& curve : even_odd.document.layers[0].curves) pieces += curve.piece_count();
@@ -258,12 +310,20 @@ TEST(ImportSvg, limits_and_cancelling_hold) {
   const auto cancelled = import_svg(context, icon("<circle r=\"9\"/>"), "icon.svg");
   ASSERT_FALSE(cancelled);
   EXPECT_EQ(cancelled.status().code, StatusCode::cancelled);
-  Context again;
-  const auto dashes = import_svg(
-      again, icon(R"x(<path d="M0 0 L1000000 0" stroke="red" stroke-dasharray=".0001"/>)x"),
-      "i.svg");
-  ASSERT_FALSE(dashes);
-  EXPECT_EQ(dashes.status().code, StatusCode::limit);
+}
+
+TEST(ImportSvg, a_stroke_of_too_many_dashes_is_left_out) {
+  const std::string stroke =
+      R"x(<path d="M0 0 L90 0" stroke="red" stroke-width="3" stroke-dasharray="1"/>)x";
+  Context context{.limits = {.dashes = 44}};
+  const auto few = import_svg(context, icon(stroke), "i.svg");
+  ASSERT_TRUE(few);
+  EXPECT_TRUE(few->document.layers.empty());
+  ASSERT_EQ(few->warnings.size(), 1u);
+  EXPECT_EQ(few->warnings[0].message,
+            "the shape is left out: more than the limit of 44 dashes in one stroke; raise the "
+            "limit dashes");
+  EXPECT_EQ(imported(stroke).document.layers.at(0).curves.size(), 45u);
 }
 
 double area(const svg_import::Contours& contours) {

@@ -1,11 +1,11 @@
-// Fills of several contours that share edges, or hardly part: the picture that is drawn of them.
+// Fills of several contours that share edges or nearly touch, and the resulting pictures.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "base/number_text.hpp"
+#include "base/text/number_text.hpp"
 #include "sfumato/import/import_svg.hpp"
 #include "sfumato/raster/rasterize.hpp"
 #include "sfumato/solve/diffuse.hpp"
@@ -32,7 +32,7 @@ bool is_in_any(const std::vector<Polygon>& polygons, Vec2 p) {
   return std::ranges::any_of(polygons, [&](const Polygon& polygon) { return is_in(polygon, p); });
 }
 
-/// How many of nine points around a pixel's centre lie in a polygon.
+/// Returns how many of nine points around a pixel's centre lie in a polygon.
 int points_inside(const std::vector<Polygon>& polygons, int x, int y) {
   int count = 0;
   for (int i = 0; i < 9; ++i)
@@ -69,8 +69,8 @@ Image drawn(const std::vector<Polygon>& polygons) {
   return std::move(*image);
 }
 
-/// Green inside and white outside; pixels near a border may have anything between. Where a slit is
-/// `gap` wide, as much white may show.
+/// Expects green inside and white outside; pixels near a border may have any colour in between.
+/// Along a slit of width `gap`, as much white may show.
 void expect_filled(const std::vector<Polygon>& polygons, const std::string& name, double gap = 0) {
   const int allowed = 2 + static_cast<int>(255 * 1.5 * gap / kUnitsPerPixel);
   const Image image = drawn(polygons);

@@ -1,4 +1,4 @@
-// Outlines of strokes: what they cost, and what they hold where a stroke is wide.
+// Outlines of strokes: their cost, and their content for wide strokes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ using svg_import::Contours;
 
 constexpr double kStrokeTolerance = 100.0 / 16384;
 
-/// A subpath of loops that end in cusps.
+/// Returns a subpath of loops that end in cusps.
 Contours curls(int count) {
   std::vector<Vec2> path{{50, 50}};
   for (int i = 0; i < count; ++i) path.insert(path.end(), {{59, 50}, {41, 59}, {50, 50}});
@@ -95,13 +95,14 @@ double distance(const std::vector<Vec2>& polygon, Vec2 p) {
   return least;
 }
 
-/// Curves with bends of every sharpness: some nearly end in a cusp, some lie nearly on a line.
+/// Returns curves with bends of every sharpness: some nearly end in a cusp, some lie nearly on a
+/// line.
 std::vector<Vec2> random_cubic(std::mt19937& random) {
   const auto share = [&] { return static_cast<double>(random()) / 4294967296.0; };
   std::vector<Vec2> path;
   for (int i = 0; i < 4; ++i) path.push_back({30 + 40 * share(), 30 + 40 * share()});
   const double kind = share();
-  if (kind < 0.2) {  // C' vanishes in the middle where both handles cross to each other's ends
+  if (kind < 0.2) {  // C' vanishes in the middle if both handles cross to each other's ends
     const Vec2 nearly{share() * share() * 0.5, share() * share() * 0.5};
     path[1] = path[0] + (path[3] - path[0]) + Vec2{0, 20};
     path[2] = path[0] + Vec2{0, 20} + nearly;
@@ -113,15 +114,16 @@ std::vector<Vec2> random_cubic(std::mt19937& random) {
   return path;
 }
 
-/// Whether a point lies inside, or nearly: the normals' envelope, which bounds what they sweep, is
-/// found nearly within the tolerance.
+/// Returns whether a point lies inside, or nearly: the normals' envelope, which bounds the swept
+/// area, is only found approximately within the tolerance.
 bool is_inside(const std::vector<svg_import::Chord>& chords, Vec2 p, Vec2 across) {
   return std::ranges::any_of(std::array{0, -1, 1}, [&](int step) {
     return svg_import::winding_number(chords, p + 2 * step * kStrokeTolerance * across) != 0;
   });
 }
 
-/// Within half the width along a normal lies the stroke; farther than that from the path does not.
+/// Expects the stroke within half the width along each normal, and not farther than that from the
+/// path.
 void expect_what_normals_sweep(const std::vector<Vec2>& path, const svg::StrokeStyle& style,
                                const std::string& name) {
   Context context;

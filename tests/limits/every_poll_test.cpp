@@ -9,7 +9,7 @@
 #include "allocation/documents.hpp"
 #include "base/poll.hpp"
 #include "codecs/image_file.hpp"
-#include "codecs/photo.hpp"
+#include "codecs/photo/photo.hpp"
 #include "formats/image_files.hpp"
 #include "formats/photo_files.hpp"
 #include "limits/large_inputs.hpp"
@@ -30,12 +30,12 @@
 #include "sfumato/solve/diffuse.hpp"
 #include "support/cancel_at.hpp"
 
-/// Whichever look at the cancel flag is the first to see it, the answer is that it was cancelled:
-/// what is half done is never taken for a result.
+/// Whichever poll of the cancel flag is the first to see it, the answer is `cancelled`; incomplete
+/// work never becomes a result.
 namespace sfumato::test {
 namespace {
 
-/// Tells the places in the code that look at the flag, and which polls were theirs.
+/// Records the places in the code that poll the flag, and their polls.
 class PollPlaces : public PollWatch {
  public:
   bool wants_every_turn() const override { return true; }
@@ -47,8 +47,8 @@ class PollPlaces : public PollWatch {
     place.last = polls_;
   }
 
-  /// Of each place the first poll, the second, the fourth and so on, and the last; and some evenly
-  /// spread, since builds that are not optimised have one place for all.
+  /// Returns, for each place, the first poll, the second, the fourth and so on, and the last; and
+  /// some evenly spread polls, because builds without optimisation have one place for all.
   std::set<std::uint64_t> chosen() const {
     std::set<std::uint64_t> polls = chosen_;
     for (const auto& [address, place] : places_) polls.insert(place.last);
@@ -67,7 +67,7 @@ class PollPlaces : public PollWatch {
   std::uint64_t polls_ = 0;
 };
 
-/// Sets a deadline that has passed at a poll.
+/// Sets a passed deadline at a poll.
 class LateAt : public PollWatch {
  public:
   LateAt(std::uint64_t poll, std::optional<Deadline>& deadline)
@@ -82,8 +82,8 @@ class LateAt : public PollWatch {
   std::optional<Deadline>& deadline_;
 };
 
-/// Runs `work` to its end, then again and again, cancelled at chosen polls of every place in the
-/// code that looks at the flag; and now and then out of time at them.
+/// Runs `work` to its end, then repeatedly, cancelled at chosen polls of every place in the code,
+/// and sometimes out of time there.
 template <class Work>
 void expect_cancelled_at_every_poll(const std::string& name, const Work& work) {
   Context context;

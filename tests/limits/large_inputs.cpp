@@ -42,6 +42,34 @@ std::string number(double value) {
 
 }  // namespace
 
+const char* name_of(ShapePlaces places) {
+  switch (places) {
+    case ShapePlaces::apart:
+      return "apart";
+    case ShapePlaces::on_ground:
+      return "on an opaque ground";
+    case ShapePlaces::overlapping:
+      break;
+  }
+  return "over each other";
+}
+
+std::string many_shapes_svg(int count, ShapePlaces places) {
+  std::string svg = "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 1000 1000'>";
+  if (places == ShapePlaces::on_ground) {
+    svg += "<path d='M1 1H999V999H1z' fill='#eee'/>";
+  }
+  const int columns = 100;
+  const double radius = places == ShapePlaces::overlapping ? 7 : 3;
+  for (int i = 0; i < count; ++i) {
+    const double x = 10 * (i % columns) + 5;
+    const double y = 1000.0 / count * columns * (i / columns + 0.5);
+    svg += "<circle cx='" + number(x) + "' cy='" + number(y) + "' r='" + number(radius) +
+           "' fill='#" + std::to_string(100 + i % 900) + "'/>";
+  }
+  return svg + "</svg>";
+}
+
 Document curve_of_many_stops(std::size_t stop_count) {
   Curve curve = straight_curve({10, 50}, {90, 50});
   SideShader<Rgb> colors{ShaderKind::curve_domain, {StopSpace::parameter, {}}, 0};

@@ -7,7 +7,7 @@
 
 #include "codecs/deflate.hpp"
 #include "codecs/image_file.hpp"
-#include "codecs/photo.hpp"
+#include "codecs/photo/photo.hpp"
 #include "formats/photo_files.hpp"
 #include "limits/large_inputs.hpp"
 #include "sfumato/api/render_pixels.hpp"
@@ -22,13 +22,14 @@
 #include "sfumato/export/tables/tables.hpp"
 #include "sfumato/formats/read_document.hpp"
 #include "sfumato/formats/svg/svg_write.hpp"
+#include "sfumato/import/import_svg.hpp"
 #include "sfumato/lint/lint.hpp"
 #include "sfumato/raster/rasterize.hpp"
 #include "support/poll_gap.hpp"
 
-/// No work goes on for long without a poll, whatever stage it is in; and once the flag is set all
-/// of it ends as soon. On one thread, whose CPU time is measured. poll_gap.hpp says how long is
-/// long. bench/poll_gaps.cpp measures the same with inputs near the limits.
+/// No work runs for long without a poll, in any stage, and after the flag is set all of it ends as
+/// soon. On one thread, whose CPU time is measured. poll_gap.hpp defines the limit.
+/// bench/poll_gaps.cpp measures the same with inputs near the limits.
 namespace sfumato::test {
 namespace {
 
@@ -47,7 +48,7 @@ double longest_gap(const std::string& name, const Work& work, std::uint64_t& pol
   return recorder.longest_seconds();
 }
 
-/// Cancels `work` at a poll. Returns the CPU seconds that it goes on.
+/// Cancels `work` at a poll. Returns the CPU seconds until its end.
 template <class Work>
 double seconds_to_end(const std::string& name, const Work& work, std::uint64_t poll) {
   Context cancelled;
@@ -106,10 +107,10 @@ TEST(Polls, long_values_are_read_and_written_with_looks) {
   expect_polls("writing", [&](Context& c) { return write_svg(c, read->document); });
 }
 
-/// A third of the largest input, which is parsed in one piece: half of it takes up to 46 ms on a
-/// quiet machine, and 55 ms on one that is not.
+/// A fifth of the largest input. The XML parser reads it in one piece, without a poll; half of the
+/// largest input takes up to 46 ms on a quiet machine.
 TEST(Polls, tens_of_millions_of_blanks_or_digits_are_read_with_looks) {
-  const std::size_t most = limits::kInputBytes / 3;
+  const std::size_t most = limits::kInputBytes / 5;
   const std::string blanks(most, ' ');
   std::string numbers;
   for (int i = 0; i < 20; ++i) numbers += "0." + std::string((1 << 20) - 3, '1') + ' ';
@@ -137,6 +138,14 @@ TEST(Polls, solving_looks_often) {
   expect_polls("rounds", [&](Context& c) { return diffuse(c, few, in_rounds); });
 }
 
+TEST(Polls, imports_of_many_shapes_look_often) {
+  for (const ShapePlaces places :
+       {ShapePlaces::apart, ShapePlaces::on_ground, ShapePlaces::overlapping}) {
+    const std::string text = many_shapes_svg(1'000, places);
+    expect_polls(name_of(places), [&](Context& c) { return import_svg(c, text, "shapes.svg"); });
+  }
+}
+
 TEST(Polls, one_node_that_sees_thousands_of_colours_looks_often) {
   const Document stops = curve_of_many_stops(1000);
   expect_polls("stops", [&](Context& c) {
@@ -161,7 +170,7 @@ TEST(Polls, codecs_look_often) {
   const Image image = noise_image(1500, 1500);
   expect_polls("PNG", [&](Context& c) { return encode_png(c, image); });
   expect_polls("JPEG", [&](Context& c) { return encode_jpeg(c, image, 90); });
-  // Of noise libwebp's own passes take longer.
+  // With noise, libwebp's own passes take longer.
   const Result<Picture> picture = diffuse(context, many_curves(20), {});
   ASSERT_TRUE(picture.ok());
   const auto smooth = rasterize(context, *picture, {.width = 1500, .height = 1500});

@@ -3,7 +3,7 @@
 #include "lint/hints.hpp"
 #include "support/drawing.hpp"
 
-/// What beginners get wrong: seams, open sides, curves that cross, ends that miss.
+/// Typical mistakes of beginners: seams, open sides, crossing curves, ends that miss.
 namespace sfumato {
 namespace {
 
@@ -20,20 +20,21 @@ using test::kWhite;
 using test::of_kind;
 using test::one_color;
 using test::one_layer;
+using test::one_opacity;
 using test::straight_curve;
 
 SideShader<Rgb> stops(std::vector<Stop<Rgb>> list) {
   return {ShaderKind::curve_domain, {StopSpace::parameter, std::move(list)}, 0};
 }
 
-/// A circle with colours inside that run from one to another.
+/// Returns a circle with colours inside that change from one to the other.
 Curve shaded_circle(Rgb first, Rgb last) {
   Curve curve = colored(circle_curve(kMiddle, 30), kBlue, kBlue);
   curve.right.color = stops({{0, first}, {1, last}});
   return curve;
 }
 
-/// One that is closed at a corner.
+/// Returns a curve that is closed at a corner.
 Curve drop(Rgb first, Rgb last) {
   Curve curve{
       .control_points = {{50, 10}, {90, 40}, {80, 90}, {50, 90}, {20, 90}, {10, 40}, {50, 10}}};
@@ -99,7 +100,7 @@ TEST(LintFlood, a_shape_whose_outside_is_open) {
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].layer, 0u);
   EXPECT_EQ(found[0].stack_item, 0u);
-  // Its colour outside alone leaves the inside empty instead.
+  // Its colour only outside leaves the inside empty instead.
   std::swap(disc.left, disc.right);
   EXPECT_EQ(count(one_layer({disc}), HintKind::flood), 0u);
   EXPECT_EQ(count(one_layer({disc}), HintKind::inside_empty), 1u);
@@ -117,7 +118,7 @@ TEST(LintFlood, not_with_a_colour_or_nothing_outside) {
 TEST(LintFlood, not_where_something_else_ends_the_colour) {
   Curve disc = circle_curve(kMiddle, 30);
   disc.right.color = one_color(kRed);
-  // A ground of two colours is a drawing of its own.
+  // A ground of two colours is a drawing in itself.
   EXPECT_EQ(count(one_layer({disc, colored(straight_curve({-9, 90}, {109, 90}), kRed, kBlue)}),
                   HintKind::flood),
             0u);
@@ -135,11 +136,11 @@ TEST(LintFlood, with_shapes_within_the_one_that_is_open) {
   const auto floods = [](const Document& document) { return count(document, HintKind::flood); };
   EXPECT_EQ(floods(one_layer({face, eye})), 1u);
   EXPECT_EQ(floods(one_layer({eye, mouth, face})), 1u);
-  // Another shape like it, and a guide that bears nothing.
+  // A similar shape, and a guide without colours.
   Curve ball = circle_curve({10, 10}, 5);
   ball.right.color = one_color(kGreen);
   EXPECT_EQ(floods(one_layer({ball, face, straight_curve({0, 95}, {99, 95})})), 1u);
-  // What lies beside it and has colours outside is a ground.
+  // A shape beside it with colours outside is a ground.
   EXPECT_EQ(floods(one_layer({face, colored(circle_curve({10, 10}, 5), kRed, kBlack)})), 0u);
   Curve frame = circle_curve(kMiddle, 200);
   frame.right.color = one_color(kGreen);
@@ -160,7 +161,7 @@ TEST(LintFlood, above_something_it_is_a_leak) {
   EXPECT_EQ(count(document, HintKind::leak), 1u);
 }
 
-/// A closed curve of two loops side by side that crosses itself in the middle.
+/// Returns a closed curve of two loops side by side that crosses itself in the middle.
 Curve eight() {
   return {.control_points = {{50, 50},
                              {80, 10},
@@ -177,7 +178,7 @@ Curve eight() {
                              {50, 50}}};
 }
 
-/// Corners of a star, or of another polygon.
+/// Returns the corners of a star, or of another polygon.
 Curve polygon(const std::vector<Vec2>& corners) {
   Curve curve{.control_points = {corners.front()}};
   for (std::size_t i = 1; i <= corners.size(); ++i) {
@@ -207,8 +208,41 @@ TEST(LintCrossing, an_eight_whose_sides_both_lie_outside) {
   EXPECT_EQ(crossings(bow).size(), 1u);
 }
 
+Curve with_opacities(Curve curve, float left, float right) {
+  curve.left.opacity = one_opacity(left);
+  curve.right.opacity = one_opacity(right);
+  return curve;
+}
+
+TEST(LintCrossing, an_eight_of_one_colour_and_two_opacities) {
+  const Curve red = colored(eight(), kRed, kRed);
+  const auto found = of_kind(hints_of(one_layer({with_opacities(red, 0, 1)})), HintKind::crossing);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].at, (Vec2{50, 50}));
+  EXPECT_EQ(count(one_layer({with_opacities(red, 1, 1)}), HintKind::crossing), 0u);
+  Curve one_sided = red;
+  one_sided.right.opacity = one_opacity(1);
+  EXPECT_EQ(count(one_layer({one_sided}), HintKind::crossing), 1u);
+}
+
+/// An earlier output of the import: a leaf whose outline crosses itself beside its tip.
+TEST(LintCrossing, a_leaf_that_is_twisted_at_its_tip) {
+  const Curve leaf{.control_points = {{75.069, 67.659},
+                                      {94.921, 76.533},
+                                      {144.124, 103.604},
+                                      {152.011, 111.383},
+                                      {141.292, 108.588},
+                                      {95.118, 76.079},
+                                      {75.069, 67.659}}};
+  Document document = one_layer({with_opacities(colored(leaf, kRed, kRed), 0, 1)});
+  document.artboard = {{0, 0}, {200, 200}};
+  EXPECT_EQ(count(document, HintKind::crossing), 1u);
+}
+
 TEST(LintCrossing, not_a_star_nor_a_loop_within) {
   Curve star = polygon({{50, 5}, {78, 90}, {5, 37}, {95, 37}, {22, 90}});
+  EXPECT_EQ(count(one_layer({with_opacities(colored(star, kRed, kRed), 0, 1)}), HintKind::crossing),
+            0u);
   star.right.color = one_color(kRed);
   EXPECT_EQ(count(one_layer({star}), HintKind::crossing), 0u);
   EXPECT_EQ(count(one_layer({colored(star, kRed, kBlue)}), HintKind::crossing), 0u);
@@ -253,7 +287,7 @@ TEST(LintCrossing, not_in_layers_of_their_own) {
 }
 
 TEST(LintCrossing, not_where_the_colours_fit_nor_of_open_strokes) {
-  // The line's colours step where it passes the shape: red inside, blue outside.
+  // The line's colours change where it passes the shape: red inside, blue outside.
   Curve fitting = straight_curve({20, 50.5}, {100, 50.5});
   fitting.left.color = stops({{0, kRed}, {0.625f, kRed}, {0.625f, kBlue}, {1, kBlue}});
   fitting.right.color = fitting.left.color;
@@ -273,7 +307,7 @@ TEST(LintCrossing, not_where_the_colours_fit_nor_of_open_strokes) {
 }
 
 TEST(LintGap, an_end_that_stops_shortly_before_a_curve) {
-  // A pixel of an artboard that is 512 long: 0.195 here.
+  // A pixel of an artboard 512 pixels long: 0.195 here.
   const Curve wall = line({50, 10}, {50, 90});
   const auto found =
       of_kind(hints_of(one_layer({wall, line({10, 50}, {49.5, 50})})), HintKind::gap);

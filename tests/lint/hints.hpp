@@ -10,7 +10,7 @@
 
 namespace sfumato::test {
 
-/// Of the artboard of one_layer().
+/// The middle of the artboard of one_layer().
 inline constexpr Vec2 kMiddle{50, 50};
 
 inline std::vector<Hint> hints_of(const Document& document) {

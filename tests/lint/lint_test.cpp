@@ -23,7 +23,7 @@ using test::one_layer;
 using test::one_opacity;
 using test::straight_curve;
 
-/// All hints that are no notes, for messages.
+/// Returns all hints except notes, for messages.
 std::string listed(const Document& document) {
   std::string text;
   for (const Hint& hint : hints_of(document)) {
@@ -41,7 +41,7 @@ ScalarStops one_radius(float value) {
   return {StopSpace::parameter, {{0, value}}};
 }
 
-/// A disc: colour inside, and nothing of it outside.
+/// Returns a disc: colour inside, and none outside.
 Curve disc(Vec2 center, double radius) {
   Curve curve = colored(circle_curve(center, radius), kRed, kBlue);
   curve.left.opacity = one_opacity(0);
@@ -69,7 +69,7 @@ Shader gradient(std::size_t stop_count) {
   return {"gradient", fill};
 }
 
-/// A texture of 4 × 4 texels, each `texel` units wide.
+/// Returns a texture of 4 × 4 texels, each `texel` units wide.
 Shader texture(double texel) {
   Texture paint;
   paint.width = paint.height = 4;
@@ -177,7 +177,7 @@ TEST(Lint, finds_a_side_that_another_curve_covers) {
 }
 
 TEST(Lint, finds_a_side_that_is_walled_off_from_the_artboard) {
-  // A wall round the artboard, and a curve with one side on it, outside.
+  // A wall around the artboard, and a curve with one side on it, outside.
   const Curve wall = colored(circle_curve(kMiddle, 90), kRed, kBlue);
   const Curve beyond = colored(straight_curve({-100, 0}, {-100, 100}), kRed, kBlue);
   const auto found = of_kind(hints_of(one_layer({wall, beyond})), HintKind::unseen_side);
@@ -197,7 +197,7 @@ TEST(Lint, takes_a_side_that_shows_through_blur_for_seen) {
 TEST(Lint, finds_a_curve_outside_the_artboard) {
   const Curve inside = colored(straight_curve({20, 50}, {80, 50}), kRed, kBlue);
   const Curve outside = colored(straight_curve({120, 50}, {180, 50}), kRed, kBlue);
-  // Its control points' box meets the artboard, the curve does not.
+  // Its control points' box meets the artboard, but the curve does not.
   const Curve around = colored(straight_curve({90, -30}, {130, 30}), kRed, kBlue);
   const auto found = of_kind(hints_of(one_layer({inside, outside, around})), HintKind::outside);
   ASSERT_EQ(found.size(), 2u);
@@ -271,7 +271,7 @@ TEST(Lint, finds_a_layer_that_covers_all_that_is_below) {
 
   Curve& curve = document.layers[1].curves[0];
   curve.left.color.stops = {};
-  curve.left.color.kind = ShaderKind::open;  // nothing outside: no leak
+  curve.left.color.kind = ShaderKind::open;  // no colour outside: no leak
   EXPECT_EQ(count(document, HintKind::leak), 1u) << "its inside shows through the open side";
   curve.left.color.kind = ShaderKind::barrier;
   EXPECT_EQ(count(document, HintKind::leak), 0u);
@@ -314,7 +314,7 @@ TEST(Lint, finds_what_is_invisible) {
   EXPECT_EQ(place_text(document, found[0]), "stack item 1, layer 0 \"layer\"");
 }
 
-/// A stroke of two colours over a sound drawing of 100 × 100 units.
+/// Returns a stroke of two colours over a sound drawing of 100 × 100 units.
 Document with_stroke(float radius, float blur, Rgb right) {
   Document document = one_layer({colored(circle_curve(kMiddle, 30), kRed, kBlue)});
   LocalStroke stroke = stroke_at({20, 20}, {40, 20});

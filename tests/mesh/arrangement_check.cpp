@@ -10,12 +10,13 @@
 namespace sfumato::mesh::test {
 namespace {
 
-/// The pieces run from u = 0 to u = 1 without gap, each beginning where the one before ended.
+/// Returns whether the pieces run from u = 0 to u = 1 without gaps, each from the end of the
+/// previous one.
 bool covers_in_order(const std::vector<PlacedPiece>& pieces) {
   float reached = 0;
   Vec2 place = pieces.front().from;
   for (const PlacedPiece& piece : pieces) {
-    // Stretches of zero length in u may stand in any order; they join up in the plane anyway.
+    // Stretches of zero length in u may be in any order; they join up in the plane anyway.
     if (piece.u_from != reached) return false;
     if (piece.u_from < piece.u_to && piece.u_from > 0 && !(piece.from == place)) {
       const bool led_over = std::any_of(pieces.begin(), pieces.end(), [&](const PlacedPiece& p) {
@@ -70,7 +71,7 @@ ArrangementFacts check_arrangement(const TriangleMesh& mesh, const curves::FlatC
     }
     const Vec2 a = flat.vertex[s], b = flat.vertex[s + 1];
     if (pieces.empty()) {
-      // Its ends became one vertex, each within the weld of it.
+      // Its ends became one vertex, each within the weld distance of it.
       if (length(b - a) > 2 * weld + 2 * mesh.lattice_step) {
         facts.broken = "segment " + std::to_string(s) + " is lost";
       }

@@ -1,4 +1,4 @@
-/// CGAL's constrained Delaunay triangulation as a second opinion (tests only, where installed).
+/// CGAL's constrained Delaunay triangulation as an independent check (tests only, if installed).
 #ifdef SFUMATO_HAVE_CGAL
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
@@ -61,7 +61,7 @@ TriangleSet cgal_triangles(const TriangleMesh& mesh) {
   return set;
 }
 
-/// Some other corner of the two sets' differences lies on the circle of `corners`.
+/// Returns whether another corner of the two sets' differences lies on the circle of `corners`.
 bool is_cocircular_with_one_of(const Corners& corners, const std::vector<Vec2>& others) {
   const auto point = [](Vec2 p) { return Kernel::Point_2(p.x, p.y); };
   return std::any_of(others.begin(), others.end(), [&](Vec2 p) {

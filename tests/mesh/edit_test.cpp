@@ -16,7 +16,7 @@
 #include "support/same_mesh.hpp"
 #include "support/sanitizers.hpp"
 
-/// Curves that are taken out of a mesh and put in, on the same lattice.
+/// Curves that are removed from a mesh and inserted, on the same lattice.
 namespace sfumato::mesh::test {
 namespace {
 
@@ -28,7 +28,7 @@ double weld_of(const MeshOptions& options) {
   return options.unit_size * options.weld_px;
 }
 
-/// Curve c of `from`, moved, at the end of `to`.
+/// Appends curve c of `from`, moved, to `to`.
 void append_curve(const curves::FlatCurves& from, std::uint32_t c, Vec2 by,
                   curves::FlatCurves& to) {
   std::vector<Vec2> polyline(from.vertex.begin() + from.curve_begin[c],
@@ -37,7 +37,7 @@ void append_curve(const curves::FlatCurves& from, std::uint32_t c, Vec2 by,
   add_polyline(to, polyline);
 }
 
-/// A drawing that is edited, and which of its segments are there.
+/// A drawing that is edited, and its present segments.
 struct Edited {
   curves::FlatCurves flat;
   std::vector<std::uint8_t> is_gone;  ///< per vertex
@@ -50,7 +50,7 @@ struct Edited {
     return is_removed;
   }
 
-  /// Those curves that are there, without the numbers of the others.
+  /// Returns the present curves, without the indices of the others.
   curves::FlatCurves present() const {
     curves::FlatCurves result;
     result.curve_begin.push_back(0);
@@ -61,7 +61,7 @@ struct Edited {
   }
 };
 
-/// The pieces on the mesh are of segments that are there, and renumbered as in present().
+/// Expects pieces on the mesh only for present segments, and renumbers them as in present().
 void renumber(const Edited& edited, TriangleMesh& mesh) {
   std::vector<std::uint32_t> number(edited.flat.vertex.size(), 0);
   std::uint32_t count = 0;
@@ -91,7 +91,7 @@ class MeshEdits : public testing::TestWithParam<int> {
   FuzzKind kind() const { return static_cast<FuzzKind>(GetParam()); }
 };
 
-/// A curve is taken out and, moved a little, put in again; whatever it is and however often.
+/// Removes a curve and inserts it again, moved a little, whatever it is and however often.
 void edit_once(std::mt19937& random, Edited& edited, Mesher& mesher, bool refines) {
   const std::uint32_t curve = random() % edited.flat.curve_count();
   const std::vector<std::uint8_t> is_removed = edited.removal(curve);
@@ -105,7 +105,7 @@ void edit_once(std::mt19937& random, Edited& edited, Mesher& mesher, bool refine
   ASSERT_TRUE(status.ok()) << status.message;
 }
 
-/// Scenes of the kind, each built and handed to `body` with a source of random numbers.
+/// Calls `body` with built scenes of the kind and a source of random numbers.
 template <class Body>
 void for_each_scene(FuzzKind kind, Body body) {
   for (std::uint64_t seed = 0; seed < kEditSeeds; ++seed) {
@@ -131,7 +131,7 @@ TEST_P(MeshEdits, leave_a_valid_arrangement_of_the_curves_that_are_there) {
   });
 }
 
-/// Constraints that lie on no edge and yet have pieces.
+/// Returns the number of constraints that lie on no edge and yet have pieces.
 std::size_t dead_constraints(const TriangleMesh& mesh) {
   std::vector<std::uint8_t> lives(mesh.constraint.size(), 0);
   for (const std::int32_t c : mesh.half_edge_constraint)
@@ -163,16 +163,16 @@ TEST_P(MeshEdits, leave_a_valid_patch_mesh) {
                  });
 }
 
-/// After the change is taken back the mesh is what it was.
+/// Expects the former mesh after the change is taken back.
 void expect_taken_back(const TriangleMesh& before, const std::vector<std::uint32_t>& changed,
                        TriangleMesh mesh) {
-  if (changed.size() == mesh.triangle_count()) return;  // it was made anew
+  if (changed.size() == mesh.triangle_count()) return;  // it was built again
   Mesher::take_back(before, changed, mesh);
   EXPECT_EQ(sfumato::test::difference_of(mesh, before), "");
 }
 
-/// A copy with one more curve: its patch mesh follows, and becomes the one that is extracted anew.
-/// Whether it followed what changed alone. The same with a copy that has been used before.
+/// Inserts a curve into a copy: its patch mesh is updated, and must equal a newly extracted one.
+/// Returns whether only the changes were updated. Does the same with a used copy.
 bool insert_into_copy(std::mt19937& random, const curves::FlatCurves& flat, const Mesher& mesher,
                       const TriangleMesh& patch, Mesher& used) {
   Context context;
@@ -199,7 +199,7 @@ bool insert_into_copy(std::mt19937& random, const curves::FlatCurves& flat, cons
   return follows && changed.size() < mesh.triangle_count();
 }
 
-/// The same for the visibility mesh, with a mesher whose memory has been used before.
+/// The same for the visibility mesh, with a mesher whose memory was used before.
 void insert_into_used_copy(std::mt19937& random, const curves::FlatCurves& flat,
                            const Mesher& mesher, const TriangleMesh& visibility, Mesher& copy) {
   Context context;
@@ -285,7 +285,7 @@ TEST(MeshEdit, of_a_copy_is_not_taken_back_where_the_original_has_changed) {
   EXPECT_EQ(sfumato::test::difference_of(*copy->patch_mesh({}), changed), "");
 }
 
-/// Two curves, of which the first has been taken out and a third put in.
+/// Two curves: the first was removed, and a third inserted.
 struct SmallEdit {
   curves::FlatCurves flat = flat_curves({{{10, 10}, {90, 80}}, {{20, 90}, {30, 10}}});
   std::vector<std::uint8_t> is_removed{1, 1, 0, 0};

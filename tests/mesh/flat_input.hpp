@@ -8,7 +8,7 @@
 
 namespace sfumato::mesh::test {
 
-/// Polylines as the flattener would give them. Segment indices count all vertices.
+/// Adds polylines as from the flattener. Segment indices count all vertices.
 inline void add_polyline(curves::FlatCurves& flat, const std::vector<Vec2>& polyline) {
   if (flat.curve_begin.empty()) flat.curve_begin.push_back(0);
   const auto curve = static_cast<std::uint32_t>(flat.curve_begin.size() - 1);
@@ -30,7 +30,7 @@ inline curves::FlatCurves flat_curves(std::initializer_list<std::vector<Vec2>> p
   return flat;
 }
 
-/// A frame of 100 × 100 units, 1 px each.
+/// Returns options for a frame of 100 × 100 units, 1 px each.
 inline MeshOptions options_100() {
   MeshOptions options;
   options.frame = {{0, 0}, {100, 100}};

@@ -52,7 +52,7 @@ Vec2 at(const Cubic& c, double t) {
   return lerp(lerp(ab, bc, t), lerp(bc, cd, t), t);
 }
 
-/// Chords of a cubic, about `tolerance` from it.
+/// Adds chords of a cubic, about `tolerance` from it.
 void add_cubic(curves::FlatCurves& flat, const Cubic& c, double tolerance = 0.25) {
   const double bend = std::max(length(c[0] - 2 * c[1] + c[2]), length(c[1] - 2 * c[2] + c[3]));
   const int count = 1 + static_cast<int>(std::sqrt(0.75 * bend / tolerance));

@@ -7,7 +7,7 @@
 
 namespace sfumato::mesh::test {
 
-/// The torture inputs of the mesher, on an artboard of 1024 units: each seed another scene.
+/// Hard inputs for the mesher, on an artboard of 1024 units; each seed is another scene.
 enum class FuzzKind : std::uint8_t {
   fans,         ///< curves that leave one point at 1 to 5 degrees from each other
   crossings,    ///< long random curves

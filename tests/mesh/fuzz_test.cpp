@@ -50,7 +50,7 @@ TEST_P(MesherFuzz, every_step_leaves_a_valid_mesh) {
   }
 }
 
-/// Where a constraint runs, and its first piece as it lies from the lower end.
+/// The place of a constraint, and its first piece from the lower end.
 using ConstraintPlace = std::array<double, 6>;
 
 std::vector<ConstraintPlace> places_of(const TriangleMesh& mesh, auto is_wanted) {
@@ -104,7 +104,7 @@ TEST_P(MesherFuzz, constraints_stay_near_their_segments_and_cover_them) {
     EXPECT_EQ(facts.broken, "");
     EXPECT_LE(facts.input_to_mesh, 2.5 * weld);
     EXPECT_LE(facts.mesh_to_input, 2.5 * weld);
-    // A crossing whose weld would lead a curve astray may stand nearer to its neighbours.
+    // A crossing whose weld would lead a curve astray may be closer to its neighbours.
     EXPECT_GE(facts.vertex_gap, 0.5 * weld);
   }
 }
@@ -116,7 +116,7 @@ TEST_P(MesherFuzz, a_patch_mesh_fills_the_frame) {
     Result<Mesher> mesher = Mesher::build(context, fuzz_scene(kind(), seed), fuzz_options());
     ASSERT_TRUE(mesher.ok()) << mesher.status().message;
     ASSERT_TRUE(mesher->refine(context).ok());
-    // The frame may be led through vertices within the weld of it.
+    // The frame may be led through vertices within the weld distance of it.
     EXPECT_NEAR(total_area(*mesher->patch_mesh({})), kFuzzSide * kFuzzSide, 4 * kFuzzSide * 0.15);
   }
 }

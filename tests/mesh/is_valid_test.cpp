@@ -20,7 +20,7 @@ TriangleMesh cross_mesh() {
   return *mesher->visibility_mesh({});
 }
 
-/// The first free half-edge with a twin.
+/// Returns the first free half-edge with a twin.
 std::uint32_t free_edge(const TriangleMesh& mesh) {
   std::uint32_t h = 0;
   while (mesh.half_edge_twin[h] == kNone || mesh.half_edge_constraint[h] != kNone) ++h;

@@ -142,7 +142,7 @@ TEST(MesherLimits, an_area_that_asks_for_more_than_the_budget_is_refused) {
   EXPECT_EQ(mesher->refine(context).code, StatusCode::limit);
 }
 
-/// With `room` bytes left in the budget.
+/// Refines with `room` bytes left in the budget.
 Status refine_with_room(Context& context, Mesher& mesher, std::size_t room) {
   ScopedCharge held;
   const std::size_t taken = context.budget.room() - room;

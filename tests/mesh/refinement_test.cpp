@@ -107,7 +107,7 @@ TEST_F(Refinement, an_angle_beyond_what_refinement_guarantees_does_not_run_away)
   EXPECT_LT(patch.triangle_count(), 400'000u);
 }
 
-/// Lines of 80 units within 4.
+/// Returns lines of 80 units, spread over 4 units.
 curves::FlatCurves parallels(int count) {
   curves::FlatCurves flat;
   for (int i = 0; i < count; ++i) {

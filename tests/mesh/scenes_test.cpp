@@ -21,7 +21,7 @@ struct Input {
   MeshOptions options;
 };
 
-/// A public scene flattened to `tolerance_px`, at 1024 px for the artboard's longer side.
+/// Returns a public scene flattened to `tolerance_px`, at 1024 px for the artboard's longer side.
 std::optional<Input> shared_input(const std::string& name, double tolerance_px) {
   const std::optional<Document> document = sfumato::test::shared_scene(name);
   if (!document) return std::nullopt;
@@ -75,7 +75,7 @@ TEST_P(MesherScenes, constraints_stay_near_their_segments_and_cover_them) {
   EXPECT_GE(facts.vertex_gap, 0.99 * weld);
 }
 
-/// Small angles stay only where the input has them: few triangles, each beside a constraint.
+/// Small angles remain only where the input has them: few triangles, each beside a constraint.
 TEST_P(MesherScenes, small_angles_stay_only_at_small_input_angles) {
   const std::optional<Input> input = shared_input(GetParam(), 0.25);
   if (!input) GTEST_SKIP() << "no public scene " << GetParam();

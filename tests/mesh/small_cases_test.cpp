@@ -57,7 +57,7 @@ TEST(Mesher, a_segment_is_one_constraint_from_end_to_end) {
 }
 
 TEST(Mesher, subdivided_constraints_keep_linear_fractions_of_their_segment) {
-  // The point beside the segment makes refinement cut it.
+  // The point beside the segment makes refinement split the segment.
   const Meshes meshes = meshes_of(flat_curves({{{20, 30}, {84, 30}}, {{50, 31}, {50, 34}}}));
   const auto pieces = pieces_of_segment(meshes.patch, 0);
   ASSERT_GT(pieces.size(), 2u);

@@ -11,7 +11,7 @@
 #include "support/cancel_at.hpp"
 #include "support/same_mesh.hpp"
 
-/// A patch mesh that follows its refinement is the one that is extracted anew.
+/// A patch mesh that is updated with its refinement equals a newly extracted one.
 namespace sfumato::mesh::test {
 namespace {
 
@@ -52,7 +52,7 @@ TEST_P(MeshUpdates, after_every_round_it_is_the_mesh_that_is_extracted_anew) {
       ASSERT_TRUE(mesher.update_patch_mesh(context, mesh, memory, changed).ok());
       ASSERT_EQ(difference_of(mesh, *mesher.patch_mesh({})), "") << "round " << round;
       ASSERT_TRUE(std::ranges::is_sorted(changed));
-      // What is not listed is what it was.
+      // Triangles that are not listed have not changed.
       std::vector<std::uint8_t> is_changed(mesh.triangle_count(), 0);
       for (const std::uint32_t t : changed) is_changed[t] = 1;
       for (std::uint32_t h = 0; h < mesh.triangle_vertex.size(); ++h) {
@@ -125,7 +125,7 @@ TEST(MeshUpdate, whichever_look_sees_the_flag_the_answer_is_cancelled) {
   EXPECT_GT(polls, 50u);
 }
 
-/// The flag is set before, or at whichever look.
+/// The flag is set before the start, or at any poll.
 TEST(MeshUpdate, a_mesh_may_be_cancelled_while_it_is_made) {
   bool is_done = false;
   for (std::uint64_t k = 0; !is_done; k += 1 + k) {

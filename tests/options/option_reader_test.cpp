@@ -10,7 +10,7 @@
 namespace sfumato::options {
 namespace {
 
-/// What is wrong with the options of a call; empty: nothing.
+/// Returns the error in the options of a call; empty: none.
 std::string complaint(Call call, std::string_view text, Settings* settings = nullptr) {
   Settings own;
   Limits limits;
@@ -40,36 +40,39 @@ TEST(OptionReader, takes_quoted_values) {
 
 TEST(OptionReader, names_the_key_of_what_is_wrong) {
   EXPECT_EQ(complaint(kSolve, "max-eror=1"),
-            "\"max-eror\" is no option of this call; did you mean max-error?");
+            "unknown option \"max-eror\" for this call; did you mean max-error?");
   EXPECT_EQ(complaint(kSolve, "max-error=x"),
-            "max-error: \"x\" given, expected a number above 0 and at most 255, or off");
-  EXPECT_EQ(complaint(kSolve, "order=cubi"),
-            "order: \"cubi\" given, expected one of linear|quadratic|cubic; did you mean cubic?");
-  EXPECT_EQ(complaint(kSolve, "order"), "order: expected a value");
-  EXPECT_EQ(complaint(kSolve, "no-blur=1"), "no-blur: takes no value");
-  EXPECT_EQ(complaint(kSolve, "scale=1 scale=1"), "scale: given twice");
-  EXPECT_EQ(complaint(kExport, "no-dither dither"), "no-dither: expected without dither");
-  EXPECT_EQ(complaint(kExport, "dither no-dither"), "no-dither: expected without dither");
+            "max-error: invalid value \"x\"; use a number above 0 and at most 255, or off");
+  EXPECT_EQ(
+      complaint(kSolve, "order=cubi"),
+      "order: invalid value \"cubi\"; use one of linear|quadratic|cubic; did you mean cubic?");
+  EXPECT_EQ(complaint(kSolve, "order"), "order: no value given; write it as KEY=VALUE");
+  EXPECT_EQ(complaint(kSolve, "no-blur=1"), "no-blur: takes no value; leave out the value");
+  EXPECT_EQ(complaint(kSolve, "scale=1 scale=1"), "scale: given twice; give it once");
+  EXPECT_EQ(complaint(kExport, "no-dither dither"), "no-dither: cannot be combined with dither");
+  EXPECT_EQ(complaint(kExport, "dither no-dither"), "no-dither: cannot be combined with dither");
   EXPECT_EQ(complaint(kContext, "limit.curves=300k"), "");
-  EXPECT_EQ(complaint(kContext, "limit.curve=3").find("\"limit.curve\": expected NAME=VALUE"), 0u);
+  EXPECT_EQ(complaint(kContext, "limit.curve=3").find("\"limit.curve\": use NAME=VALUE"), 0u);
 }
 
 TEST(OptionReader, knows_only_the_options_of_its_call) {
-  EXPECT_EQ(complaint(kRaster, "lossless"), "\"lossless\" is no option of this call");
-  EXPECT_EQ(complaint(kSolve, "limit.curves=3"), "\"limit.curves\" is no option of this call");
-  EXPECT_EQ(complaint(kExport, "device=gpu"), "\"device\" is no option of this call");
+  EXPECT_EQ(complaint(kRaster, "lossless"), "unknown option \"lossless\" for this call");
+  EXPECT_EQ(complaint(kSolve, "limit.curves=3"), "unknown option \"limit.curves\" for this call");
+  EXPECT_EQ(complaint(kExport, "device=gpu"), "unknown option \"device\" for this call");
 }
 
 TEST(OptionReader, refuses_stray_quotes) {
-  EXPECT_EQ(complaint(kExport, "title=\"a"), "title: a quote that is not closed");
-  EXPECT_EQ(complaint(kExport, "title=\"a\\\""), "title: a quote that is not closed");
+  EXPECT_EQ(complaint(kExport, "title=\"a"),
+            "title: a quote that is not closed; add the closing quote");
+  EXPECT_EQ(complaint(kExport, "title=\"a\\\""),
+            "title: a quote that is not closed; add the closing quote");
   EXPECT_EQ(complaint(kExport, "title=\"a\"b"),
-            "title: something follows a closing quote, expected a blank");
+            "title: something follows a closing quote; put a blank between");
   EXPECT_EQ(complaint(kExport, "title=a\"b"),
-            "title: a quote within a value, expected it around the whole value");
-  EXPECT_EQ(complaint(kExport, "\"title\"=a"), "\"\"title\"\" is no option");
-  EXPECT_EQ(complaint(kExport, "=a"), "\"\" is no option");
-  EXPECT_EQ(complaint(kExport, "Title=a"), "\"Title\" is no option");
+            "title: a quote within a value; put quotes around the whole value");
+  EXPECT_EQ(complaint(kExport, "\"title\"=a"), "unknown option \"\"title\"\"");
+  EXPECT_EQ(complaint(kExport, "=a"), "unknown option \"\"");
+  EXPECT_EQ(complaint(kExport, "Title=a"), "unknown option \"Title\"");
 }
 
 TEST(OptionTables, have_texts_that_make_an_error_for_every_option) {
@@ -94,8 +97,8 @@ TEST(OptionTables, have_each_key_once) {
 }
 
 TEST(Spelled, names_options_as_the_command_and_as_the_interface_do) {
-  EXPECT_EQ(spelled("expected with @svg=vector only", true), "expected with --svg vector only");
-  EXPECT_EQ(spelled("expected with @svg=vector only", false), "expected with svg=vector only");
+  EXPECT_EQ(spelled("works with @svg=vector only", true), "works with --svg vector only");
+  EXPECT_EQ(spelled("works with @svg=vector only", false), "works with svg=vector only");
   EXPECT_EQ(spelled("@mesh-overlay", true), "--mesh-overlay");
   EXPECT_EQ(spelled("a = b", true), "a = b");
 }

@@ -9,7 +9,7 @@
 namespace sfumato::output {
 namespace {
 
-/// Random pixels, opaque.
+/// Returns random pixels, opaque.
 Image opaque_image(int width, int height, PixelFormat format, std::uint32_t seed) {
   Image image{width, height, format, {}};
   image.bytes.resize(image.row_bytes() * static_cast<std::size_t>(height));
@@ -22,7 +22,7 @@ Image opaque_image(int width, int height, PixelFormat format, std::uint32_t seed
   return image;
 }
 
-/// Its colours.
+/// Returns its colours.
 std::vector<std::uint8_t> without_alpha(const Image& image) {
   const std::size_t bytes = static_cast<std::size_t>(bytes_per_channel(image.format));
   std::vector<std::uint8_t> colors;

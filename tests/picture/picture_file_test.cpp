@@ -1,4 +1,5 @@
-// Pictures as files: what was written is read bit for bit, and whatever else is there is an answer.
+// Pictures as files: a written picture is read bit for bit, and other bytes give an error or a
+// valid picture.
 #include "sfumato/picture/picture_file.hpp"
 
 #include <gtest/gtest.h>
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include "allocation/documents.hpp"
+#include "codecs/file_kind.hpp"
 #include "picture/checksum.hpp"
 #include "picture/same_picture.hpp"
 #include "sfumato/formats/read_document.hpp"
@@ -30,7 +32,7 @@ using Bytes = std::vector<std::uint8_t>;
 constexpr std::size_t kChecksumAt = 20, kHeaderBytes = 28;
 constexpr int kAttacks = SFUMATO_HAS_SANITIZER ? 300 : 3000;
 
-/// Few triangles and few texels, of everything that there is.
+/// Few triangles and few texels, with every kind of content.
 const DiffuseOptions kCoarse{.pixels_per_unit = 0.5, .max_area_fraction = 1, .max_error = 0};
 
 Picture picture_of(const Document& document, const DiffuseOptions& options) {
@@ -48,7 +50,8 @@ Document read_text(const std::string& text, const std::string& name,
   return read ? std::move(read->document) : Document{};
 }
 
-/// With a background, layers, groups, instances, local curves, gradients and textures.
+/// Returns a picture with a background, layers, groups, instances, local curves, gradients and
+/// textures.
 Picture picture_of_everything() {
   Document document = read_text(document_with_everything(), "all.svg");
   document.background = Rgb{0.5f, 0.25f, 1};
@@ -70,7 +73,7 @@ Result<Picture> reread(const Bytes& bytes, PictureOrigin* origin = nullptr) {
   return picture;
 }
 
-/// So that what is behind the checksum is looked at.
+/// Corrects the checksum, so that the reader examines the data after it.
 void mend(Bytes& bytes) {
   if (bytes.size() < kHeaderBytes) return;
   const std::uint64_t size = bytes.size();
@@ -92,7 +95,7 @@ void expect_survives(Picture picture, const std::string& name) {
   EXPECT_EQ(written(*read, found), bytes) << name;
 }
 
-/// An answer to bytes that no writer of ours made: a picture that is one, or what is wrong.
+/// Expects, for foreign bytes, either a valid picture or an error.
 void expect_answer(const Bytes& bytes, const std::string& what) {
   const Result<Picture> read = reread(bytes);
   if (read) {
@@ -121,6 +124,11 @@ TEST(PictureFile, a_picture_of_everything_is_read_as_it_was) {
   EXPECT_FALSE(picture.shaders.empty());
   EXPECT_GT(picture.stack.size(), 3u);
   expect_survives(picture, "everything");
+}
+
+TEST(PictureFile, its_first_bytes_say_what_it_is) {
+  EXPECT_EQ(codecs::file_kind(codecs::text_view(written(picture_of_everything()))),
+            codecs::FileKind::solved);
 }
 
 TEST(PictureFile, zeros_of_both_signs_and_the_smallest_numbers_are_kept) {
@@ -263,8 +271,8 @@ TEST(PictureFile, what_it_is_not_is_said) {
   EXPECT_EQ(complaint({'<', 's', 'v', 'g', '>', ' ', ' ', ' '}), "not a solved picture");
   EXPECT_EQ(complaint({bytes.begin(), bytes.begin() + 20}), "a solved picture that is cut off");
   Bytes later = bytes;
-  later[7] = 2;
-  EXPECT_EQ(complaint(later), "a solved picture of version 2; only version 1 can be read");
+  later[7] = kPictureFileVersion + 1;
+  EXPECT_EQ(complaint(later), "a solved picture of version 3; only version 2 can be read");
   Bytes swapped = bytes;
   std::reverse(&swapped[8], &swapped[12]);
   EXPECT_EQ(complaint(swapped), "a solved picture of a machine with the other byte order");
@@ -297,13 +305,17 @@ TEST(PictureFile, what_cannot_be_painted_is_not_written) {
   picture = good;
   picture.viewport = {};
   EXPECT_TRUE(refused(picture));
+  picture = good;
+  picture.viewport.min.x = 0;
+  picture.viewport.max.x = 1e-150;
+  EXPECT_TRUE(refused(picture));
   EXPECT_TRUE(refused(good, {.pixels_per_unit = 0}));
   EXPECT_TRUE(refused(good, {.max_error = 256}));
   EXPECT_TRUE(refused(good, {.own_scale = {1, std::numeric_limits<double>::infinity()}}));
   EXPECT_FALSE(refused(good));
 }
 
-/// Read with one limit lowered.
+/// Returns the limit named by the error after one limit is lowered.
 std::string_view limit_of(const Bytes& bytes, std::size_t Limits::*limit, std::size_t most) {
   Context context;
   context.limits.*limit = most;

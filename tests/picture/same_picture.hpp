@@ -17,7 +17,7 @@ inline bool are_same(std::string& a, std::string& b) {
   return a == b;
 }
 
-/// Whether all that two values hold is the same to the last bit, zeros of either sign included.
+/// Returns whether two values are equal to the last bit, including the signs of zeros.
 template <class T>
 bool are_same(T& a, T& b);
 template <class T>

@@ -10,9 +10,9 @@
 namespace sfumato::test {
 namespace {
 
-constexpr double kNearPx = 1.5;     ///< antialiasing, flattening and weld reach no further
+constexpr double kNearPx = 1.5;     ///< limit of the effects of antialiasing, flattening and weld
 constexpr double kNearPointPx = 4;  ///< around ends and joints
-constexpr float kSoftRadiusPx = 4;  ///< curves of at least this radius everywhere are compared
+constexpr float kSoftRadiusPx = 4;  ///< curves with at least this radius everywhere are compared
 constexpr int kTolerance = 3;
 
 class Mask {
@@ -53,7 +53,7 @@ bool has_value(ShaderKind kind) {
   return kind == ShaderKind::curve_domain || kind == ShaderKind::image_domain;
 }
 
-/// Whether an attribute with these kinds of sides is continuous across a blurred curve.
+/// Returns whether an attribute with these kinds of sides is continuous across a blurred curve.
 bool is_mixed(ShaderKind left, ShaderKind right) {
   const bool is_absent = left == ShaderKind::open && right == ShaderKind::open;
   return is_absent || (has_value(left) && has_value(right));

@@ -8,21 +8,21 @@
 
 namespace sfumato::test {
 
-/// Two RGB pictures of one document held against each other, one pixel to an artboard unit.
+/// The differences of two RGB pictures of one document, one pixel per artboard unit.
 struct Agreement {
-  int compared = 0;       ///< pixels away from what is sharp
-  int differing = 0;      ///< of those: by more than 3 code values in some channel
+  int compared = 0;       ///< pixels away from sharp curves
+  int differing = 0;      ///< compared pixels with a difference above 3 code values in some channel
   int percentile_99 = 0;  ///< code values
   int worst = 0;          ///< code values
   int worst_x = 0;
   int worst_y = 0;
 };
 
-/// Per pixel: 1 next to a curve across which a layer may jump, and around ends and joints of
-/// curves, where its slope has no bound.
+/// Returns a value per pixel: 1 next to a curve where a layer may jump, and around ends and joints
+/// of curves, where its slope has no bound.
 std::vector<std::uint8_t> sharp_pixels(const Document& document, int width, int height);
 
-/// Both images are rgb8 and of the artboard's size.
+/// Compares two rgb8 images of the artboard's size.
 Agreement compare_pictures(const Document& document, const Image& a, const Image& b);
 
 }  // namespace sfumato::test

@@ -1,4 +1,4 @@
-// The border of what is seen, from document to pixels: shadows of barriers, whose borders are known
+// The border of visibility, from document to pixels: shadows of barriers, whose borders are known
 // in closed form.
 #include <gtest/gtest.h>
 
@@ -30,7 +30,8 @@ Curve barrier(Vec2 from, Vec2 to) {
   return curve;
 }
 
-/// A light that shines to the right from (10, 45) to (10, 55), and a wall at x = 40 before it.
+/// Returns a light that shines to the right from (10, 45) to (10, 55), and a wall at x = 40 before
+/// it.
 Document wall_before_light(const Affine& turn, double wall_top, double wall_bottom) {
   Curve light = straight_curve(turn({10, 45}), turn({10, 55}));
   light.left.color = one_color({0.8f, 0.3f, 0.1f});
@@ -39,11 +40,11 @@ Document wall_before_light(const Affine& turn, double wall_top, double wall_bott
   return one_layer({light, barrier(turn({40, wall_top}), turn({40, wall_bottom}))});
 }
 
-/// What the light of wall_before_light does not reach, as convex polygons.
+/// Returns the area that the light of wall_before_light does not reach, as convex polygons.
 std::vector<std::vector<Vec2>> dark_parts(double wall_top, double wall_bottom) {
   constexpr double kFar = 400;
   std::vector<std::vector<Vec2>> parts{{{-kFar, -kFar}, {10, -kFar}, {10, kFar}, {-kFar, kFar}}};
-  // Lines by which the light's nearer end is seen past each end of the wall.
+  // Lines along which the closer end of the light is visible past each end of the wall.
   const double upper = (wall_top - 45) / 30, lower = (wall_bottom - 55) / 30;
   const double meet = upper < lower ? kFar : 40 + (wall_bottom - wall_top) / (upper - lower);
   parts.push_back({{40, wall_top},
@@ -65,7 +66,7 @@ double area_in_pixel(std::vector<Vec2> polygon, double scale, int x, int y) {
   return std::fabs(area);
 }
 
-/// The most that any pixel's alpha is off, code values.
+/// Returns the largest error of a pixel's alpha, code values.
 double worst_alpha(const Affine& turn, double wall_top, double wall_bottom, double max_error,
                    int side) {
   Context context;

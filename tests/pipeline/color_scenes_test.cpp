@@ -9,13 +9,13 @@
 #include "support/sanitizers.hpp"
 #include "support/scenes.hpp"
 
-/// Stops of the scenes of the literature that get other colours.
+/// Scenes of the literature whose stops get other colours.
 namespace sfumato {
 namespace {
 
 class ColorScenes : public testing::TestWithParam<const char*> {};
 
-/// The mesh of the paper is the same for all colours of sharp curves.
+/// The paper's mesh is the same for all colours of sharp curves.
 const DiffuseOptions kPaper{.max_error = 0};
 
 TEST_P(ColorScenes, show_the_colours_that_a_solution_has) {

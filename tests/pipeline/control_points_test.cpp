@@ -1,4 +1,5 @@
-// The gather at every pixel against brute-force colours of drawings of every artistic control.
+// The gather at every pixel compared with brute-force colours, for drawings of every artistic
+// control.
 
 #include <gtest/gtest.h>
 

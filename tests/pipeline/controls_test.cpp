@@ -10,8 +10,8 @@
 #include "sfumato/solve/diffuse.hpp"
 #include "support/drawing.hpp"
 
-// The artistic controls from document to pixels: answers known in closed form, and the sparse
-// picture against the gather at every pixel.
+// The artistic controls from document to pixels: results known in closed form, and the sparse
+// picture compared with the gather at every pixel.
 namespace sfumato {
 namespace {
 
@@ -51,7 +51,7 @@ int channel(const Image& image, int x, int y, int c) {
   return image.bytes[(static_cast<std::size_t>(y) * kSide + x) * channels + c];
 }
 
-/// How many bytes of two images differ by more than `tolerance`.
+/// Returns how many bytes of two images differ by more than `tolerance`.
 int differing(const Image& a, const Image& b, int tolerance) {
   int count = 0;
   for (std::size_t i = 0; i < a.bytes.size(); ++i) {
@@ -65,7 +65,7 @@ Curve imaged(Curve curve) {
   return curve;
 }
 
-/// One texel to a pixel of the artboard, every one another.
+/// Returns a texture with one texel per pixel of the artboard, all of them different.
 Texture fine_texture() {
   Texture texture{kSide, kSide, std::vector<std::uint8_t>(4 * kSide * kSide), {}, true, {}, {}};
   for (std::size_t i = 0; i < texture.rgba.size(); ++i) {
@@ -158,7 +158,7 @@ TEST(Controls, the_axis_of_a_local_curve_is_as_opaque_as_its_alpha) {
   EXPECT_EQ(channel(image, 40, 71, 0), 255);
 }
 
-/// Everything at once.
+/// Returns a document with every control.
 Document busy_document(InterpolationSpace space) {
   Document document = one_layer(
       {blurred(colored(circle_curve({45, 50}, 28), {0.9f, 0.8f, 0.2f}, {0.1f, 0.3f, 0.7f}), 6),
@@ -184,7 +184,7 @@ TEST(Controls, the_sparse_picture_is_near_the_gather_at_every_pixel) {
        {InterpolationSpace::srgb, InterpolationSpace::linear, InterpolationSpace::oklab}) {
     const Document document = busy_document(space);
     const Image sparse = drawn(document), exact = drawn_at_every_pixel(document);
-    // Pixels that sharp curves cut are antialiased in one and not in the other.
+    // Pixels that sharp curves cut are antialiased in only one of the two.
     EXPECT_LE(differing(sparse, exact, 2), 3 * 150);
     EXPECT_LE(differing(sparse, exact, 60), 3 * 40);
   }

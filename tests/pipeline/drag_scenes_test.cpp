@@ -3,12 +3,12 @@
 #include <optional>
 #include <string>
 
-#include "solve/layer_drag.hpp"
+#include "solve/session/layer_drag.hpp"
 #include "support/same_picture.hpp"
 #include "support/sanitizers.hpp"
 #include "support/scenes.hpp"
 
-/// Curves of the scenes of the literature that are dragged.
+/// Scenes of the literature whose curves are dragged.
 namespace sfumato::solve {
 namespace {
 

@@ -1,5 +1,5 @@
-// Drawings with many free ends, from the document to pixels: moved, mirrored, turned, enlarged; and
-// very many.
+// Drawings with many free ends, from the document to pixels: moved, mirrored, rotated, enlarged;
+// and with very many ends.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,8 +22,8 @@ namespace {
 
 constexpr int kWidth = 96, kHeight = 64;
 
-/// One bent curve to each square of `cell` units, clear of its neighbours, both ends free; every
-/// fourth is blurred.
+/// Returns one bent curve in each square of `cell` units, clear of its neighbours, with both ends
+/// free; every fourth is blurred.
 Document strokes(int width, int height, int cell) {
   std::mt19937 random(7);
   const auto share = [&] { return static_cast<double>(random() % 4096) / 4096; };
@@ -48,7 +48,7 @@ Document strokes(int width, int height, int cell) {
   return one_layer(std::move(curves), {{0, 0}, {1.0 * width, 1.0 * height}});
 }
 
-/// mirrored: the map swaps the sides. scale: of radii.
+/// mirrored: the map swaps the sides. scale: for radii.
 template <class Map>
 Document mapped(Document document, Map map, bool mirrored = false, float scale = 1) {
   const Vec2 a = map(document.artboard.min), b = map(document.artboard.max);
@@ -95,7 +95,8 @@ struct Miss {
   double mean = 0;
 };
 
-/// Of `other`, whose pixel at place(x, y) shows what (x, y) of `image` does. Code values.
+/// Compares with `other`, whose pixel at place(x, y) shows the content of (x, y) of `image`. Code
+/// values.
 template <class Place>
 Miss miss_of(const Image& image, const Image& other, Place place) {
   Miss miss;
@@ -114,15 +115,16 @@ Miss miss_of(const Image& image, const Image& other, Place place) {
   return miss;
 }
 
-/// The most that a picture may differ, drawn pixel by pixel and from patches.
+/// Limits for the difference of pictures, drawn pixel by pixel and from patches.
 struct Bounds {
   Miss pixels, patches;
 };
 
-/// The same numbers but for the last bits.
+/// The same numbers except for the last bits.
 constexpr Bounds kSame{{1, 0.01}, {1, 0.01}};
 
-/// Other meshes, each refined to an error of one code value (with paper's ends 22 and 0.13).
+/// Different meshes, each refined to an error of one code value (with the paper's ends 22 and
+/// 0.13).
 constexpr Bounds kOtherMesh{{1, 0.01}, {8, 0.15}};
 
 template <class Place>
@@ -170,7 +172,7 @@ TEST(EndsMetamorphic, a_drawing_of_twice_the_size_is_the_same_picture) {
   });
 }
 
-/// Every curve walked from its other end.
+/// Returns the document with every curve reversed.
 Document turned_round(Document document) {
   for (Curve& curve : document.layers[0].curves) {
     std::ranges::reverse(curve.control_points);
@@ -194,7 +196,8 @@ TEST(EndsMetamorphic, curves_walked_from_their_other_ends_are_the_same_picture) 
   });
 }
 
-/// Two curves whose ends face each other across a gap, in pixels; bent: each turns away from it.
+/// Returns two curves whose ends face each other across a gap, in pixels; bent: each turns away
+/// from it.
 Document facing(double gap, double bend, float radius) {
   const Vec2 middle{48.3, 31.7}, along{0.96, 0.28}, across{-0.28, 0.96};
   const auto arm = [&](double side) {
@@ -218,7 +221,7 @@ void expect_miss(const Miss& miss, const Miss& most, const std::string& name) {
 
 TEST(EndsMetamorphic, ends_that_face_each_other_are_as_drawn_pixel_by_pixel) {
   const auto same = [](int x, int y) { return Pixel{x, y}; };
-  // At pixels' centres, as `pixels` draws: no curve is antialiased.
+  // At pixel centres, as `pixels` draws, so that no curve is antialiased.
   const auto centers = [](const Document& document, Way way) {
     return drawn(document, way, kWidth, kHeight, false);
   };
@@ -238,7 +241,7 @@ TEST(EndsMetamorphic, ends_that_face_each_other_are_as_drawn_pixel_by_pixel) {
   }
 }
 
-/// Sanitizers are slow, and what they show needs no more.
+/// Sanitizers are slow, and need no more for their checks.
 constexpr int kManyWidth = SFUMATO_HAS_SANITIZER ? 200 : 632;
 
 /// Draws the upper left corner of a drawing; every curve is in the layer.

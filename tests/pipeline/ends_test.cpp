@@ -1,4 +1,4 @@
-// Free ends of open curves: no sliver ahead of them, and nothing changes where there are none.
+// Free ends of open curves: no sliver ahead of them, and no change where there are none.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -31,7 +31,7 @@ struct End {
   Vec2 position, direction;
 };
 
-/// Whether a curve other than `own` comes within `distance` of the point.
+/// Returns whether a curve other than `own` comes within `distance` of the point.
 bool is_near_another(const Layer& layer, const Curve& own, Vec2 point, double distance) {
   constexpr int kSamples = 256;
   for (const Curve& curve : layer.curves) {
@@ -47,7 +47,7 @@ bool is_near_another(const Layer& layer, const Curve& own, Vec2 point, double di
   return false;
 }
 
-/// The ends of open curves inside the artboard with nothing else within the arcs of `tick`.
+/// Returns the ends of open curves inside the artboard with nothing else within the arcs of `tick`.
 std::vector<End> ends_of(const Document& document) {
   std::vector<End> ends;
   for (const Curve& curve : document.layers[0].curves) {
@@ -64,8 +64,8 @@ std::vector<End> ends_of(const Document& document) {
   return ends;
 }
 
-/// The largest second difference, in code values, at steps of half a pixel on arcs of 1 to 16
-/// pixels ahead of the end.
+/// Returns the largest second difference, in code values, at steps of half a pixel on arcs of 1 to
+/// 16 pixels ahead of the end.
 double tick(Context& context, const PointEvaluator& evaluator, const End& end) {
   double largest = 0;
   const Vec2 left{end.direction.y, -end.direction.x};
@@ -92,7 +92,7 @@ std::vector<double> ticks(const Document& document, gather::Ends ends) {
   Context context;
   DiffuseOptions options;
   options.ends = ends;
-  options.viewport = document.artboard.grown_by(16);  // as far as the arcs reach
+  options.viewport = document.artboard.grown_by(16);  // the reach of the arcs
   const Result<PointEvaluator> evaluator = PointEvaluator::create(context, document, options);
   EXPECT_TRUE(evaluator.ok());
   std::vector<double> ticks;

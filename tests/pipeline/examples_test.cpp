@@ -1,4 +1,4 @@
-// Our own drawings: each reads without a warning, renders, and shows what the gallery says of it.
+// The examples: each reads without a warning, renders, and matches its description in the gallery.
 #include "pipeline/examples.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "codecs/photo.hpp"
+#include "codecs/photo/photo.hpp"
 #include "sfumato/api/render_pixels.hpp"
 #include "sfumato/base/native/thread_pool.hpp"
 #include "sfumato/formats/read_document.hpp"
@@ -57,7 +57,7 @@ std::vector<std::string> example_names() {
   return names;
 }
 
-/// 256 pixels wide.
+/// Returns a picture 256 pixels wide.
 Image drawn_256_wide(const Document& document) {
   Context context;
   const double width = document.artboard.max.x - document.artboard.min.x;
@@ -89,7 +89,7 @@ std::size_t color_count(const Image& image) {
   return colors.size();
 }
 
-/// The items of one kind in the stack, bottom first.
+/// Returns the items of one kind in the stack, bottom first.
 template <class Item>
 std::vector<Item> items(const Document& document) {
   std::vector<Item> found;
@@ -140,10 +140,10 @@ TEST_P(Example, reads_without_warnings_and_renders) {
   EXPECT_GT(color_count(image), 1000u);
 }
 
-/// Bands across a drawing. In them is every eighth row of pixels, in `make soak` every fourth.
+/// Bands across a drawing with every eighth row of pixels, in `make soak` every fourth.
 constexpr int kBands = 5;
 
-/// A band at the drawing's own size, pixel by pixel.
+/// Returns a band at the drawing's own size, drawn pixel by pixel.
 Image drawn_exactly(const Document& document, int band, std::optional<double> tolerance) {
   ThreadPool executor(2);
   Context context{.executor = &executor};
@@ -163,7 +163,7 @@ Image drawn_exactly(const Document& document, int band, std::optional<double> to
   return image ? std::move(*image) : Image{};
 }
 
-/// Pixels that differ by more than a code value of 255; both of 16 bits.
+/// Returns the number of pixels that differ by more than a code value of 255; both have 16 bits.
 std::size_t differing_pixels(const Image& a, const Image& b) {
   const auto channel = [](const Image& image, std::size_t i) {
     std::uint16_t value;

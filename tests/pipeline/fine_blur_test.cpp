@@ -1,5 +1,5 @@
 // Blurs of up to two pixels, from document to pixels: each pixel shows the mean of the exact
-// picture over its square, and no radius makes an outline jump.
+// picture over its square, and outlines change continuously with the radius.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace sfumato::test {
 namespace {
 
 constexpr int kSide = 12;
-constexpr int kSamples = 16;  ///< of the reference, along a pixel's side
+constexpr int kSamples = 16;  ///< of the reference, per pixel side
 constexpr double kBound = 4;  ///< code values
 constexpr double kCornerBound = 7;
 
@@ -27,7 +27,7 @@ using MakeDocument = std::function<Document(float radius)>;
 /// Code values of all pixels' channels, premultiplied.
 using Values = std::vector<double>;
 
-/// Means over squares of `samples`² pixels.
+/// Returns means over squares of `samples`² pixels.
 Values means(const Image& image, int samples) {
   Values values;
   for (int y = 0; y < kSide; ++y) {
@@ -69,7 +69,8 @@ std::size_t worst_index(const Values& a, const Values& b) {
   return worst;
 }
 
-/// R from 0 to 2 pixels: the mean over the pixel, and no jump but the exact picture's.
+/// Expects, for R from 0 to 2 pixels, the mean over the pixel, and no jumps beyond the exact
+/// picture's.
 void expect_means(const std::string& name, const MakeDocument& make, double bound = kBound) {
   double worst_miss = 0, worst_jump = 0, at_miss = 0, at_jump = 0;
   Values miss_before;
@@ -99,7 +100,7 @@ Document on_artboard(Curve curve) {
   return one_layer({std::move(curve)}, {{0, 0}, {kSide, kSide}});
 }
 
-/// Through the artboard, beyond it at both ends.
+/// Returns an edge through the artboard that reaches beyond it at both ends.
 Curve edge(double angle, double offset) {
   const Vec2 along{std::cos(angle), std::sin(angle)};
   const Vec2 middle = Vec2{0.5 * kSide, 0.5 * kSide} + offset * Vec2{-along.y, along.x};
@@ -117,7 +118,7 @@ Curve square(Vec2 low, Vec2 high) {
 }
 
 TEST(FineBlur, straight_edge_is_the_mean_over_the_pixel) {
-  // The level edge lies between samples of the reference; slanting ones pass many rows of them.
+  // The level edge lies between samples of the reference; slanted ones cross many rows of them.
   for (double angle : {0.0, 0.3, 0.76, 1.4}) {
     for (double offset : {0.0, 0.1875, 0.5}) {
       expect_means("angle " + std::to_string(angle) + " offset " + std::to_string(offset),

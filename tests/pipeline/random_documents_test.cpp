@@ -18,12 +18,12 @@
 #include "support/sanitizers.hpp"
 #include "support/soak.hpp"
 
-// Documents of everything that the format knows, from the document to pixels and to SVG and back.
+// Documents with all features of the format, from the document to pixels and to SVG and back.
 namespace sfumato::test {
 namespace {
 
 const auto kSeeds = random_case_count<std::uint64_t>(SFUMATO_HAS_SANITIZER ? 6 : 24, 60);
-/// For what solves a document several times.
+/// For tests that solve a document several times.
 const auto kFewSeeds = random_case_count<std::uint64_t>(SFUMATO_HAS_SANITIZER ? 4 : 8, 20);
 
 RasterOptions one_pixel_a_unit(const Document& document, PixelFormat format) {
@@ -34,7 +34,7 @@ RasterOptions one_pixel_a_unit(const Document& document, PixelFormat format) {
   return options;
 }
 
-/// No channel of a field leaves what mixtures of its curves' values can reach.
+/// Expects that no channel of a field leaves the range of mixtures of its curves' values.
 void expect_mixtures(const PatchField& field, bool is_oklab) {
   constexpr float kRounding = 1e-5f;
   for (std::size_t i = 0; i < field.node_value.size(); ++i) {
@@ -82,7 +82,7 @@ TEST(RandomDocuments, give_the_same_bytes_for_any_number_of_threads_and_instruct
   }
 }
 
-/// Borders of the shadows of a very heavy curve are as sharp as curves, where no curve is.
+/// Returns the document without very heavy curves, whose shadows have borders as sharp as curves.
 Document with_moderate_weights(Document document) {
   for (Layer& layer : document.layers) {
     for (Curve& curve : layer.curves) curve.weight = std::clamp(curve.weight, 0.1, 10.0);
@@ -102,7 +102,7 @@ TEST(RandomDocuments, are_drawn_from_patches_as_from_the_gather_at_every_pixel) 
     ASSERT_TRUE(exact.ok()) << exact.status().message;
     const Agreement agreement = compare_pictures(document, sparse, *exact);
     EXPECT_LE(agreement.percentile_99, 1);
-    // Shadows of curves have sharp borders too, and some ways to blend make differences larger.
+    // Shadows of curves have sharp borders too, and some blend modes increase differences.
     EXPECT_LE(agreement.differing, 60)
         << agreement.worst << " at " << agreement.worst_x << ", " << agreement.worst_y;
     compared += agreement.compared;

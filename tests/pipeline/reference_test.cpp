@@ -1,4 +1,5 @@
-// The whole pipeline against exact colours at points of public scenes, computed by brute force.
+// The whole pipeline compared with exact colours at points of public scenes, computed by brute
+// force.
 
 #include <gtest/gtest.h>
 
@@ -48,7 +49,7 @@ Document without_blur(Document document) {
   return document;
 }
 
-/// Distance to the nearest end of an open curve.
+/// Returns the distance to the nearest end of an open curve.
 double distance_to_end(const Document& document, Vec2 p) {
   double nearest = 1e30;
   for (const Curve& curve : document.layers[0].curves) {

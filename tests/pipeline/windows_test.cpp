@@ -19,11 +19,12 @@
 #include "support/scenes.hpp"
 #include "support/soak.hpp"
 
-// Windows of an image have the bytes that stand there when it is painted as a whole.
+// Windows of an image have the same bytes as the whole image.
 namespace sfumato::test {
 namespace {
 
-/// As tiles are cut; of no tile's sides; of few tiles, for which triangles are found another way.
+/// The usual tiles; tiles of unusual sides; a few large tiles, for which triangles are found in
+/// another way.
 constexpr Cut kCuts[] = {{256, 256}, {173, 119, -40, -31}, {600, 90, 0, -17}};
 
 RasterOptions whole_image(const Document& document, int width) {
@@ -96,13 +97,13 @@ INSTANTIATE_TEST_SUITE_P(Examples, WindowsOf, testing::ValuesIn(example_files())
                            return file.param.substr(0, file.param.find('.'));
                          });
 
-/// 24 seeds in a row have each option, on and off, several times, and each format at each
-/// instruction set.
+/// In 24 consecutive seeds, each option is on and off several times, and each format occurs with
+/// each instruction set.
 std::uint64_t last_seed() {
   return random_case_count<std::uint64_t>(SFUMATO_HAS_SANITIZER ? 12 : 24, 300);
 }
 
-/// Everything that pixels depend on, as a seed decides.
+/// Returns options for everything that pixels depend on, chosen by a seed.
 RasterOptions random_options(const Document& document, std::uint64_t seed) {
   RasterOptions options = whole_image(document, 260 + static_cast<int>(seed * 37 % 140));
   options.format = static_cast<PixelFormat>(seed % 4);
@@ -111,7 +112,7 @@ RasterOptions random_options(const Document& document, std::uint64_t seed) {
   options.mesh_overlay = seed % 7 == 0;
   if (seed % 6 == 0) options.background = Rgb{0.2f, 0.4f, 0.9f};
   if (seed % 8 == 0) {
-    // Where the document ends within the image.
+    // A place where the document ends within the image.
     const Vec2 middle = document.artboard.center();
     options.viewport = Box{middle, document.artboard.max + Vec2{20, 35}};
   }
@@ -125,7 +126,7 @@ TEST(RandomWindows, have_the_bytes_of_the_whole_image) {
     const Document document = random_document(seed);
     const RasterOptions options = random_options(document, seed);
     Context context;
-    // Of the plain mesh: what is painted need not be fine.
+    // With the plain mesh, because the painted picture need not be fine.
     DiffuseOptions plain;
     plain.max_error = 0;
     const Picture picture = solved(context, document, plain);

@@ -13,7 +13,7 @@ namespace {
 
 using Color = std::array<double, 3>;
 
-// The formulas of W3C Compositing and Blending Level 1, as they stand there.
+// The formulas of W3C Compositing and Blending Level 1, in its notation.
 
 double screen(double b, double s) {
   return b + s - b * s;
@@ -126,7 +126,7 @@ Color color_of(const Rgb& c) {
   return {c.r, c.g, c.b};
 }
 
-/// A pixel of `top` blended onto a backdrop of one colour and alpha; rgba16, steps.
+/// Returns a pixel of `top` blended onto a backdrop of one colour and alpha; rgba16, steps.
 std::array<int, 4> blended_pixel(BlendMode mode, const Rgb& backdrop, float backdrop_alpha,
                                  const Rgb& source, float source_alpha) {
   const Box box{{0, 0}, {8, 8}};
@@ -138,7 +138,7 @@ std::array<int, 4> blended_pixel(BlendMode mode, const Rgb& backdrop, float back
           channel(image, 1, 1, 3)};
 }
 
-/// co of "simple alpha compositing" with blending, not premultiplied.
+/// Returns co of "simple alpha compositing" with blending, not premultiplied.
 std::array<double, 4> expected_pixel(BlendMode mode, const Rgb& backdrop, double ab,
                                      const Rgb& source, double as) {
   const Color b = color_of(backdrop), s = color_of(source), mixed = blend(mode, b, s);

@@ -1,5 +1,6 @@
-// The parts of small triangles in all cells at once, against the triangle cut anew for each pixel.
-#include "raster/cell_coverage.hpp"
+// The parts of small triangles in all cells at once, compared with cutting the triangle for each
+// pixel.
+#include "raster/coverage/cell_coverage.hpp"
 
 #include <gtest/gtest.h>
 
@@ -22,7 +23,8 @@ class Random {
   double uniform(double low, double high) {
     return low + (high - low) * (random_() / 4294967296.0);
   }
-  /// In a square; one of three lies on a grid of half cells, so that edges run along cells.
+  /// Returns a point in a square; one of three lies on a grid of half cells, so that edges run
+  /// along cells.
   Vec2 point(Vec2 corner, double side) {
     const Vec2 p{uniform(corner.x, corner.x + side), uniform(corner.y, corner.y + side)};
     if (random_() % 3 != 0) return p;
@@ -39,7 +41,7 @@ bool cut(CellCoverage& cells, const Vec2 (&corner)[3]) {
   return cells.cut(corner, box);
 }
 
-/// Compares area and moments in every cell that the triangle may touch, and around it; returns the
+/// Compares area and moments in every cell that the triangle may touch, and around it. Returns the
 /// sum of the areas.
 double expect_parts(const CellCoverage& cells, const Vec2 (&corner)[3]) {
   const raster::ClipTriangle clip = raster::clip_triangle(corner[0], corner[1], corner[2]);

@@ -23,7 +23,8 @@ Rgb cubic_field(Vec2 p) {
           static_cast<float>(0.7 - 0.4 * x * x + 0.2 * x * y * (1 - y))};
 }
 
-/// Largest difference to `field` at pixel centres, in code values of 255. Regions do not matter.
+/// Returns the largest difference to `field` at pixel centres, in code values of 255, ignoring
+/// regions.
 double worst_miss(const Image& image, const Box& viewport, Rgb (*field)(Vec2)) {
   double worst = 0;
   for (int y = 0; y < image.height; ++y) {
@@ -104,7 +105,7 @@ TEST(RasterClosedForms, needles_reproduce_a_cubic) {
   EXPECT_LT(worst_miss(image, kUnitBox, cubic_field), kAllowed);
 }
 
-/// The coverage of region 1 in a white-on-black picture, 0 to 1.
+/// Returns the coverage of region 1 in a white-on-black picture, 0 to 1.
 double white_share(const Image& image, int x, int y) {
   return channel(image, x, y, 0) / 65535.0;
 }
@@ -139,8 +140,8 @@ TEST(RasterClosedForms, a_level_edge_covers_by_its_offset) {
 }
 
 TEST(RasterClosedForms, a_slanted_edge_covers_the_integral_of_its_line) {
-  // Below the line y = a + b x within pixel (i, j): b is so small that the line crosses at most the
-  // left and right sides of two pixels of a column.
+  // The area below the line y = a + b x within pixel (i, j). b is so small that the line crosses at
+  // most the left and right sides of two pixels of a column.
   const double a = 3.3, b = 0.21;
   const RegionMesh mesh = cut_box({{0, 0}, {16, 16}}, {0, a}, {16, a + 16 * b});
   const Image image =
@@ -162,7 +163,7 @@ TEST(RasterClosedForms, a_rotated_square_has_its_own_area) {
     mesh.vertex = {{0, 0}, {32, 0}, {32, 32}, {0, 32}};
     const Vec2 center{16.3, 15.8}, arm{7 * std::cos(turn_rad), 7 * std::sin(turn_rad)};
     const Vec2 across{-arm.y, arm.x};
-    // Corners beside the box's corners: from the upper left one clockwise.
+    // Corners beside the box's corners, clockwise from the upper left one.
     mesh.vertex.push_back(center - arm - across);
     mesh.vertex.push_back(center + arm - across);
     mesh.vertex.push_back(center + arm + across);

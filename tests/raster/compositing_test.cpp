@@ -13,7 +13,7 @@ namespace {
 constexpr Box kComposedBox{{0, 0}, {8, 8}};
 constexpr Rgb kRed{1, 0, 0}, kBlue{0, 0, 1};
 
-/// Layers of one colour each, bottom first, all over the box.
+/// Returns layers of one colour each over the whole box, bottom first.
 Picture stacked(const std::vector<PatchLayer>& layers) {
   Picture picture = make_picture(layers[0]);
   for (std::size_t i = 1; i < layers.size(); ++i) {
@@ -88,7 +88,8 @@ TEST(RasterCompositing, a_group_fades_as_one) {
 }
 
 TEST(RasterCompositing, a_group_is_blended_by_itself) {
-  // Multiplied onto the white backdrop red stays red, onto nothing in the group too.
+  // Multiplied onto the white backdrop, red stays red; in the group, it is also multiplied onto
+  // nothing.
   Picture picture =
       stacked({flat_layer(kComposedBox, {0.5f, 0.5f, 0.5f}), flat_layer(kComposedBox, kRed)});
   const PatchInstance multiplied{1, {}, 1, BlendMode::multiply};
@@ -132,7 +133,7 @@ TEST(RasterCompositing, what_stands_apart_in_a_group_leaves_nothing_between) {
 }
 
 TEST(RasterCompositing, a_soft_mask_has_no_fringe) {
-  // Red inside where it is opaque, blue outside where it is not.
+  // Red inside, where it is opaque; blue outside, where it is not.
   for (const auto& [a, b] : {std::pair{Vec2{3.3, 8}, Vec2{4.9, 0}}, {{0, 2.2}, {8, 5.1}}}) {
     const RegionMesh mesh = cut_box(kComposedBox, a, b);
     PatchLayer layer = make_layer(mesh, [](int region, Vec2) { return region ? kBlue : kRed; });
@@ -157,7 +158,7 @@ TEST(RasterCompositing, dropped_triangles_are_as_transparent_as_those_of_opacity
   const auto opacity = [](int region, Vec2) { return region ? 0.0f : 0.75f; };
   PatchLayer whole = make_layer(mesh, color);
   set_opacity(mesh, opacity, &whole);
-  PatchLayer part = whole;  // keeps region 0, the first two triangles
+  PatchLayer part = whole;  // only region 0, the first two triangles
   part.triangle_vertex.resize(6);
   part.edge_is_curve.resize(6);
   part.color.triangle_node.resize(20);
@@ -228,19 +229,20 @@ TEST(RasterCompositing, an_instance_equals_the_transformed_layer_alone) {
         moved, [&](int region, Vec2 p) { return soft(region, back(p)); }, &alone);
     Picture instance = make_picture(layer), expected = make_picture(alone);
     instance.viewport = expected.viewport = kComposedBox;
-    // The frame of what is turned is no rectangle: without one, pixels at the rim are all or none.
+    // The frame of a rotated layer is not a rectangle: without a frame, pixels at the rim are all
+    // or none.
     instance.layers[0].frame = expected.layers[0].frame = Box{};
     std::get<PatchInstance>(instance.stack[0]).artboard_from_layer = map;
     const Image a = rasterized(instance, image_size(300, 200, PixelFormat::rgba16));
     const Image b = rasterized(expected, image_size(300, 200, PixelFormat::rgba16));
-    int on_the_rim = 0;  // centres that rounding puts to either side
+    int on_the_rim = 0;  // centres that rounding puts on either side
     for (int i = 0; i < 300 * 200; ++i) {
       const int x = i % 300, y = i / 300;
       const int alpha = channel(a, x, y, 3);
       const bool both = alpha > 0 && channel(b, x, y, 3) > 0;
       on_the_rim += !both && alpha != channel(b, x, y, 3);
       for (int c = 0; c < 4 && both; ++c) {
-        // A hundredth of a code value, but for colours of what is nearly transparent.
+        // A hundredth of a code value, except for colours of nearly transparent pixels.
         const double steps = c < 3 && alpha < 2000 ? 2000 : 20;
         ASSERT_NEAR(channel(a, x, y, c), channel(b, x, y, c), steps) << x << ' ' << y;
       }

@@ -24,7 +24,7 @@ Picture wavy_picture() {
       jittered_grid({{0, 0}, {6, 5}}, 30, 17, [](int i, int j) { return i * j % 7; }), steep_wave));
 }
 
-/// Soft layers, groups and every blend mode.
+/// Returns soft layers, groups and every blend mode.
 Picture composited_picture(InterpolationSpace space) {
   const RegionMesh mesh =
       jittered_grid({{0, 0}, {6, 5}}, 12, 5, [](int i, int j) { return i * j % 5; });
@@ -90,7 +90,7 @@ TEST(RasterDeterminism, a_small_viewport_of_a_composition_is_the_crop_of_a_large
       worst = std::max(worst, difference);
       sum += difference;
     }
-    // Steep modes make much of the last bits.
+    // Steep modes magnify the last bits.
     EXPECT_LT(worst, 1);
     EXPECT_LT(sum / (width * height * 3), 1e-3);
   }

@@ -1,4 +1,4 @@
-#include "raster/gradient.hpp"
+#include "raster/shaders/gradient.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ namespace {
 using raster::Gradient;
 using Sample = std::array<float, 4>;
 
-/// A frame in which a pixel is small: samples are nearly points.
+/// A frame with small pixels: samples are nearly points.
 constexpr Affine kFine{1e-4, 0, 0, 1e-4, 0, 0};
 
 GradientFill fill_of(std::variant<LinearGradient, RadialGradient> shape,
@@ -20,11 +20,11 @@ GradientFill fill_of(std::variant<LinearGradient, RadialGradient> shape,
   return {shape, spread, {}, {{0, {0, 0, 1}, 1}, {0.25, {0.5f, 0, 1}, 1}, {1, {1, 0, 0}, 0.5f}}};
 }
 
-/// From (10, 20) on, 100 long in x.
+/// From (10, 20), 100 long in x.
 const LinearGradient kLinear{{10, 20}, {110, 20}};
 
 Gradient gradient_of(const GradientFill& fill) {
-  static Context context;  // outlives what is charged to it
+  static Context context;  // must outlive the tables charged to it
   Result<Gradient> gradient = Gradient::create(context, fill);
   EXPECT_TRUE(gradient.ok()) << to_string(gradient.status());
   return std::move(*gradient);
@@ -36,7 +36,7 @@ Sample sample(const Gradient& gradient, const Affine& layer_from_image, Vec2 ima
   return s;
 }
 
-/// At a point of the layer.
+/// Returns the gradient at a point of the layer.
 Sample at(const GradientFill& fill, Vec2 p) {
   return sample(gradient_of(fill), kFine, p / kFine.a);
 }
@@ -112,6 +112,53 @@ TEST(Gradient, a_focus_on_the_rim_leaves_no_point_without_colour) {
   expect_near(at(fill, {95, 60}), {1, 0, 0, 0.5f});
 }
 
+TEST(Gradient, a_focus_outside_of_the_circle_fills_the_cone) {
+  // The circle of radius 10 around (20, 0) as seen from the origin: 30 degrees on both sides.
+  const GradientFill fill = fill_of(RadialGradient{{20, 0}, {0, 0}, 10});
+  // On the axis, circle t reaches from 10 t to 30 t.
+  expect_near(at(fill, {2.5, 0}), {0.5f, 0, 1, 1}, 1e-3);
+  expect_near(at(fill, {6.25, 0}), {0.75f, 0, 0.5f, 0.75f}, 1e-3);
+  for (double degrees : {-29.0, 29.0}) {
+    const double angle = degrees * std::acos(-1.0) / 180;
+    EXPECT_GE(at(fill, Vec2{std::cos(angle), std::sin(angle)} * 5)[3], 0.5f) << degrees;
+  }
+  for (double degrees : {-31.0, 31.0, 90.0, 180.0, 150.0}) {
+    const double angle = degrees * std::acos(-1.0) / 180;
+    EXPECT_EQ(at(fill, Vec2{std::cos(angle), std::sin(angle)} * 5)[3], 0) << degrees;
+  }
+}
+
+TEST(Gradient, the_border_of_a_cone_is_smooth_over_a_pixel) {
+  GradientFill fill = fill_of(RadialGradient{{2000, 0}, {0, 0}, 1000});
+  for (GradientStop& stop : fill.stops) stop.alpha = 1;
+  const Gradient gradient = gradient_of(fill);
+  const double border = 300 * std::tan(std::acos(-1.0) / 6);
+  const Vec2 across{-0.5, std::sqrt(0.75)};  // outside the cone
+  float before = 1;
+  for (double off = -0.6; off <= 0.6; off += 0.1) {
+    const float alpha = sample(gradient, {}, Vec2{300, border} + across * off)[3];
+    EXPECT_NEAR(alpha, std::clamp(0.5 - off, 0.0, 1.0), 0.02) << off;
+    EXPECT_LE(alpha, before);
+    before = alpha;
+  }
+}
+
+TEST(Gradient, a_focal_circle_has_offset_0_on_it) {
+  const GradientFill fill = fill_of(RadialGradient{{50, 60}, {50, 60}, 40, 10});
+  expect_near(at(fill, {50 + 5, 60}), {0, 0, 1, 1});
+  expect_near(at(fill, {50 + 10 + 7.5, 60}), {0.5f, 0, 1, 1});
+  expect_near(at(fill, {50, 60 - 50}), {1, 0, 0, 0.5f});
+  // A focal circle around the circle reverses the offsets.
+  const GradientFill inward = fill_of(RadialGradient{{50, 60}, {50, 60}, 10, 40});
+  expect_near(at(inward, {50 + 32.5, 60}), {0.5f, 0, 1, 1});
+  expect_near(at(inward, {50 + 10, 60}), {1, 0, 0, 0.5f});
+}
+
+TEST(Gradient, two_equal_circles_paint_nothing) {
+  const GradientFill fill = fill_of(RadialGradient{{50, 60}, {50, 60}, 10, 10});
+  for (double x : {50.0, 60.0, 90.0}) EXPECT_EQ(at(fill, {x, 60})[3], 0);
+}
+
 TEST(Gradient, equal_offsets_are_a_step) {
   GradientFill fill = fill_of(kLinear);
   fill.stops = {{0, {1, 0, 0}, 1}, {0.5, {1, 0, 0}, 1}, {0.5, {0, 1, 0}, 1}, {1, {0, 1, 0}, 1}};
@@ -157,9 +204,11 @@ TEST(Gradient, many_stops_are_found_exactly) {
 TEST(Gradient, extreme_maps_give_finite_colours) {
   const RadialGradient radial{{0, 0}, {1e7, 0}, 1e7};
   const RadialGradient small{{0, 0}, {0, 0}, 1e-7};
+  const RadialGradient cone{{0, 0}, {1e7, 0}, 1e-3, 1e-7};
   for (const GradientFill& fill :
-       {fill_of(kLinear, SpreadMethod::repeat), fill_of(LinearGradient{{0, 0}, {1e-7, 0}}),
-        fill_of(radial, SpreadMethod::reflect), fill_of(small, SpreadMethod::repeat)}) {
+       {fill_of(cone), fill_of(cone, SpreadMethod::reflect), fill_of(kLinear, SpreadMethod::repeat),
+        fill_of(LinearGradient{{0, 0}, {1e-7, 0}}), fill_of(radial, SpreadMethod::reflect),
+        fill_of(small, SpreadMethod::repeat)}) {
     const Gradient gradient = gradient_of(fill);
     for (double scale : {1e-300, 1e-9, 1.0, 1e9, 1e300}) {
       for (double x : {0.0, 0.5, -1e7}) {

@@ -1,4 +1,4 @@
-#include "raster/image_shader.hpp"
+#include "raster/shaders/image_shader.hpp"
 
 #include <gtest/gtest.h>
 
@@ -30,7 +30,7 @@ Shader texture_shader() {
 }
 
 ImageShader shader_of(const Shader& shader, InterpolationSpace space) {
-  static Context context;  // outlives what is charged to it
+  static Context context;  // must outlive the tables charged to it
   Result<ImageShader> result = ImageShader::create(context, shader, space);
   EXPECT_TRUE(result.ok()) << to_string(result.status());
   return std::move(*result);

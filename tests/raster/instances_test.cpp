@@ -1,4 +1,4 @@
-// One drawing that is placed many times, against the same drawing written out.
+// One drawing that is placed many times, compared with the same drawing written out.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ float soft(int region, Vec2 p) {
   return static_cast<float>(0.6 + 0.5 * std::cos(2 * p.x - 3 * p.y + region));
 }
 
-/// Its rim is a curve too, so that no centre of a pixel decides.
+/// Returns a layer whose rim is a curve too, so that the rule about pixel centres does not apply.
 PatchLayer soft_layer() {
   const RegionMesh mesh =
       jittered_grid({{-3, -3}, {3, 3}}, 12, 4, [](int i, int j) { return (i / 3 + j / 4) % 3; });
@@ -44,7 +44,8 @@ PatchLayer soft_layer() {
   return layer;
 }
 
-/// Turned and mirrored copies of all sizes: triangles are from a twentieth of a pixel to 20 pixels.
+/// Returns rotated and mirrored copies of all sizes: triangles are from a twentieth of a pixel to
+/// 20 pixels.
 std::vector<PatchInstance> places(int count) {
   std::mt19937 random(5);
   const auto uniform = [&](double low, double high) {
@@ -64,11 +65,11 @@ std::vector<PatchInstance> places(int count) {
   return all;
 }
 
-/// The instance's layer, moved.
+/// Returns the instance's layer, transformed.
 PatchLayer moved_layer(PatchLayer layer, const Affine& map) {
   for (Vec2& p : layer.vertex_position) p = map(p);
   if (map.determinant() > 0) return layer;
-  // Triangles go round the other way: corners 1 and 2 change places, edges and nodes with them.
+  // Triangles change their orientation: corners 1 and 2 are swapped, with their edges and nodes.
   for (std::size_t t = 0; t < layer.triangle_count(); ++t) {
     std::swap(layer.triangle_vertex[3 * t + 1], layer.triangle_vertex[3 * t + 2]);
     std::swap(layer.edge_is_curve[3 * t], layer.edge_is_curve[3 * t + 2]);

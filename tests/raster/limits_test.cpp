@@ -5,10 +5,10 @@
 #include <functional>
 #include <limits>
 
-#include "raster/layer_view.hpp"
+#include "raster/coverage/tile_bins.hpp"
+#include "raster/layers/layer_view.hpp"
 #include "raster/pictures.hpp"
 #include "raster/support.hpp"
-#include "raster/tile_bins.hpp"
 #include "sfumato/base/native/thread_pool.hpp"
 
 namespace sfumato::test {
@@ -25,7 +25,7 @@ StatusCode code_of(const Picture& picture, const RasterOptions& options) {
   return rasterize(context, picture, options).status().code;
 }
 
-/// Cancels at the first report, and remembers the largest charge seen.
+/// Cancels at the first report, and records the largest charge.
 struct Watcher : Progress {
   Context* context = nullptr;
   bool cancels = false;

@@ -1,4 +1,4 @@
-#include "raster/local_stroke.hpp"
+#include "raster/layers/local_stroke.hpp"
 
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ Planes transparent() {
 StrokePainter painter_of(const LocalCurve& curve, const Affine& image_from_artboard = {},
                          SimdLevel level = detected_simd_level(),
                          InterpolationSpace space = InterpolationSpace::srgb) {
-  static Context context;  // outlives what is charged to it
+  static Context context;  // must outlive the tables charged to it
   context.simd = level;
   Result<StrokePainter> painter =
       StrokePainter::create(context, {curve, {}}, image_from_artboard, space);
@@ -63,7 +63,7 @@ StopList<Value> stops(std::vector<Stop<Value>> list, StopSpace space = StopSpace
   return {space, std::move(list)};
 }
 
-/// From (20, 80.5) to (140, 80.5), red on the left (above), blue on the right.
+/// Returns a curve from (20, 80.5) to (140, 80.5), red on the left (above), blue on the right.
 LocalCurve straight(float radius) {
   LocalCurve curve;
   curve.control_points = {{20, 80.5}, {60, 80.5}, {100, 80.5}, {140, 80.5}};
@@ -73,7 +73,7 @@ LocalCurve straight(float radius) {
   return curve;
 }
 
-/// As the paper's Fig. 8: everything varies.
+/// Returns a stroke like the paper's Fig. 8: everything varies.
 LocalCurve wavy_stroke() {
   LocalCurve curve;
   curve.control_points = {{20, 80}, {45, -20}, {95, 0}, {80, 50}, {65, 95}, {130, 100}, {145, 20}};
@@ -84,7 +84,7 @@ LocalCurve wavy_stroke() {
   return curve;
 }
 
-/// Eq. 12–16 by 4,000 samples of the true curve to a piece.
+/// Eq. 12–16 by 4,000 samples of the true curve per piece.
 class DenseReference {
  public:
   DenseReference(const LocalCurve& curve, const Affine& image_from_stroke)
@@ -105,7 +105,7 @@ class DenseReference {
     }
   }
 
-  /// Premultiplied colour and opacity.
+  /// Returns premultiplied colour and opacity.
   std::array<double, 4> at(Vec2 image_point) const {
     const Vec2 p = stroke_from_image_(image_point);
     double weight = 0, color[3] = {};
@@ -170,7 +170,7 @@ class DenseReference {
   std::vector<Sample> samples_;
 };
 
-/// Largest difference over a grid of pixels, code values of 1.
+/// Returns the largest difference over a grid of pixels, code values of 1.
 double largest_difference(const LocalCurve& curve, const Affine& image_from_stroke) {
   const Planes planes = painted(painter_of(curve, image_from_stroke));
   const DenseReference reference(curve, image_from_stroke);
@@ -356,7 +356,7 @@ TEST(LocalStroke, a_stroke_thinner_than_a_pixel_is_as_much_fainter) {
     for (float alpha : planes[3]) sum += alpha;
     return sum;
   };
-  // 0.3 π Q of opacity to a unit of length.
+  // 0.3 π Q of opacity per unit of length.
   EXPECT_NEAR(mass(8), 0.3 * std::acos(-1.0) * 8 * 120, 1);
   EXPECT_NEAR(mass(0.5f) / mass(1), 0.5, 1e-4);
   EXPECT_NEAR(mass(0.125f) / mass(1), 0.125, 1e-4);

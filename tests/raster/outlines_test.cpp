@@ -1,4 +1,5 @@
-// Where a layer ends at nothing: its alpha is the area of each pixel that its triangles cover.
+// The border of a layer beside nothing: its alpha is the area of each pixel that its triangles
+// cover.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,7 +21,7 @@ const Box kOutlinesBox{{0, 0}, {kOutlinesSide, kOutlinesSide}};
 const Rgb kDarkRed{0.8f, 0, 0.1f};
 
 struct Shape {
-  std::vector<Vec2> rim;  ///< seen from `center` all of it, positive turns
+  std::vector<Vec2> rim;  ///< all of it visible from `center`, in positive direction
   Vec2 center;
 };
 
@@ -48,7 +49,7 @@ RegionMesh fan(const Shape& shape) {
   return mesh;
 }
 
-/// One colour within the rim, nothing outside; `color` may tell points.
+/// Returns a layer of one colour inside the rim, nothing outside; `color` may depend on the point.
 PatchLayer shape_layer(const Shape& shape, const ColorField& color) {
   PatchLayer layer = make_layer(fan(shape), color);
   for (std::size_t t = 0; t < layer.triangle_count(); ++t) layer.edge_is_curve[3 * t + 1] = 1;
@@ -67,7 +68,7 @@ Picture picture_of(PatchLayer layer, const Affine& map = {}) {
   return picture;
 }
 
-/// The share of a pixel inside the rim.
+/// Returns the share of a pixel inside the rim.
 double exact_area(const Shape& shape, const Affine& map, int x, int y) {
   double area = 0;
   for (std::size_t i = 0; i < shape.rim.size(); ++i) {
@@ -178,7 +179,7 @@ TEST(RasterOutlines, a_group_ends_as_what_stands_in_it) {
 }
 
 TEST(RasterOutlines, frames_side_by_side_leave_no_seam) {
-  // Two halves meet in the middle of a column of pixels, where curves cross from one to the other.
+  // Two halves meet in the middle of a column of pixels, where curves cross between them.
   const Box left{{-64, -64}, {32.5, 128}}, right{{32.5, -64}, {128, 128}};
   const auto half = [](const Box& box, Vec2 a, Vec2 b) {
     return make_layer(cut_box(box, a, b), [](int region, Vec2) {
@@ -194,8 +195,8 @@ TEST(RasterOutlines, frames_side_by_side_leave_no_seam) {
   }
 }
 
-/// The parts of kOutlinesBox left and right of the line through two points on its upper and lower
-/// edge.
+/// Returns the parts of kOutlinesBox left and right of the line through two points on its upper and
+/// lower edge.
 Shape half(Vec2 top, Vec2 bottom, bool is_left) {
   const double side = is_left ? -kOutlinesSide : 2 * kOutlinesSide;
   std::vector<Vec2> rim{{side, -kOutlinesSide}, top, bottom, {side, 2 * kOutlinesSide}};

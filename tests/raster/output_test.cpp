@@ -14,7 +14,7 @@ Picture flat_picture(float shade) {
   }));
 }
 
-/// `low` at the left border, `high` at the right one, in code values.
+/// Returns a ramp from `low` at the left border to `high` at the right one, in code values.
 Picture ramp_picture(float low, float high) {
   return make_picture(make_layer(jittered_grid({{0, 0}, {8, 8}}, 3, 1), [=](int, Vec2 p) {
     const float shade = (low + (high - low) * static_cast<float>(p.x / 8)) / 255;
@@ -43,7 +43,7 @@ TEST(RasterOutput, dither_keeps_the_mean) {
   }
 }
 
-/// A step of the last bit is no slope, and 127.5 everywhere is a colour like any other.
+/// A difference of the last bit is not a slope, and 127.5 everywhere is a normal colour.
 TEST(RasterOutput, dither_leaves_even_areas_even) {
   RasterOptions options = image_size(70, 70, PixelFormat::rgb8);
   for (float value : {10.0f, 10.25f, 99.5f, 127.5f, 200.77f}) {
@@ -54,7 +54,7 @@ TEST(RasterOutput, dither_leaves_even_areas_even) {
   }
 }
 
-/// Blue: of neighbours in a slow slope hardly any two are both above or below its mean.
+/// Blue noise: in a gentle slope, hardly any two neighbours are both above or both below the mean.
 TEST(RasterOutput, dither_has_no_grain_and_no_pattern) {
   RasterOptions options = image_size(256, 128, PixelFormat::rgb8);
   options.dither = true;
@@ -105,7 +105,8 @@ TEST(RasterOutput, values_beyond_the_range_are_clamped) {
   EXPECT_EQ(channel(dark, 2, 2, 0), 0);
 }
 
-/// The four quarters of an image twice as large as the picture, which lies in the upper left one.
+/// Returns the four quarters of an image twice as large as the picture, which is in the upper left
+/// quarter.
 Image with_margin(const Picture& picture, RasterOptions options) {
   options.viewport = Box{{0, 0}, {16, 16}};
   return rasterized(picture, options);

@@ -19,7 +19,7 @@ using Corners = std::array<std::uint32_t, 3>;
 /// Colour at a point of the layer frame, on one side of the curves.
 using ColorField = std::function<Rgb(int region, Vec2 p)>;
 
-/// Opacity, or the weight of a shader, likewise.
+/// The same for opacity, or the weight of a shader.
 using ScalarField = std::function<float(int region, Vec2 p)>;
 
 /// A triangulation whose regions are divided by curves.
@@ -34,8 +34,8 @@ struct RegionMesh {
   }
 };
 
-/// Ten nodes of its own for each triangle, read from `color`; an edge is a curve where the regions
-/// on its sides differ.
+/// Returns a layer with ten separate nodes for each triangle, read from `color`. An edge is a curve
+/// if the regions on its sides differ.
 inline PatchLayer make_layer(const RegionMesh& mesh, const ColorField& color) {
   PatchLayer layer;
   layer.vertex_position = mesh.vertex;
@@ -64,7 +64,7 @@ inline PatchLayer make_layer(const RegionMesh& mesh, const ColorField& color) {
   return layer;
 }
 
-/// One value for each node of a layer as make_layer makes it.
+/// Returns one value for each node of a layer of make_layer.
 inline std::vector<float> node_values(const RegionMesh& mesh, const ScalarField& value) {
   std::vector<float> values;
   for (std::size_t t = 0; t < mesh.triangle.size(); ++t) {
@@ -106,8 +106,8 @@ inline Picture make_picture(PatchLayer layer) {
   return picture;
 }
 
-/// A grid of `cells`² quads over the box, inner vertices moved at random, each cut along one of its
-/// diagonals; region_of names the region of a quad.
+/// Returns a grid of `cells`² quads over the box, with inner vertices moved at random and each quad
+/// cut along a diagonal; region_of gives the region of a quad.
 inline RegionMesh jittered_grid(const Box& box, int cells, std::uint32_t seed,
                                 const std::function<int(int column, int row)>& region_of) {
   std::mt19937 random(seed);
@@ -144,7 +144,7 @@ inline RegionMesh jittered_grid(const Box& box, int cells, std::uint32_t seed) {
   return jittered_grid(box, cells, seed, [](int, int) { return 0; });
 }
 
-/// One colour over a box.
+/// Returns one colour over a box.
 inline PatchLayer flat_layer(const Box& box, const Rgb& color) {
   return make_layer(jittered_grid(box, 2, 1), [&](int, Vec2) { return color; });
 }
@@ -158,8 +158,8 @@ inline PatchLayer flat_layer(const Box& box, const Rgb& color, float opacity) {
   return layer;
 }
 
-/// Two regions that meet on the line through a and b, which must cross the box's opposite sides:
-/// region 0 is left of a → b on the screen. The box is cut into two quads or more.
+/// Returns two regions that meet on the line through a and b, which must cross the box's opposite
+/// sides. Region 0 is left of a → b on the screen. The box is cut into two quads or more.
 inline RegionMesh cut_box(const Box& box, Vec2 a, Vec2 b) {
   RegionMesh mesh;
   const Vec2 p0 = box.min, p1{box.max.x, box.min.y}, p2 = box.max, p3{box.min.x, box.max.y};

@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "picture/patch.hpp"
-#include "raster/bends.hpp"
+#include "raster/coverage/bends.hpp"
 #include "sfumato/base/box.hpp"
 #include "sfumato/picture/picture.hpp"
 
-/// The rasterizer as one would explain it: pixel by pixel, triangle by triangle, in double
-/// precision, nothing shared with the fast path but which triangles are bent.
+/// A readable rasterizer: pixel by pixel, triangle by triangle, in double precision. It shares with
+/// the fast path only the decision which triangles are bent.
 namespace sfumato::test {
 
 struct ReferencePixel {
@@ -19,8 +19,8 @@ struct ReferencePixel {
   bool covered = false;
   bool mixed = false;       ///< a curve passes through the pixel
   bool small = false;       ///< may bend within a pixel
-  double covered_area = 0;  ///< of all triangles in the pixel
-  int centers = 0;          ///< triangles that hold the pixel's centre in their inside
+  double covered_area = 0;  ///< sum over all triangles in the pixel
+  int centers = 0;          ///< triangles that hold the pixel's centre in their interior
 };
 
 struct ReferenceTriangle {
@@ -30,7 +30,7 @@ struct ReferenceTriangle {
   std::array<std::array<double, 3>, kNodesPerTriangle> node;
   PatchOrder order = PatchOrder::cubic;
 
-  /// The patch at a point, through the basis of eq. 17–18.
+  /// Returns the patch at a point, through the basis of eq. 17–18.
   std::array<double, 3> color(Vec2 p) const {
     const double whole = cross(corner[1] - corner[0], corner[2] - corner[0]);
     const double u = cross(p - corner[0], corner[2] - corner[0]) / whole;
@@ -49,7 +49,7 @@ struct ReferenceTriangle {
   }
 };
 
-/// The triangles of a picture's only layer, under a similarity without mirroring.
+/// Returns the triangles of a picture's only layer, under a similarity without mirroring.
 inline std::vector<ReferenceTriangle> reference_triangles(const Picture& picture, Box viewport,
                                                           int width, int height) {
   const PatchLayer& layer = picture.layers[std::get<PatchInstance>(picture.stack[0]).layer];
@@ -79,7 +79,7 @@ inline std::vector<ReferenceTriangle> reference_triangles(const Picture& picture
   return triangles;
 }
 
-/// Keeps the part of the polygon where dot(normal, p) < offset.
+/// Returns the part of the polygon where dot(normal, p) < offset.
 inline std::vector<Vec2> cut_polygon(const std::vector<Vec2>& polygon, Vec2 normal, double offset) {
   std::vector<Vec2> kept;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -126,7 +126,7 @@ inline ReferencePixel reference_pixel(const std::vector<ReferenceTriangle>& tria
       pixel.mixed |= triangle.curve[k] &&
                      segment_meets_pixel(triangle.corner[k], triangle.corner[(k + 1) % 3], x, y);
     }
-    // Small triangles in each quarter of the pixel.
+    // Small triangles are evaluated in each quarter of the pixel.
     const int squares = triangle.small ? 2 : 1;
     for (int square = 0; square < squares * squares; ++square) {
       const double side = 1.0 / squares;

@@ -6,14 +6,14 @@
 #include <cmath>
 #include <random>
 
-#include "raster/clip.hpp"
+#include "raster/coverage/clip.hpp"
 #include "raster/pictures.hpp"
 #include "raster/support.hpp"
 
 namespace sfumato::test {
 namespace {
 
-/// Smooth, between -0.1 and 1.1, different in each region.
+/// Returns a smooth colour between -0.1 and 1.1, different in each region.
 Rgb wave_out_of_range(int region, Vec2 p) {
   const double phase = 2.1 * region;
   const auto wave = [&](double a, double b) {
@@ -24,7 +24,7 @@ Rgb wave_out_of_range(int region, Vec2 p) {
 
 struct Disagreement {
   double worst = 0;  ///< code values of 255
-  int coverage = 0;  ///< pixels that one paints and the other does not
+  int coverage = 0;  ///< pixels that only one of the two paints
 };
 
 Disagreement compare(const Picture& picture, const Box& viewport, int width, int height) {

@@ -10,7 +10,7 @@
 namespace sfumato::test {
 namespace {
 
-/// Pixels of `image` that are the background: alpha 0.
+/// Returns the number of background pixels of `image`: alpha 0.
 int holes(const Image& image) {
   int count = 0;
   for (int i = 0; i < image.width * image.height; ++i)
@@ -20,7 +20,7 @@ int holes(const Image& image) {
 
 TEST(RasterSeams, no_pixel_of_a_triangulated_viewport_is_left_out) {
   for (std::uint32_t seed = 1; seed <= 20; ++seed) {
-    // Vertices on whole and half pixels too: the worst place for a rule about centres.
+    // Some vertices are on whole and half pixels, the worst places for a rule about centres.
     RegionMesh mesh = jittered_grid({{0, 0}, {64, 64}}, 16, seed);
     if (seed % 2 == 0)
       for (Vec2& p : mesh.vertex) p = {std::round(2 * p.x) / 2, std::round(2 * p.y) / 2};
@@ -60,9 +60,9 @@ TEST(RasterSeams, slivers_leave_no_holes) {
     EXPECT_EQ(holes(rasterized(picture, image_size(side, side, PixelFormat::rgba8))), 0);
 }
 
-/// A layer around its origin, of triangles that are finer than pixels and whose colours jump, in
-/// the middle of an image of two columns and two rows of tiles. A soft edge has the triangles
-/// around a tile listed with it.
+/// Returns a layer around its origin, with triangles finer than pixels and jumping colours, in the
+/// middle of an image of two columns and two rows of tiles. A soft edge also needs the triangles
+/// around a tile.
 Picture fine_layer_at(Vec2 center) {
   const RegionMesh mesh = jittered_grid(
       {{-8, -8}, {8, 8}}, 40, 6, [](int column, int row) { return (column / 3 + row / 3) % 2; });

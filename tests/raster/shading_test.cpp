@@ -20,7 +20,7 @@ Shader constant_shader(const Rgb& color, float alpha = 1) {
   return {"constant", fill};
 }
 
-/// From (0, 0) to (8, 0) of the layer frame.
+/// Returns a ramp from (0, 0) to (8, 0) of the layer frame.
 Shader ramp_shader(const Rgb& from, const Rgb& to) {
   GradientFill fill;
   fill.shape = LinearGradient{{0, 0}, {8, 0}};
@@ -28,7 +28,7 @@ Shader ramp_shader(const Rgb& from, const Rgb& to) {
   return {"ramp", fill};
 }
 
-/// 8 × 8 texels, one to a unit of the layer, of hashed colours.
+/// Returns 8 × 8 texels, one per unit of the layer, of hashed colours.
 Shader checkered_texture() {
   Texture texture;
   texture.width = texture.height = 8;
@@ -48,7 +48,7 @@ Image shaded(const Picture& picture, PixelFormat format = PixelFormat::rgba16) {
   return rasterized(picture, image_size(kWidth, kHeight, format));
 }
 
-/// Largest difference in steps of 16 bits, over all channels.
+/// Returns the largest difference in steps of 16 bits, over all channels.
 int worst_difference(const Image& a, const Image& b) {
   int worst = 0;
   for (int i = 0; i < a.width * a.height * channel_count(a.format); ++i) {
@@ -59,7 +59,7 @@ int worst_difference(const Image& a, const Image& b) {
   return worst;
 }
 
-/// A weight that varies, 0.2 to 0.8.
+/// Returns a varying weight, 0.2 to 0.8.
 float share(int region, Vec2 p) {
   return static_cast<float>(0.5 + 0.3 * std::sin(p.x + 2 * p.y + region));
 }
@@ -157,7 +157,7 @@ TEST(RasterShading, each_of_nine_shaders_counts_with_its_own_weight) {
     const float weight = 0.02f * static_cast<float>(s + 1);
     const Rgb color{s % 3 == 0 ? 1.0f : 0.1f, s % 3 == 1 ? 0.9f : 0.0f,
                     0.1f * static_cast<float>(s)};
-    // The shaders of a layer need not stand in the picture's order.
+    // The shaders of a layer need not follow the picture's order.
     picture.shaders.insert(picture.shaders.begin(), constant_shader(color));
     add_weight(
         mesh, 8 - s, [&](int, Vec2) { return weight; }, &layer.color);

@@ -1,4 +1,4 @@
-#include "raster/soft_strip.hpp"
+#include "raster/coverage/soft_strip.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 namespace sfumato::raster {
 namespace {
 
-/// The distance, in radii, at which 1 - β is `share`.
+/// Returns the distance, in radii, where 1 - β is `share`.
 double distance_of(double share) {
   double near = 0, far = 1;
   for (int i = 0; i < 50; ++i) {

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kSourceSide = 8;
 
-/// One colour and half the opacity everywhere; its tables are `missing` values short.
+/// One colour and half the opacity everywhere; its tables lack `missing` values.
 class EvenSource final : public picture::FieldSource {
  public:
   explicit EvenSource(std::size_t missing = 0, Status status = {})
@@ -44,7 +44,7 @@ PatchField field_of(int channels) {
           {}};
 }
 
-/// A layer of two triangles over the whole picture.
+/// Returns a layer of two triangles over the whole picture.
 Picture two_triangles() {
   Picture picture;
   picture.artboard = picture.viewport = {{0, 0}, {kSourceSide, kSourceSide}};

@@ -1,5 +1,5 @@
-// The parts of a triangle on both sides of a line, against the triangle cut by pixels.
-#include "raster/split_triangle.hpp"
+// The parts of a triangle on both sides of a line, compared with the triangle cut by pixels.
+#include "raster/coverage/split_triangle.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <random>
 #include <utility>
 
-#include "raster/clip.hpp"
+#include "raster/coverage/clip.hpp"
 
 namespace sfumato::test {
 namespace {
@@ -18,8 +18,8 @@ using raster::SplitPart;
 
 constexpr int kX = 4, kY = 7;
 
-/// A triangle in pixels (kX, kY) and (kX + 1, kY), clockwise on the screen; some corners on a grid
-/// of quarters, so that they also lie on the border.
+/// A triangle in pixels (kX, kY) and (kX + 1, kY), clockwise on the screen; some corners lie on a
+/// grid of quarters, and so also on the border.
 struct Triangle {
   explicit Triangle(std::mt19937& random) {
     std::uniform_real_distribution<double> unit(0, 1);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr Box kStrokesBox{{0, 0}, {80, 60}};
 
-/// A straight stroke of one colour along y = 30, opaque on its axis.
+/// Returns a straight stroke of one colour along y = 30, opaque on its axis.
 LocalStroke straight_stroke(const Rgb& color, float radius) {
   LocalStroke stroke;
   stroke.curve.control_points = {{-100, 30}, {0, 30}, {80, 30}, {180, 30}};

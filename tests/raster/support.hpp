@@ -10,7 +10,7 @@
 
 namespace sfumato::test {
 
-/// Half a step of 16 bits, plus the error that is allowed to the rasterizer.
+/// Half a step of 16 bits, plus the rasterizer's allowed error.
 inline constexpr double kAllowed = 0.5 / 257 + 0.02;
 
 inline RasterOptions image_size(int width, int height, PixelFormat format = PixelFormat::rgb16) {
@@ -42,7 +42,7 @@ inline void expect_same_for_every_instruction_set(const Picture& picture,
   }
 }
 
-/// A channel in steps of its format.
+/// Returns a channel in steps of its format.
 inline int channel(const Image& image, int x, int y, int c) {
   const std::size_t index =
       (static_cast<std::size_t>(y) * image.width + x) * channel_count(image.format) + c;
@@ -52,7 +52,7 @@ inline int channel(const Image& image, int x, int y, int c) {
   return value;
 }
 
-/// A channel in code values of 255.
+/// Returns a channel in code values of 255.
 inline double code_value(const Image& image, int x, int y, int c) {
   return bytes_per_channel(image.format) == 1 ? channel(image, x, y, c)
                                               : channel(image, x, y, c) / 257.0;

@@ -6,8 +6,8 @@
 #include <functional>
 #include <vector>
 
-#include "raster/texture_filter.hpp"
-#include "raster/texture_pyramid.hpp"
+#include "raster/shaders/texture_filter.hpp"
+#include "raster/shaders/texture_pyramid.hpp"
 
 namespace sfumato::test {
 namespace {
@@ -43,14 +43,14 @@ Texel checkerboard(int x, int y) {
 }
 
 TexturePyramid pyramid_of(const Texture& texture, SimdLevel level = detected_simd_level()) {
-  static Context context;  // outlives what is charged to it
+  static Context context;  // must outlive the tables charged to it
   context.simd = level;
   Result<TexturePyramid> pyramid = TexturePyramid::create(context, texture);
   EXPECT_TRUE(pyramid.ok()) << to_string(pyramid.status());
   return std::move(*pyramid);
 }
 
-/// Pixels of an image's row, centres at (x + 1/2, y + 1/2).
+/// Returns pixels of an image's row, centres at (x + 1/2, y + 1/2).
 std::vector<Sample> row_of(const TexturePyramid& pyramid, const Affine& layer_from_image, double x,
                            double y, int count) {
   std::vector<float> plane[4];
@@ -184,7 +184,7 @@ TEST(TextureFilter, a_gap_between_repeats_shows_the_nearest_edge_and_a_short_per
   }
 }
 
-/// Mean of a repeating tile of `noise`.
+/// Returns the mean of a repeating tile of `noise`.
 double tile_mean(const Texture& texture, int channel) {
   const int width = texture.period.x > 0 ? static_cast<int>(texture.period.x) : texture.width;
   const int height = texture.period.y > 0 ? static_cast<int>(texture.period.y) : texture.height;
@@ -241,7 +241,7 @@ TEST(TextureFilter, minified_along_one_axis_it_stays_sharp_along_the_other) {
   EXPECT_NEAR(sample(pyramid, map, 1, 4)[0], 0, 1e-4);
 }
 
-/// The tent over the texels themselves, one by one; the texture repeats and map does not mirror.
+/// Returns the tent over the texels, one by one; the texture repeats and the map does not mirror.
 double tent_over_texels(const Texture& texture, const Affine& texture_from_image, Vec2 pixel) {
   const Affine& map = texture_from_image;
   const Affine image_from_texture = inverse(map);

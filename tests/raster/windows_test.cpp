@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kFar = RasterWindow::kLargestSide;
 
-/// Two colours that meet along x = at, from 0 to side; y from 0 to side.
+/// Returns two colours that meet along x = at, from 0 to side; y from 0 to side.
 Picture two_halves(double side, double at) {
   RegionMesh mesh;
   mesh.vertex = {{0, 0}, {at, 0}, {side, 0}, {side, side}, {at, side}, {0, side}};
@@ -115,7 +115,7 @@ TEST(RasterWindows, of_curves_on_the_borders_of_tiles_have_the_bytes_of_the_whol
   }
 }
 
-/// The pixels of two windows of a huge image that overlap.
+/// The overlapping pixels of two windows of a huge image.
 TEST(RasterWindows, far_from_the_corner_show_the_same_where_they_overlap) {
   Picture picture = two_halves(1, 0.75 + 1.0 / (3 << 20));
   LocalStroke stroke;
@@ -141,7 +141,7 @@ TEST(RasterWindows, far_from_the_corner_show_the_same_where_they_overlap) {
   EXPECT_GT(colors, 10'000) << "the curve and the stroke are to be seen";
 }
 
-/// A picture in a huge image, so many tiles right of the corner and below it.
+/// Returns a picture in a huge image, so many tiles right of the corner and below it.
 Image placed_far(int tiles, const Picture& picture) {
   RasterOptions options = image_size(600, 150);
   options.window = RasterWindow{256 * tiles, 64 * tiles, kFar, kFar};
@@ -150,7 +150,7 @@ Image placed_far(int tiles, const Picture& picture) {
   return rasterized(picture, options);
 }
 
-/// Gradients, textures and strokes have as many digits there as near the corner.
+/// Gradients, textures and strokes are as precise there as near the corner.
 TEST(RasterWindows, far_from_the_corner_show_what_they_do_near_it) {
   const Box box{{0, 0}, {600, 150}};
   const RegionMesh mesh = jittered_grid(box, 20, 5, [](int column, int) { return column / 7 % 2; });

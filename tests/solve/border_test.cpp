@@ -1,4 +1,4 @@
-#include "solve/border.hpp"
+#include "solve/fields/border.hpp"
 
 #include <gtest/gtest.h>
 
@@ -36,9 +36,9 @@ Vec2 corner(const mesh::TriangleMesh& mesh, std::uint32_t t, std::size_t k) {
   return mesh.vertex_position[mesh.triangle_vertex[3 * t + k]];
 }
 
-/// The triangles that are kept of a mesh, and their area.
+/// The triangles that remain of a mesh, and their area.
 struct Kept {
-  std::unique_ptr<Context> context = std::make_unique<Context>();  ///< the cuts are charged to it
+  std::unique_ptr<Context> context = std::make_unique<Context>();  ///< charged with the cuts
   BorderCuts cuts;
   double area = 0;
   double least_part = 1;  ///< area
@@ -102,7 +102,7 @@ TEST(Border, triangles_end_at_a_straight_border) {
     const auto side = [&](Vec2 p) { return dot(normal, p - through); };
     const Kept seen = kept(mesh, [&](Vec2 p) { return side(p) > 0; });
     const Kept unseen = kept(mesh, [&](Vec2 p) { return side(p) <= 0; });
-    // No part overlaps another, so that the two together are all.
+    // No parts overlap, so the two together are the whole.
     EXPECT_NEAR(seen.area + unseen.area, whole, 1e-3) << i;
     EXPECT_GT(seen.least_part, -1e-9);
     EXPECT_GT(seen.cuts.part_count(), 5u);

@@ -2,14 +2,14 @@
 
 #include "support/drawing.hpp"
 
-/// The document that curves are dragged in.
+/// The document for tests that drag curves.
 namespace sfumato::test {
 
 inline Curve circle_at(Vec2 center) {
   return colored(circle_curve(center, 12), kRed, kBlue);
 }
 
-/// Two circles in one layer, another layer over them.
+/// Returns two circles in one layer, with another layer over them.
 inline Document circles() {
   Document document =
       one_layer({circle_at({30, 30}), colored(circle_curve({50, 50}, 45), kBlue, kGreen)});

@@ -15,7 +15,7 @@
 #include "support/same_document.hpp"
 #include "support/same_picture.hpp"
 
-/// Solutions of which a stop gets other values.
+/// Solutions in which a stop gets other values.
 namespace sfumato {
 namespace {
 
@@ -32,7 +32,7 @@ using test::with_opacity;
 
 const StopPlace kFirstStop{0, 0, CurveSide::left, StopAttribute::color, 0};
 
-/// Two curves that meet, a blurred one, and a second layer with opacities.
+/// Returns two curves that meet, a blurred one, and a second layer with opacities.
 Document drawing() {
   Document document =
       test::one_layer({colored(straight_curve({10, 20}, {50, 40}), kRed, kBlue),
@@ -47,14 +47,14 @@ Document drawing() {
 
 using Stops = std::vector<Stop<Rgb>>;
 
-/// The drawing with other stops on the first side.
+/// Returns the drawing with other stops on the first side.
 Document with_stops(Stops stops) {
   Document document = drawing();
   document.layers[0].curves[0].left.color.stops.stops = std::move(stops);
   return document;
 }
 
-/// The mesh of the paper, which is the same for all colours.
+/// The paper's mesh, which is the same for all colours.
 const DiffuseOptions kPaper{.max_error = 0};
 
 class ColorDrag : public testing::Test {
@@ -75,7 +75,7 @@ class ColorDrag : public testing::Test {
     EXPECT_NE(status.message.find(words), std::string::npos) << status.message;
   }
 
-  /// The largest difference of the first layer's nodes from those of diffuse(), in code values.
+  /// Returns the largest difference of the first layer's nodes from diffuse()'s, in code values.
   float farthest_from_exact() const {
     const Picture exact = diffused(solution.document(), kPaper);
     const PatchField &is = solution.picture().layers[0].color, &want = exact.layers[0].color;
@@ -105,8 +105,8 @@ TEST_F(ColorDrag, shows_the_values_of_the_new_colour) {
   }
 }
 
-/// Many, and thin: what is far is estimated where a layer is solved, but not in how its nodes
-/// answer to a stop.
+/// Many thin specks: a solve estimates distant curves, but the response of its nodes to a stop does
+/// not.
 TEST_F(ColorDrag, among_specks_is_as_good_as_the_gather_there) {
   Document document = test::one_layer({colored(straight_curve({40, 45}, {60, 55}), kRed, kBlue)});
   std::uint32_t random = 1;
@@ -181,7 +181,7 @@ TEST_F(ColorDrag, lets_a_corner_of_equal_colours_part) {
   EXPECT_LT(farthest_from_exact(), 0.05);
 }
 
-/// Its free ends count for both fields, which are one in a solution.
+/// Its free ends count for both fields, which a solution combines.
 TEST_F(ColorDrag, is_exact_beside_a_curve_whose_colours_are_equal_and_whose_opacities_are_not) {
   Document document = test::one_layer(
       {with_opacity(colored(straight_curve({30, 50}, {60, 50}), kRed, kRed), 0.2f, 0.8f),

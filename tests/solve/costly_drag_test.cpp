@@ -12,7 +12,7 @@
 #include "support/drawing.hpp"
 #include "support/same_picture.hpp"
 
-/// Curves on which much of a layer's mesh lies, while they are dragged.
+/// Drags of curves that cover much of a layer's mesh.
 namespace sfumato {
 namespace {
 
@@ -28,7 +28,7 @@ using test::kWhite;
 using test::mean_difference;
 using test::with_opacity;
 
-/// A closed curve with so many waves around a circle, of three pieces each.
+/// Returns a closed curve with so many waves around a circle, of three pieces each.
 Curve wavy_curve(Vec2 center, double radius, int waves) {
   Curve curve;
   const int points = 9 * waves;
@@ -49,7 +49,7 @@ Curve moved(Curve curve, Vec2 by) {
   return curve;
 }
 
-/// A curve that is costly to drag, and one that is not.
+/// Returns a curve that is costly to drag, and one that is not.
 Document drawing_of_costly(Curve costly) {
   return test::one_layer({std::move(costly), colored(circle_curve({50, 50}, 3), kBlue, kGreen)});
 }
@@ -98,16 +98,16 @@ TEST(CostlyDrag, depends_on_where_the_curve_is_alone_beyond_the_picture_too) {
   EXPECT_EQ(difference_of(solution.picture(), straight), "");
 }
 
-/// What is dragged, and how it is called.
+/// Returns the dragged curves, with their names.
 std::vector<std::pair<std::string, Curve>> odd_curves() {
   std::vector<std::pair<std::string, Curve>> curves;
-  Curve star = wave();  // some of its pieces cross one another
+  Curve star = wave();  // some of its pieces cross each other
   for (std::size_t i = 0; i < star.control_points.size(); i += 36) {
     star.control_points[i] = Vec2{100, 100} - star.control_points[i];
   }
   star.control_points.back() = star.control_points.front();
   curves.emplace_back("crosses itself", star);
-  Curve still = wave();  // pieces of no length among the others
+  Curve still = wave();  // includes pieces of no length
   for (std::size_t i = 1; i < 31; ++i) still.control_points[i] = still.control_points[0];
   curves.emplace_back("rests in a point", still);
   curves.emplace_back("fades", with_opacity(wave(), 0, 1));

@@ -62,7 +62,8 @@ TEST(Diffuse, between_two_long_parallel_lines_weights_are_inverse_squares) {
   for (double y : {25.0, 40.0, 50.0, 60.0, 77.0}) {
     const double w1 = 1 / ((y - 20) * (y - 20)), w2 = 1 / ((80 - y) * (80 - y));
     const auto color = exact_color(document, {50.3, y});
-    // The right of a line to the right is below it on the screen; the left of the other above.
+    // The right of a line to the right is below it on the screen; the left of the other is above
+    // it.
     EXPECT_NEAR(color[0], 1, 1e-5);
     EXPECT_NEAR(color[1], w1 / (w1 + w2), 1e-4);
     EXPECT_NEAR(color[2], w1 / (w1 + w2), 1e-4);
@@ -139,7 +140,7 @@ TEST(Diffuse, around_a_free_end_the_colours_turn_from_one_side_to_the_other) {
       one_layer({colored(straight_curve({50, 50}, {120, 50}), test::kWhite, test::kBlack)}),
       {.max_error = 0});
   const PatchLayer& layer = picture.layers[0];
-  // Left of the walk to the right is above on the screen: white above, black below.
+  // The left of a line to the right is above it on the screen: white above, black below.
   int triangles_at_end = 0;
   for (std::uint32_t t = 0; t < layer.triangle_count(); ++t) {
     for (int k = 0; k < 3; ++k) {
@@ -149,7 +150,7 @@ TEST(Diffuse, around_a_free_end_the_colours_turn_from_one_side_to_the_other) {
       for (int j = 0; j < 3; ++j) {
         middle = middle + layer.vertex_position[layer.triangle_vertex[3 * t + j]] / 3;
       }
-      // From the upper side of the curve (angle 0, white) round to the lower (2π, black).
+      // From the upper side of the curve (angle 0, white) around to the lower (2π, black).
       double angle = std::atan2(-(middle.y - 50), middle.x - 50);
       if (angle < 0) angle += 2 * 3.14159265358979;
       const float value =
@@ -172,7 +173,7 @@ TEST(Diffuse, a_region_that_sees_no_curve_has_no_triangles) {
 TEST(Diffuse, at_the_border_of_what_sees_a_curve_no_dark_fringe_appears) {
   Curve line = straight_curve({20, 50.3}, {80, 50.3});
   line.left.color = test::one_color(test::kRed);
-  line.right.color.kind = ShaderKind::barrier;  // below it, no curve is seen
+  line.right.color.kind = ShaderKind::barrier;  // below it, no curve is visible
   const PatchLayer layer = diffused(one_layer({line})).layers[0];
   EXPECT_TRUE(test::sample(layer, {10, 40}).has_value());
   EXPECT_FALSE(test::sample(layer, {10, 60}).has_value());
@@ -182,7 +183,7 @@ TEST(Diffuse, at_the_border_of_what_sees_a_curve_no_dark_fringe_appears) {
 }
 
 TEST(Diffuse, rays_pass_through_an_open_side) {
-  Curve open = straight_curve({50, 10}, {50, 90});  // no attribute at all
+  Curve open = straight_curve({50, 10}, {50, 90});  // without any attribute
   const Document with =
       one_layer({colored(circle_curve({50, 50}, 40), test::kBlue, test::kRed), open});
   const auto color = test::sample(diffused(with).layers[0], {45, 50});
@@ -247,7 +248,7 @@ TEST(Diffuse, options_out_of_range_are_refused) {
   EXPECT_EQ(code({.viewport = Box{{5, 5}, {5, 9}}}), StatusCode::bad_input);
 }
 
-/// The most that a computation had charged when it reported.
+/// Records the largest charge at any report of a computation.
 class MostCharged final : public Progress {
  public:
   explicit MostCharged(const Budget& budget) : budget_(budget) {}

@@ -8,7 +8,7 @@
 
 namespace sfumato::test {
 
-/// The picture that diffuse() makes of a document, in a Context of its own.
+/// Returns the picture of diffuse() for a document, in a new Context.
 inline Picture diffused(const Document& document, const DiffuseOptions& options = {},
                         DiffuseStats* stats = nullptr) {
   Context context;

@@ -12,7 +12,7 @@
 #include "support/drawing.hpp"
 #include "support/same_picture.hpp"
 
-/// Which rows of a layer's tables the frames of a drag change.
+/// The rows of a layer's tables that the frames of a drag change.
 namespace sfumato {
 namespace {
 
@@ -51,7 +51,7 @@ TEST(DragRows, says_the_rows_between_pictures_that_were_looked_at) {
   EXPECT_LT(rows.triangles.size(), after.triangle_count());
 }
 
-/// Of a table with `width` columns: rows from `first` on, or those that are listed.
+/// Returns the rows of a table with `width` columns from `first` on, or the listed ones.
 template <class Item>
 void bring_up(const std::vector<Item>& from, std::size_t width, std::size_t first,
               std::span<const std::uint32_t> rows, std::vector<Item>& table) {
@@ -65,7 +65,7 @@ void bring_up(const std::vector<Item>& from, std::size_t width, std::size_t firs
   for (const std::uint32_t row : rows) copy(row);
 }
 
-/// Whether the rows are enough to make one layer of the other.
+/// Expects that the rows suffice to turn one layer into the other.
 void expect_enough(PatchLayer layer, const LayerRows& rows, const PatchLayer& after) {
   constexpr std::size_t kNone = 0xffffffff;
   bring_up(after.vertex_position, 1, rows.first_vertex, {}, layer.vertex_position);

@@ -20,7 +20,7 @@
 #include "support/same_picture.hpp"
 #include "support/sanitizers.hpp"
 
-/// Curves that are dragged in a document that is being solved.
+/// Drags of curves in a document with a solution.
 namespace sfumato {
 namespace {
 
@@ -92,7 +92,7 @@ TEST(Drag, leaves_nothing_to_say_of_layers_that_are_gone) {
   EXPECT_TRUE(delta.rows.empty());
 }
 
-/// By how many code values layers of the same tables differ at most.
+/// Returns the largest difference of layers with the same tables, in code values.
 float most_code_values(const PatchLayer& a, const PatchLayer& b) {
   EXPECT_EQ(a.triangle_vertex, b.triangle_vertex);
   EXPECT_EQ(a.color.triangle_node, b.color.triangle_node);
@@ -123,8 +123,8 @@ TEST(Drag, without_time_waits_with_what_has_a_color) {
   EXPECT_EQ(difference_of(solution.picture(), diffused(solution.document())), "");
 }
 
-/// A small step changes little where the last frame's values are shown, and much where those
-/// without the curve would be.
+/// A small step changes little if the last frame's values are shown, and much if the values without
+/// the curve were shown.
 TEST(Drag, shows_what_waits_as_the_last_frame_did) {
   Context context;
   Solution solution = expecting_drags(context, circles());
@@ -213,7 +213,7 @@ TEST(Drag, that_is_cancelled_going_on_leaves_what_was_left) {
   EXPECT_EQ(solution.waiting_nodes(), 0u);
 }
 
-/// Wherever memory ends in a frame: what waits is of the one before.
+/// Wherever memory runs out in a frame, the waiting values are from the previous frame.
 TEST(Drag, that_fails_goes_on_with_the_curve_as_it_was) {
   Context owner;
   Solution solution = expecting_drags(owner, circles());
@@ -275,7 +275,7 @@ TEST(Drag, refuses_times_that_are_none) {
   EXPECT_EQ(solution.document().layers[0].curves[0], circle_at({30, 30}));
 }
 
-/// Also where the next frame is within it again.
+/// Also if the next frame is within it again.
 TEST(Drag, beyond_all_room_is_solved_roughly) {
   Context context;
   Solution solution = solved(context, circles());
@@ -327,8 +327,8 @@ TEST(Drag, begins_from_what_solve_left_or_solves_the_layer) {
   EXPECT_EQ(visitor.budget.used(), 0u);
 }
 
-/// What is kept follows its layer to another place, and is not used where the layer is shown
-/// otherwise.
+/// The reused data follows its layer to another place, and is not used if the layer is shown in
+/// another way.
 TEST(Drag, begins_from_what_is_known_of_the_layer_as_it_is_shown) {
   Context context;
   Solution solution = expecting_drags(context, circles());

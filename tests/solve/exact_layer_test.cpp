@@ -25,7 +25,7 @@ bool is_same(const ExactField& a, const ExactField& b) {
          test::same_bits(a.side, b.side) && std::ranges::equal(a.end, b.end, same_end);
 }
 
-/// In what two layers differ as rays meet them; empty: in nothing.
+/// Returns the difference of two layers as rays meet them; empty: none.
 std::string difference_of(const ExactLayer& a, const ExactLayer& b) {
   if (a.tolerance != b.tolerance) return "tolerance";
   if (!test::same_bits(a.vertex_position, b.vertex_position)) return "vertices";

@@ -53,7 +53,7 @@ TEST(Fields, one_opacity_on_all_sides_is_that_opacity_everywhere) {
 TEST(Fields, colour_ignores_curves_of_opacity_and_opacity_those_of_colour) {
   const Curve color = colored(straight_curve({-20, 50}, {120, 50}), test::kRed, test::kBlue);
   const Curve mask = with_opacity(straight_curve({50, -20}, {50, 120}), 1, 0.25);
-  // Soft ends of the mask reach far, and little: 0.001 here.
+  // Soft ends of the mask reach far, but weakly: 0.001 here.
   const Picture both = diffused(one_layer({color, mask}), {.ends = gather::Ends::paper});
   const auto above = test::sample(both.layers[0], {80.3, 20.1});
   EXPECT_NEAR((*above)[0], 1, 1e-5);  // the mask between does not stop the red
@@ -67,7 +67,7 @@ TEST(Fields, curves_that_bear_both_give_the_same_as_two_fields) {
       blurred(both(colored(circle_curve({40, 50}, 25), test::kRed, test::kBlue)), 4),
       both(colored(straight_curve({70, 20}, {85, 80}), test::kGreen, test::kWhite))};
   const Picture joint = diffused(one_layer(curves));
-  // A speck of opacity without colour, far outside, parts the fields.
+  // A speck of opacity without colour, far outside, separates the fields.
   curves.push_back(with_opacity(straight_curve({5000, 0}, {5000.1, 0}), 0.5f, 0.5f));
   const Picture apart = diffused(one_layer(curves));
   EXPECT_EQ(joint.layers[0].color.channel_count, 3);
@@ -136,7 +136,7 @@ TEST(Fields, a_blurred_curve_has_the_mean_of_its_sides) {
   EXPECT_NEAR((*on_it)[2], 0.5, 1e-3);
 }
 
-/// The largest miss of the patches against the gather at points near the first curve.
+/// Returns the largest difference of the patches from the gather at points near the first curve.
 double largest_miss(const Document& document, const DiffuseOptions& options, double reach) {
   const Picture picture = diffused(document, options);
   Context context;
@@ -169,10 +169,10 @@ TEST(Fields, radii_below_a_pixel_make_no_mesh_of_their_own) {
   const Picture sharp = diffused(one_layer({circle}));
   const Picture tiny = diffused(one_layer({blurred(circle, 0.2f)}));
   EXPECT_EQ(tiny.layers[0].triangle_count(), sharp.layers[0].triangle_count());
-  // Its chords are finer: their errors show.
+  // Its chords are finer, and their errors show.
   const Picture fine = diffused(one_layer({blurred(circle, 0.5f)}));
   EXPECT_LT(fine.layers[0].triangle_count(), 2 * sharp.layers[0].triangle_count());
-  // Closer by, they are seen.
+  // Enlarged, they are visible.
   const DiffuseOptions enlarged{.viewport = Box{{75, 45}, {85, 55}}, .pixels_per_unit = 10};
   EXPECT_GT(diffused(one_layer({blurred(circle, 0.5f)}), enlarged).layers[0].triangle_count(),
             diffused(one_layer({circle}), enlarged).layers[0].triangle_count());
@@ -209,8 +209,8 @@ TEST(Fields, an_enlarged_instance_is_as_fine_as_its_layer_drawn_large) {
 }
 
 TEST(Fields, a_field_is_gathered_among_the_curves_that_bear_it) {
-  // A mask among hundreds of curves without opacity: what they would cut the windows to is
-  // thousands of times more than the mask itself.
+  // A mask among hundreds of curves without opacity: cutting the windows at these curves would take
+  // thousands of times longer than the mask itself.
   std::vector<Curve> curves;
   for (int i = 0; i < 400; ++i) {
     const Vec2 from{5.0 + i % 20 * 4.5, 4.0 + i / 20 * 4.6};

@@ -46,7 +46,7 @@ struct Disc {
   double radius;
 };
 
-/// Within a circle that closes it off, behind its blur.
+/// Discs inside a circle that encloses them, beyond its blur.
 constexpr Disc kStill[] = {{{24, 30}, 11}, {{74, 74}, 9}};
 
 Curve varied_circle(Vec2 center, double radius) {
@@ -56,8 +56,8 @@ Curve varied_circle(Vec2 center, double radius) {
   return circle;
 }
 
-/// A circle that moves past two that do not, blurred, as the second of them is; they have curves of
-/// their own inside.
+/// Returns a circle that moves past two still ones; it is blurred, and so is the second of them;
+/// both have their own curves inside.
 std::vector<Curve> curves_at(Vec2 moving) {
   return {colored(circle_curve({50, 50}, 46), kBlue, kGreen),
           varied_circle({24, 30}, 13),
@@ -81,7 +81,7 @@ Image pixels_of(const Picture& picture) {
   return std::move(*image);
 }
 
-/// The largest difference of a channel, within the discs or, where there are none, anywhere.
+/// Returns the largest difference of a channel inside the discs or, without discs, anywhere.
 int largest_difference(const Image& a, const Image& b, std::span<const Disc> discs) {
   int largest = 0;
   for (int y = 0; y < kSide; ++y) {
@@ -103,7 +103,7 @@ int largest_difference(const Image& a, const Image& b, std::span<const Disc> dis
 /// A Solution whose frames follow documents.
 class Film {
  public:
-  /// Returns how its layers were made.
+  /// Shows a document. Returns how its layers were made.
   FrameLayers show(Document document, const DiffuseOptions& options = kOptions) {
     FrameLayers layers;
     if (solution_) {
@@ -141,11 +141,11 @@ TEST(Films, where_nothing_moves_no_pixel_does) {
   }
 }
 
-/// How far pixels are from those of the exact solution, which has no smooth edges: where curves are
-/// the other two are not compared with it.
+/// The differences of pixels from the exact solution, which has no smooth edges: near curves, the
+/// other two are not compared with it.
 struct Misses {
   double shown = 0, solved = 0;         ///< mean, code values
-  int many_shown = 0, many_solved = 0;  ///< channels that are off by more than the bound
+  int many_shown = 0, many_solved = 0;  ///< channels that differ by more than the bound
 
   Misses(const Image& film, const Image& alone, const Image& exact) {
     constexpr int kEdge = 8, kBound = 2;  // with rounding
@@ -188,7 +188,7 @@ TEST(Films, frames_are_as_exact_as_those_of_the_drawings_alone) {
   }
 }
 
-/// What a frame refined the next one keeps, so that nothing comes and goes.
+/// A frame's refinement is kept in the next one, so that nothing flickers.
 TEST(Films, a_curve_that_goes_back_and_forth_finds_its_mesh_again) {
   Film film;
   const auto show = [&](int frame) {
@@ -206,7 +206,7 @@ TEST(Films, a_curve_that_goes_back_and_forth_finds_its_mesh_again) {
   }
 }
 
-/// The mesh goes back several times meanwhile.
+/// Meanwhile, the mesh is reset several times.
 TEST(Films, a_long_way_leaves_no_mesh_behind) {
   Film film;
   std::optional<Image> first;
@@ -251,7 +251,7 @@ TEST(Films, are_begun_anew_where_the_mesh_cannot_go_on) {
   for (std::size_t i = 1; i < 5; ++i) others[2][i].weight = 2;            // most of them
   others[3][3] = colored(circle_curve({900, 50}, 4), kRed, kGreen);       // far away
   others[4][3] = test::with_opacity(first[3], 0.5f, 1);                   // another attribute
-  others[5][1] = colored(circle_curve({24, 30}, 4), kGreen, kRed);        // under another one
+  others[5][1] = colored(circle_curve({24, 30}, 4), kGreen, kRed);        // below another one
   for (std::size_t i = 0; i < others.size(); ++i) {
     Film film;
     film.show(test::one_layer(first));
@@ -269,7 +269,7 @@ TEST(Films, are_begun_anew_where_the_mesh_cannot_go_on) {
             1u);
 }
 
-/// Its pixels are those of solve() then, and a film goes on from there.
+/// Its pixels are then solve()'s, and a film continues from there.
 TEST(Films, of_a_context_of_its_own_are_solved_each_for_itself) {
   Film film;
   film.show(test::one_layer(curves_at(place_at(0))));
@@ -284,7 +284,7 @@ TEST(Films, of_a_context_of_its_own_are_solved_each_for_itself) {
   EXPECT_EQ(film.show(test::one_layer(curves_at(place_at(3)))).continued, 1u);
 }
 
-/// solve() makes the exact picture of the document whatever frames were shown before.
+/// solve() makes the exact picture of the document, whatever frames came before.
 TEST(Films, end_in_the_picture_of_diffuse) {
   Film film;
   for (int i = 0; i < 3; ++i) film.show(test::one_layer(curves_at(place_at(i))));
@@ -352,7 +352,7 @@ void move_a_curve(std::mt19937& random, Document& document) {
   for (Vec2& point : curves[random() % curves.size()].control_points) point = point + by;
 }
 
-/// Of everything that drawings have.
+/// Random documents with all features.
 TEST(Films, of_random_documents_are_those_of_the_drawings) {
   constexpr std::uint32_t kDocuments = 10;
   std::size_t continued = 0;

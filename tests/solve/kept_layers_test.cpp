@@ -1,4 +1,4 @@
-#include "solve/kept_layers.hpp"
+#include "solve/layers/kept_layers.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include "support/drawing.hpp"
 #include "support/same_picture.hpp"
 
-// What is kept for drags of many layers (Solution::expect_drags, with a bound).
+// Data reserved for drags in many layers (Solution::expect_drags, with a bound).
 
 namespace sfumato {
 namespace {
@@ -42,7 +42,7 @@ TEST(KeptLayers, the_last_one_that_was_dragged_stays_in_any_case) {
   EXPECT_EQ(layers_beyond({{0, 0, 5}, {1, 0, 90}}, 0), (Indices{1, 0}));
 }
 
-/// So many layers of two circles.
+/// Returns so many layers of two circles.
 Document layers_of_circles(std::uint32_t count) {
   const std::vector<Curve> two = {circle_at({30, 30}),
                                   colored(circle_curve({50, 50}, 45), kBlue, kGreen)};

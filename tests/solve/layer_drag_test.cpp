@@ -1,4 +1,4 @@
-#include "solve/layer_drag.hpp"
+#include "solve/session/layer_drag.hpp"
 
 #include <gtest/gtest.h>
 
@@ -25,14 +25,14 @@ namespace {
 const auto kLayerDragDocuments =
     test::random_case_count<std::uint64_t>(SFUMATO_HAS_SANITIZER ? 4 : 14, 40);
 
-/// A frame may be this much wrong. Windows too narrow to count are left out of a gather: which ones
-/// depends on the mesh around a point.
+/// Limit for the error of a frame. A gather skips windows too narrow to count; the skipped ones
+/// depend on the mesh around a point.
 constexpr float kMostDragMiss = 1.0f / 255;
 
-/// Of a point at which two curves nearly touch one cannot say which side of them it lies on.
+/// At a point where two curves nearly touch, its side of them is undefined.
 constexpr double kAside = 1e-3;
 
-/// The free nodes of a frame against the gather of all of them.
+/// The free nodes of a frame compared with gathering all of them.
 struct Comparison {
   std::size_t nodes = 0;
   float worst = 0;
@@ -94,7 +94,7 @@ struct LayerCurve {
   std::uint32_t curve;
 };
 
-/// Layers that are shown, with one of their curves each.
+/// Returns visible layers, with one of their curves each.
 std::vector<LayerCurve> some_curves(const Document& document, std::mt19937& random) {
   std::vector<LayerCurve> chosen;
   for (std::uint32_t l = 0; l < document.layers.size(); ++l) {
@@ -116,7 +116,7 @@ void expect_exact_frames(const Document& document, LayerCurve at, const DiffuseO
   Context context;
   const LayerSight sight = sight_of_layer(document, at.layer, document.artboard);
   std::optional<RefinedLayer> refined;
-  PatchLayer shown;  // the last frame, or the layer as it was solved
+  PatchLayer shown;  // the last frame, or the solved layer
   if (was_solved) refined = refined_layer(context, document, at.layer, sight, options, &shown);
   const bool is_known = refined.has_value();
   Result<LayerDrag> drag =
@@ -125,7 +125,7 @@ void expect_exact_frames(const Document& document, LayerCurve at, const DiffuseO
   ASSERT_TRUE(drag.ok()) << drag.status().message;
   EXPECT_EQ(refined.has_value(), is_known);
   EXPECT_EQ(drag->has_room(), !is_known);
-  std::optional<FrameRows> rows = drag->take_rows_of_solved();  // of what is shown
+  std::optional<FrameRows> rows = drag->take_rows_of_solved();  // rows of `shown`
   for (int frame = 0; frame < 5; ++frame) {
     SCOPED_TRACE("frame " + std::to_string(frame));
     const Vec2 by{double(random() % 21) - 10, double(random() % 21) - 10};
@@ -145,7 +145,7 @@ void expect_exact_frames(const Document& document, LayerCurve at, const DiffuseO
     };
     Result<FramePatches> made =
         drag->frame(context, curve, {.wants_rows = rows.has_value(), .watch = watch});
-    Context other;  // which gets nothing of the frames before
+    Context other;  // shares nothing with the earlier frames
     const Result<FramePatches> anew = drag->frame(other, curve);
     EXPECT_EQ(other.budget.used(), 0u);
     ASSERT_EQ(made.status().code, anew.status().code);
@@ -200,7 +200,7 @@ void expect_small_misses(const Document& document, LayerCurve at, double most, s
     const Result<FramePatches> exact = slow->frame(context, curve);
     if (!about && about.status().code == StatusCode::bad_input) continue;
     ASSERT_TRUE(about.ok() && exact.ok());
-    // A border is where it is seen to be, and what is cut there has other nodes.
+    // A border lies where it is seen, and triangles cut there have other nodes.
     if (about->layer.color.triangle_node != exact->layer.color.triangle_node) continue;
     const float miss = test::largest_difference(about->layer.color, exact->layer.color);
     EXPECT_LE(miss, 1.5 * most + kMostDragMiss) << "frame " << frame;

@@ -1,4 +1,4 @@
-#include "solve/layer_response.hpp"
+#include "solve/session/layer_response.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,24 +10,24 @@
 
 #include "curves/response.hpp"
 #include "sfumato/base/color_space.hpp"
-#include "solve/layer_units.hpp"
+#include "solve/layers/layer_units.hpp"
 #include "solve/refined_layer.hpp"
 #include "support/drawing.hpp"
 #include "support/random_document.hpp"
 #include "support/sanitizers.hpp"
 #include "support/soak.hpp"
 
-/// How the nodes of a layer answer to the value of a stop.
+/// How the nodes of a layer respond to the value of a stop.
 namespace sfumato::solve {
 namespace {
 
 const auto kResponseDocuments =
     test::random_case_count<std::uint64_t>(SFUMATO_HAS_SANITIZER ? 6 : 24, 60);
 
-/// What is foretold may miss by this much.
+/// Limit for the error of a prediction.
 constexpr float kMostResponseMiss = 0.01f / 255;
 
-/// A stop of a curve whose two sides do not come to be equal by the change of it.
+/// A stop of a curve whose two sides do not become equal by its change.
 struct Changed {
   StopPlace place;
   Document document;
@@ -59,7 +59,7 @@ void change_opacity(std::mt19937& random, Changed& changed) {
   changed.shift[0] = opacity - from;
 }
 
-/// All stops of a layer's curves.
+/// Returns all stops of a layer's curves.
 std::vector<StopPlace> stops_of(const Document& document, std::uint32_t layer) {
   std::vector<StopPlace> places;
   const std::vector<Curve>& curves = document.layers[layer].curves;
@@ -74,12 +74,12 @@ std::vector<StopPlace> stops_of(const Document& document, std::uint32_t layer) {
   return places;
 }
 
-/// Which nodes are fixed.
+/// The marks of fixed nodes.
 struct RefinedMarks {
   std::vector<std::uint8_t> color, opacity;
 };
 
-/// So that nothing of it is taken over. Returns what takes that back.
+/// Clears the values, so that none is reused. Returns the data for restoring them.
 RefinedMarks forget_values(RefinedLayer& refined) {
   RefinedMarks marks;
   RefinedNodes& nodes = refined.nodes;
@@ -124,7 +124,7 @@ struct Sample {
     const Curve& curve = document.layers[place.layer].curves[place.curve];
     return !curve.left.blur_radius.empty() || !curve.right.blur_radius.empty();
   }
-  /// How finely a blurred curve is flattened depends on its colours.
+  /// The flattening of a blurred curve depends on its colours.
   bool has_polylines_of(Context& context, const Document& other) const {
     const LayerUnits units(document.artboard, sight, options);
     const auto is = flatten_layer(context, document.layers[place.layer], sight, units);
@@ -136,7 +136,7 @@ struct Sample {
   }
 };
 
-/// Some stops of each layer of random documents.
+/// Calls `visit` for some stops of each layer of random documents.
 template <class Visit>
 void for_samples(Context& context, Visit visit) {
   for (std::uint64_t seed = 0; seed < kResponseDocuments; ++seed) {
@@ -160,8 +160,8 @@ void for_samples(Context& context, Visit visit) {
   }
 }
 
-/// Nodes that the stop does not reach keep their values in both, and the others are gathered
-/// together: which windows are too narrow to count depends on the points beside a point.
+/// Nodes that the stop does not reach keep their values in both. The others are gathered together,
+/// because the windows that are too narrow to count depend on the neighbouring points.
 TEST(LayerResponse, foretells_what_the_gather_finds) {
   Context context;
   std::size_t stops = 0, blurred = 0, nodes = 0;

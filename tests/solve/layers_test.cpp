@@ -10,7 +10,7 @@
 #include "sfumato/solve/diffuse.hpp"
 #include "support/drawing.hpp"
 
-// Layers, and the fields of each, that are solved side by side (solve/layer_runs.hpp).
+// Layers, and the fields of each, that are solved in parallel (solve/layers/layer_runs.hpp).
 namespace sfumato {
 namespace {
 
@@ -19,7 +19,7 @@ using test::colored;
 using test::straight_curve;
 using test::with_opacity;
 
-/// Says that it has threads, and runs everything in the calling one.
+/// Claims to have threads, and runs everything in the calling one.
 class Alone : public Executor {
  public:
   explicit Alone(int threads = 4) : threads_(threads) {}
@@ -36,7 +36,7 @@ class Backwards final : public Alone {
   }
 };
 
-/// Layers of different sizes: each third has a mask of its own, the fifth is empty.
+/// Returns layers of different sizes: each third has its own mask, the fifth is empty.
 Document layers(std::uint32_t count) {
   Document document;
   document.artboard = {{0, 0}, {100, 100}};
@@ -73,7 +73,7 @@ void expect_equal(const Picture& a, const Picture& b) {
   }
 }
 
-/// Calls check(executor) with some of every kind.
+/// Calls check(executor) with several executors of every kind.
 template <class Check>
 void for_each_executor(Check check) {
   Alone alone, many(100);
@@ -121,7 +121,7 @@ TEST(Layers, the_first_that_fails_says_why) {
   });
 }
 
-/// What one thread needs, to a percent.
+/// Returns the memory that one thread needs, within a percent.
 std::size_t least_budget(const Document& document, const DiffuseOptions& options) {
   std::size_t enough = std::size_t{1} << 30, too_small = 0;
   while (enough - too_small > enough / 100) {
@@ -154,7 +154,7 @@ TEST(Layers, what_is_enough_memory_for_one_thread_is_enough_for_many) {
   });
 }
 
-/// Keeps what it is told, and cancels after some of it.
+/// Records its reports, and cancels after some of them.
 class Listener final : public Progress {
  public:
   explicit Listener(CancelFlag* cancel = nullptr) : cancel_(cancel) {}

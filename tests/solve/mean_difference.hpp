@@ -10,8 +10,8 @@
 
 namespace sfumato::test {
 
-/// Of all channels of the pixels of two pictures, drawn `side` pixels wide and high, in code
-/// values.
+/// Returns the mean difference of all channels of two pictures, drawn `side` pixels wide and high,
+/// in code values.
 inline double mean_difference(const Picture& a, const Picture& b, int side = 128) {
   Context context;
   RasterOptions options;

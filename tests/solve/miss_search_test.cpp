@@ -1,4 +1,4 @@
-#include "solve/miss_search.hpp"
+#include "solve/fields/miss_search.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,20 +7,21 @@
 #include <random>
 #include <vector>
 
-#include "solve/layer_solver.hpp"
-#include "solve/prepare_layer.hpp"
+#include "solve/layers/layer_solver.hpp"
+#include "solve/layers/prepare_layer.hpp"
 #include "support/drawing.hpp"
 
-/// The search, which probes few triangles everywhere, against probes at every place of all.
+/// The search, which probes few triangles everywhere, compared with probes at every place of all
+/// triangles.
 namespace sfumato::solve {
 namespace {
 
 constexpr float kLimit = 1.0f / 255;
 
-/// What is negligible to a point depends on those that it is gathered with.
+/// The windows that a point neglects depend on the points that are gathered with it.
 constexpr float kSurelyGood = 0.9f;
 
-/// Curves of any colours that cross, in one layer.
+/// Returns crossing curves of any colours, in one layer.
 Document crossing_curves(std::mt19937& random) {
   std::uniform_real_distribution<float> unit(0, 1);
   const auto color = [&] { return Rgb{unit(random), unit(random), unit(random)}; };
@@ -36,17 +37,17 @@ Document crossing_curves(std::mt19937& random) {
 
 struct Count {
   std::size_t triangles = 0;
-  std::size_t misses = 0;      ///< that probes at every place find
-  std::size_t overlooked = 0;  ///< of these
-  std::size_t wrong = 0;       ///< found by the search alone
+  std::size_t misses = 0;      ///< found by probes at every place
+  std::size_t overlooked = 0;  ///< of these, not found by the search
+  std::size_t wrong = 0;       ///< found only by the search
   float most_overlooked = 0;   ///< as a multiple of the limit
 };
 
-/// Per triangle, as multiples of the limit. Where corners of neighbours have nodes of their own,
+/// Errors per triangle, as multiples of the limit. If corners of neighbours have separate nodes,
 /// their patches differ on the common edge.
 struct WorstMisses {
-  std::vector<float> own;   ///< of its patch, at all its probes
-  std::vector<float> near;  ///< also of its neighbours', on the common edges
+  std::vector<float> own;   ///< of its own patch, at all its probes
+  std::vector<float> near;  ///< includes its neighbours' patches, on the common edges
 };
 
 WorstMisses worst_misses(Context& context, const mesh::TriangleMesh& mesh,

@@ -1,4 +1,4 @@
-#include "solve/nodes.hpp"
+#include "solve/fields/nodes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -91,7 +91,7 @@ TEST(Nodes, nodes_on_a_curve_have_the_colour_of_their_side) {
   for (std::uint32_t h = 0; h < laid.mesh.half_edge_twin.size(); ++h) {
     if (!laid.layout.edge_is_curve[h]) continue;
     const std::uint32_t t = h / 3;
-    // Left of the walk to the right is above on the screen.
+    // The left of a line to the right is above it on the screen.
     const Rgb expected = laid.barycentre(t).y < 50 ? test::kWhite : test::kBlack;
     for (int place : {3 + 2 * static_cast<int>(h % 3), 4 + 2 * static_cast<int>(h % 3)}) {
       EXPECT_TRUE(laid.layout.is_fixed[laid.node(t, place)]);
@@ -126,7 +126,8 @@ TEST(Nodes, at_a_crossing_each_sector_turns_from_one_curve_to_the_next) {
       ++corners;
       const Vec2 d = laid.barycentre(t) - Vec2{50, 50};
       const Rgb along_x = d.y < 0 ? test::kWhite : test::kBlack;
-      const Rgb along_y = d.x > 0 ? test::kRed : test::kBlue;  // left of the walk down is the right
+      const Rgb along_y =
+          d.x > 0 ? test::kRed : test::kBlue;  // left of a line downwards is the right
       const double fraction = std::atan2(std::fabs(d.y), std::fabs(d.x)) / (std::acos(-1.0) / 2);
       const Rgb expected = lerp(along_x, along_y, static_cast<float>(fraction));
       const Rgb value = laid.value(t, k);

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <random>
 
-#include "solve/angle.hpp"
+#include "solve/fields/angle.hpp"
 
 namespace sfumato {
 namespace {

@@ -12,7 +12,7 @@
 namespace sfumato {
 namespace {
 
-/// A square of one colour, with nothing outside it, and a layer that no instance shows.
+/// Returns a square of one colour, with nothing outside it, and a layer that no instance shows.
 Document square() {
   Document document;
   document.artboard = {{0, 0}, {10, 10}};

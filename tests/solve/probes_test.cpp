@@ -1,4 +1,4 @@
-#include "solve/probes.hpp"
+#include "solve/fields/probes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,8 @@ namespace {
 
 constexpr double kCodeValues = 255;
 
-/// Of one triangle whose ten nodes are its own, with one channel. `where` gets the likely probes.
+/// Returns the predicted error of one triangle with ten separate nodes and one channel. `where`
+/// receives the likely probes.
 float foretold(const std::array<double, kNodesPerTriangle>& value, ProbeChoice* where = nullptr) {
   NodeLayout layout;
   layout.channel_count = 1;
@@ -74,14 +75,15 @@ TEST(ForetellMiss, of_a_quadratic_is_a_share_of_its_range) {
   EXPECT_EQ(where, kInnerProbes);
 }
 
-/// Beside a straight edge that is blurred over radius 1 (eq. 8), at the distance y.
+/// Returns the colour beside a straight edge that is blurred over radius 1 (eq. 8), at the distance
+/// y.
 double beside_edge(double y) {
   return y < 1 ? 1 - (1 - y) * (1 - y) * (2 + y) / 4 : 1;
 }
 
 TEST(ForetellMiss, is_no_less_than_the_miss_beside_a_blurred_edge) {
-  // From the edge to where the patch ends, in either direction; least at the depth of 1.44 radii,
-  // where the profile's break hides from the nodes.
+  // From the edge to the end of the patch, in either direction; smallest at the depth of 1.44
+  // radii, where the nodes do not detect the break of the profile.
   for (double depth = 0.5; depth < 1.6; depth += 0.01) {
     for (const bool has_corner_at_edge : {false, true}) {
       const auto value_at = [&](const std::array<double, 3>& at) {

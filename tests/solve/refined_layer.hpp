@@ -5,13 +5,13 @@
 #include <optional>
 #include <utility>
 
-#include "solve/layer_solver.hpp"
-#include "solve/prepare_layer.hpp"
+#include "solve/layers/layer_solver.hpp"
+#include "solve/layers/prepare_layer.hpp"
 
 namespace sfumato::solve {
 
-/// What a solution of the layer leaves for drags.
-/// patches   unless null: gets the solution
+/// Returns the data that a solution of the layer leaves for drags.
+/// patches: unless null, receives the solution
 inline std::optional<RefinedLayer> refined_layer(Context& context, const Document& document,
                                                  std::uint32_t layer, const LayerSight& sight,
                                                  const DiffuseOptions& options,

@@ -49,7 +49,7 @@ LocalStroke stroke_at(Vec2 center) {
           {}};
 }
 
-/// Two circles in a large one, two layers over them, and a local curve.
+/// Returns two circles in a large one, two layers over them, and a local curve.
 Document circles_in_layers() {
   Document document = test::one_layer({circle_at({30, 30}), circle_at({60, 40}),
                                        colored(circle_curve({50, 50}, 45), kBlue, kGreen)});
@@ -183,7 +183,7 @@ TEST(Rough, pictures_are_what_drags_begin_from) {
   EXPECT_TRUE(is_exact(solution));
 }
 
-/// An edit that a seed decides on. Refused ones change nothing.
+/// Makes an edit chosen by a seed. A refused edit changes nothing.
 void edit(std::mt19937& random, Context& context, Solution& solution) {
   const Document& now = solution.document();
   const auto below = [&](std::size_t count) {

@@ -2,12 +2,12 @@
 
 #include <string>
 
-#include "solve/layout_order.hpp"
-#include "solve/nodes.hpp"
+#include "solve/fields/layout_order.hpp"
+#include "solve/fields/nodes.hpp"
 
 namespace sfumato::solve {
 
-/// In what two layouts differ, beside the values of free nodes; empty: in nothing.
+/// Returns the difference of two layouts, except in the values of free nodes; empty: none.
 inline std::string difference_of(const NodeLayout& layout, const NodeLayout& anew) {
   if (layout.position != anew.position) return "positions";
   if (layout.is_fixed != anew.is_fixed) return "fixed nodes";
@@ -22,7 +22,7 @@ inline std::string difference_of(const NodeLayout& layout, const NodeLayout& ane
   return "";
 }
 
-/// In what a layout, put in order, differs from that of the mesh laid out anew.
+/// Returns the difference of a sorted layout from a new layout of the mesh.
 inline std::string difference_from_new_layout(const Context& context,
                                               const mesh::TriangleMesh& mesh,
                                               const curves::SegmentAttributes& attributes,

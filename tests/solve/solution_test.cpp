@@ -34,7 +34,7 @@ void expect_as_diffused(const Solution& solution, const DiffuseOptions& options)
   EXPECT_EQ(difference_of(solution.picture(), diffused(solution.document(), options)), "");
 }
 
-/// Three layers of which each has its own circle, the second painted twice.
+/// Returns three layers with one circle each; the second layer is painted twice.
 Document three_layers() {
   Document document = test::one_layer({colored(circle_curve({50, 50}, 40), kRed, kBlue)});
   document.layers.push_back({"second", {colored(circle_curve({30, 30}, 10), kBlue, kGreen)}});
@@ -44,7 +44,7 @@ Document three_layers() {
   return document;
 }
 
-/// How many curves were flattened for it: none where nothing is solved.
+/// Returns the number of curves that were flattened: none if nothing was solved.
 std::uint64_t curves_solved(Context& context, Solution& solution,
                             const DiffuseOptions& options = {}) {
   DiffuseStats stats;
@@ -151,7 +151,7 @@ TEST(Solution, solves_all_again_for_other_options_artboards_and_interpolations) 
   expect_as_diffused(solution, nearer);
 }
 
-/// A change that a seed decides on, of curves and items of other random documents.
+/// Returns a change chosen by a seed, with curves and items of other random documents.
 Change random_change(std::mt19937& random, const Document& now) {
   const Document other = test::random_document(random() % 1000);
   const auto below = [&](std::size_t count) {
@@ -224,7 +224,7 @@ TEST(Solution, tells_what_is_new) {
   EXPECT_TRUE(delta.frame);
 }
 
-/// Whoever follows the deltas has the picture.
+/// A copy that follows the deltas equals the picture.
 TEST(Solution, told_of_what_is_new_a_copy_stays_equal) {
   const DiffuseOptions options{.pixels_per_unit = 0.5, .max_error = 8};
   for (std::uint32_t seed = 0; seed < 10; ++seed) {
@@ -279,7 +279,7 @@ TEST(Solution, that_is_cancelled_keeps_its_picture_and_what_was_done) {
   expect_as_diffused(solution, {});
 }
 
-/// Cancels when all is said to be done.
+/// Cancels when all work is reported as done.
 class CancelAtTheEnd : public Progress {
  public:
   explicit CancelAtTheEnd(CancelFlag& cancel) : cancel_(cancel) {}
@@ -327,7 +327,7 @@ TEST(Solution, holds_no_more_than_its_document_and_picture) {
   {
     Solution solution = solution_of(context, three_layers());
     for (int round = 0; round < 5; ++round) {
-      Context change;  // which may be gone before the solution is
+      Context change;  // may end before the solution
       const double x = 30 + 5 * round;
       take(solution.apply(change,
                           ReplaceCurve{1, 0, colored(circle_curve({x, 30}, 9), kRed, kBlue)}));
@@ -357,7 +357,7 @@ TEST(Solution, without_memory_for_a_change_is_as_it_was) {
   EXPECT_EQ(context.budget.used(), bytes_of(solution.document()));
 }
 
-/// What is charged beside document and picture.
+/// Returns the charges beside document and picture.
 std::size_t kept_for_drags(const Context& context, const Solution& solution) {
   return context.budget.used() - bytes_of(solution.document()) - bytes_of(solution.picture());
 }
@@ -391,7 +391,7 @@ TEST(Solution, gives_up_what_it_keeps_for_drags_where_memory_is_needed) {
   EXPECT_EQ(kept_for_drags(context, solution), others);
 }
 
-/// What is enough memory without drags is enough where they are expected.
+/// Memory that suffices without drags also suffices when drags are expected.
 TEST(Solution, that_expects_drags_needs_no_more_memory) {
   const auto least_room = [](bool expects_drags) {
     std::size_t room = 1000;
@@ -406,8 +406,8 @@ TEST(Solution, that_expects_drags_needs_no_more_memory) {
   EXPECT_EQ(least_room(true), least_room(false));
 }
 
-/// Where there is any room, a change is made or leaves all as it was, and so is a solve; what is
-/// charged is what is held.
+/// With any amount of memory, a change succeeds or leaves everything as it was, and so does a
+/// solve; exactly the memory in use is charged.
 TEST(Solution, with_little_memory_goes_on_or_is_as_it_was) {
   std::size_t made = 0, refused = 0, solved = 0;
   for (std::size_t room = 0; room < 60'000; room += 1 + room / 16) {

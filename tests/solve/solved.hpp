@@ -8,14 +8,14 @@
 
 namespace sfumato::test {
 
-/// A Solution of a document, not solved yet.
+/// Returns a Solution of a document, not solved yet.
 inline Solution solution_of(Context& context, Document document) {
   Result<Solution> solution = Solution::create(context, std::move(document));
   EXPECT_TRUE(solution.ok()) << to_string(solution.status());
   return std::move(*solution);
 }
 
-/// A Solution that was solved, and whose delta was taken.
+/// Returns a solved Solution whose delta was taken.
 inline Solution solved(Context& context, Document document, const DiffuseOptions& options = {}) {
   Solution solution = solution_of(context, std::move(document));
   const Status status = solution.solve(context, options);
@@ -24,7 +24,7 @@ inline Solution solved(Context& context, Document document, const DiffuseOptions
   return solution;
 }
 
-/// A solved Solution that keeps what drags begin from.
+/// Returns a solved Solution that reserves the data for drags.
 inline Solution expecting_drags(Context& context, Document document) {
   Solution solution = solution_of(context, std::move(document));
   solution.expect_drags();

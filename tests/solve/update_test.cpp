@@ -5,15 +5,15 @@
 #include <string>
 #include <vector>
 
-#include "solve/layer_solver.hpp"
-#include "solve/prepare_layer.hpp"
+#include "solve/layers/layer_solver.hpp"
+#include "solve/layers/prepare_layer.hpp"
 #include "solve/same_layout.hpp"
 #include "support/cancel_at.hpp"
 #include "support/drawing.hpp"
 #include "support/random_document.hpp"
 #include "support/same_mesh.hpp"
 
-/// Nodes that follow a mesh from round to round are those that are laid out anew.
+/// Nodes that are updated with a mesh from round to round equal newly laid out nodes.
 namespace sfumato::solve {
 namespace {
 
@@ -26,7 +26,7 @@ PreparedLayer prepared(Context& context, const Document& document, std::uint32_t
   return std::move(*prepared);
 }
 
-/// A mesh and its fields, refined here and there.
+/// A mesh and its fields, refined at random places.
 class Followers {
  public:
   Followers(Context& context, PreparedLayer prepared)
@@ -72,7 +72,7 @@ class Followers {
     }
   }
 
-  /// Gathers what is new. Free nodes of triangles that did not change have what they had.
+  /// Gathers new nodes. Free nodes of unchanged triangles keep their values.
   void expect_to_keep_values(const std::vector<NodeLayout>& before) {
     std::vector<std::uint8_t> is_changed(mesh_.triangle_count(), 0);
     for (const std::uint32_t t : changed_) is_changed[t] = 1;
@@ -90,8 +90,8 @@ class Followers {
     }
   }
 
-  /// Free nodes that only triangles have which changed have what is seen from where they are; the
-  /// packets of points in which they are gathered move the last bits.
+  /// Expects gathered values in free nodes that only changed triangles have. The last bits depend
+  /// on the packets of points in which they are gathered.
   void expect_new_values_of_the_gather() {
     std::vector<std::uint8_t> is_changed(mesh_.triangle_count(), 0);
     for (const std::uint32_t t : changed_) is_changed[t] = 1;
@@ -183,7 +183,7 @@ TEST(LayoutUpdate, whichever_look_sees_the_flag_the_answer_is_cancelled) {
   EXPECT_GT(polls, 50u);
 }
 
-/// A blur that is finer than all rounds of refinement come to: nobody looks at what the last does.
+/// A blur finer than all rounds of refinement reach: nothing depends on the last round's result.
 TEST(LayoutUpdate, nodes_are_laid_out_on_the_mesh_of_the_last_round_for_blur) {
   constexpr float kRadius = 4e-3f;
   const DiffuseOptions options{.pixels_per_unit = 2000, .max_error = 0};

@@ -7,8 +7,8 @@
 
 namespace sfumato::test {
 
-/// One that cancels at a poll. Until then loops of short turns look at every turn; after it they
-/// look as rarely as they do elsewhere, so that what goes on with half-made tables is found.
+/// Cancels at a poll. Until then loops of short iterations poll in every iteration; afterwards they
+/// poll as rarely as usual, which exposes code that continues with incomplete tables.
 class CancelAt : public PollWatch {
  public:
   CancelAt(std::uint64_t poll, CancelFlag& cancel) : left_(poll), cancel_(cancel) {}

@@ -9,7 +9,7 @@
 
 namespace sfumato::test {
 
-/// A document as `sfumato render` draws it, without dither. The errors are those of diffuse() and
+/// Draws a document as `sfumato render` does, without dither. Returns the errors of diffuse() and
 /// rasterize().
 inline Result<Image> draw(Context& context, const Document& document, int width, int height,
                           PixelFormat format) {

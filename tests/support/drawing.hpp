@@ -10,7 +10,7 @@ inline Curve straight_curve(Vec2 from, Vec2 to) {
   return {.control_points = {from, lerp(from, to, 1.0 / 3), lerp(from, to, 2.0 / 3), to}};
 }
 
-/// A circle, clockwise on the screen (y down): its inside is on the right.
+/// Returns a circle, clockwise on the screen (y down): its inside is on the right.
 inline Curve circle_curve(Vec2 center, double radius) {
   const double k = 0.5522847498307936 * radius;
   const auto at = [&](double x, double y) { return center + Vec2{x, y}; };
@@ -40,14 +40,14 @@ inline Curve with_opacity(Curve curve, float left, float right) {
   return curve;
 }
 
-/// One radius on both sides, all along.
+/// Returns the curve with one radius on both sides, along its whole length.
 inline Curve blurred(Curve curve, float radius) {
   curve.left.blur_radius = {StopSpace::parameter, {{0, radius}}};
   curve.right.blur_radius = curve.left.blur_radius;
   return curve;
 }
 
-/// A document of one layer, drawn once.
+/// Returns a document of one layer, drawn once.
 inline Document one_layer(std::vector<Curve> curves, Box artboard = {{0, 0}, {100, 100}}) {
   Document document;
   document.artboard = artboard;

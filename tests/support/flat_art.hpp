@@ -10,15 +10,15 @@
 
 namespace sfumato::test {
 
-/// The names of the drawings of tests/trace/flat, sorted: flat colours, as logos and cartoons have
-/// them (tests/trace/flat/README.md).
+/// Returns the names of the drawings in tests/trace/flat, sorted: flat colours, as in logos and
+/// cartoons (tests/trace/flat/README.md).
 std::vector<std::string> flat_art_names();
 
-/// One of them as curves, with its background or without. Errors: those of reading and
-/// import_svg(), and bad_input where import_svg() leaves anything out.
+/// Returns one of them as curves, with or without its background. Errors: those from reading and
+/// from import_svg(), and bad_input if import_svg() leaves anything out.
 Result<Document> flat_art(Context& context, const std::string& name, bool has_background = true);
 
-/// One of them in pixels, `scale` of them to a user unit; with alpha where nothing is behind it.
+/// Returns one of them in pixels, `scale` per user unit; with alpha where nothing is behind it.
 Result<Image> flat_picture(Context& context, const std::string& name, bool has_background = true,
                            double scale = 1);
 

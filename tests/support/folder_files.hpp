@@ -10,7 +10,8 @@
 
 namespace sfumato::test {
 
-/// The files that a document of our own refers to, beside it or below. Not for strangers' files.
+/// Loads the files that one of our own documents refers to, beside it or in subfolders. Not for
+/// untrusted files.
 class FolderFiles : public ResourceLoader {
  public:
   explicit FolderFiles(std::string folder) : folder_(std::move(folder)) {}

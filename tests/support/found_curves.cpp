@@ -15,7 +15,7 @@ constexpr double kStepPx = 0.5;
 constexpr double kVisibleSlope = 0.02;
 constexpr double kBorderPx = 1;
 
-/// A short stretch of a curve.
+/// A short part of a curve.
 struct Stretch {
   Vec2 middle;
   double length = 0;
@@ -36,7 +36,7 @@ void append_piece(const curves::Cubic& piece, const Plane& size, std::vector<Str
   }
 }
 
-/// All curves of all layers as they are painted, in pixels.
+/// Returns all curves of all layers as they are painted, in pixels.
 std::vector<Stretch> stretches_of(const Document& document, const Plane& size) {
   const Box& artboard = document.artboard;
   const double sx = size.width / artboard.width(), sy = size.height / artboard.height();
@@ -57,7 +57,7 @@ std::vector<Stretch> stretches_of(const Document& document, const Plane& size) {
   return stretches;
 }
 
-/// Points in square cells, to find those that are near.
+/// Points in square cells, for finding near ones.
 class NearPoints {
  public:
   NearPoints(const std::vector<Stretch>& stretches, const Plane& size, double near)
@@ -70,7 +70,7 @@ class NearPoints {
     }
   }
 
-  /// To the nearest point; infinite where none is near.
+  /// Returns the distance to the nearest point; infinite if none is near.
   double distance(Vec2 from) const {
     double least = std::numeric_limits<double>::infinity();
     for (int y = row(from) - 1; y <= row(from) + 1; ++y) {
@@ -91,7 +91,7 @@ class NearPoints {
   std::vector<std::vector<Vec2>> cells_;
 };
 
-/// How fast colours change at each pixel, 1/pixel.
+/// Returns how fast colours change at each pixel, 1/pixel.
 Plane slopes_of(const Planes& picture) {
   const std::vector<double> bell = gaussian_weights(1, 4), slope = gaussian_weights(1, 4, true);
   Plane slopes{picture[0].width, picture[0].height,

@@ -7,7 +7,7 @@
 
 namespace sfumato::test {
 
-/// The text as `gzip` packs it.
+/// Returns the gzipped text.
 inline std::string gzipped(const std::string& text) {
   z_stream stream{};
   EXPECT_EQ(deflateInit2(&stream, 9, Z_DEFLATED, 31, 9, Z_DEFAULT_STRATEGY), Z_OK);

@@ -9,8 +9,8 @@
 
 namespace sfumato::test {
 
-/// All channels of a field of a layer at a point, by trying every triangle: slow, and independent
-/// of the rasterizer. Nothing where no triangle contains the point.
+/// Returns all channels of a layer's field at a point, by trying every triangle: slow, and
+/// independent of the rasterizer. Nothing if no triangle contains the point.
 inline std::optional<std::vector<double>> sample_field(const PatchLayer& layer,
                                                        const PatchField& field, Vec2 p) {
   for (std::uint32_t t = 0; t < layer.triangle_count(); ++t) {
@@ -35,7 +35,7 @@ inline std::optional<std::vector<double>> sample_field(const PatchLayer& layer,
   return std::nullopt;
 }
 
-/// The colour channels alone.
+/// Returns only the colour channels.
 inline std::optional<std::array<double, 3>> sample(const PatchLayer& layer, Vec2 p) {
   const auto value = sample_field(layer, layer.color, p);
   if (!value) return std::nullopt;

@@ -3,20 +3,20 @@
 #include <string>
 #include <string_view>
 
-/// Absolute paths that the build knows. One object has them, so that all others are the same in
-/// every checkout and a compile cache can share them.
+/// Absolute paths of the build. One object holds them, so that all others are the same in every
+/// checkout and a compile cache can share them.
 namespace sfumato::test {
 
-/// A path of the checkout: source_path("examples/fish.svg").
+/// Returns a path of the checkout: source_path("examples/fish.svg").
 std::string source_path(std::string_view relative);
 
-/// A path of the measured material beside the checkout, which may be missing.
+/// Returns a path of the measured material beside the checkout, which may be missing.
 std::string shared_path(std::string_view relative);
 
-/// The built command.
+/// Returns the path of the built command.
 std::string sfumato_program();
 
-/// The built shared library of the C interface.
+/// Returns the path of the built shared library of the C interface.
 std::string c_library();
 
 }  // namespace sfumato::test

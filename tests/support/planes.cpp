@@ -6,7 +6,7 @@
 namespace sfumato::test {
 namespace {
 
-/// A channel from 0 to 1.
+/// Returns a channel from 0 to 1.
 double code_value(const Image& image, std::size_t index) {
   if (bytes_per_channel(image.format) == 1) return image.bytes[index] / 255.0;
   std::uint16_t wide = 0;
@@ -14,7 +14,8 @@ double code_value(const Image& image, std::size_t index) {
   return wide / 65535.0;
 }
 
-/// The index in a row of `count` that is mirrored at its ends: ... 1 0 | 0 1 2 ... | last ...
+/// Returns the index in a row of `count` that is mirrored at its ends: ... 1 0 | 0 1 2 ... | last
+/// ...
 int mirrored(int i, int count) {
   while (i < 0 || i >= count) i = i < 0 ? -1 - i : 2 * count - 1 - i;
   return i;

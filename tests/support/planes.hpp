@@ -21,14 +21,15 @@ struct Plane {
 /// Red, green and blue of a picture: sRGB code values from 0 to 1.
 using Planes = std::array<Plane, 3>;
 
-/// An image as on a background, which shows where it has alpha.
+/// Returns an image on a background, which shows through its alpha.
 Planes planes_of(const Image& image, Rgb background = {1, 1, 1});
 
-/// Weights of a Gaussian, or if `slope` is set of its derivative (a plane that rises by 1 a pixel
-/// gives 1), from -radius to radius.
+/// Returns weights of a Gaussian from -radius to radius, or with `slope` of its derivative (a plane
+/// that rises by 1 a pixel gives 1).
 std::vector<double> gaussian_weights(double sigma, int radius, bool slope = false);
 
-/// The plane with weights for rows and then for columns; beyond its edges it is mirrored.
+/// Returns the plane filtered with weights for rows and then for columns; it is mirrored at its
+/// edges.
 Plane filtered(const Plane& plane, std::span<const double> across, std::span<const double> down);
 
 }  // namespace sfumato::test

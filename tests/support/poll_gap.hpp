@@ -9,12 +9,13 @@
 #include "support/poll_recorder.hpp"
 #include "support/sanitizers.hpp"
 
-/// Limits on how long work goes on without a poll, as multiples of a piece of work that is measured
-/// beside it: a slow or busy machine lengthens both.
+/// Limits for the time between polls, as multiples of a piece of work that is measured beside it: a
+/// slow or busy machine lengthens both.
 namespace sfumato::test {
 
-/// Returns the thread's CPU time, seconds, of a fixed piece of work, now: 10 ms on the machine of
-/// docs/limits.md. Each step says which place of a table the next one reads.
+/// Returns the thread's CPU time, seconds, for a fixed piece of work, measured now: 10 ms on the
+/// machine of docs/limits.md. In each step, the value read from a table gives the next place to
+/// read.
 inline double reference_seconds() {
   constexpr std::uint32_t kSteps = 1 << 21, kPlaceBits = 16, kPlaces = 1 << kPlaceBits;
   std::vector<std::uint32_t> table(kPlaces);
@@ -29,7 +30,7 @@ inline double reference_seconds() {
   return thread_seconds() - begin;
 }
 
-/// Work goes on without a poll for no longer than so many references: 50 ms on that machine.
+/// Limit for work without a poll, in references: 50 ms on that machine.
 #if SFUMATO_HAS_SANITIZER || !defined(NDEBUG)
 constexpr double kMostReferences = 100;  // library and references are slowed down differently
 #else
@@ -37,8 +38,8 @@ constexpr double kMostReferences = 5;
 #endif
 
 /// Calls longest_gap(), which does the work and returns its longest gap in CPU seconds, until one
-/// run of five is within the limit. A poll that is missing shows in every run, what else the
-/// machine does only in some.
+/// run of five is within the limit. A missing poll shows in every run, other work of the machine
+/// only in some.
 template <class LongestGap>
 void expect_short_gaps(const std::string& name, const LongestGap& longest_gap) {
   constexpr int kMostRuns = 5;

@@ -10,19 +10,19 @@
 
 namespace sfumato::test {
 
-/// CPU time of the calling thread, so that other work on the machine does not count.
+/// Returns the CPU time of the calling thread, so that other work on the machine does not count.
 inline double thread_seconds() {
   std::timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// Measures how long the one thread that works goes without a look at the cancel flag.
+/// Measures how long the only working thread runs without a poll of the cancel flag.
 class PollRecorder : public PollWatch {
  public:
-  /// Called behind every gap that is longer than all before it, in the place of its end.
+  /// Called after every gap longer than all earlier ones, at the place of its end.
   std::function<void(double seconds)> on_longest;
-  /// The flag is set behind this poll; 0: never.
+  /// The flag is set after this poll; 0: never.
   std::uint64_t cancel_at = 0;
   CancelFlag* cancel = nullptr;
 
@@ -36,12 +36,12 @@ class PollRecorder : public PollWatch {
     cancelled_at_ = last_;
   }
 
-  /// Ends the last gap: work is done.
+  /// Ends the last gap: the work is done.
   void stop() { end_gap(); }
 
   double longest_seconds() const { return longest_; }
   std::uint64_t polls() const { return polls_; }
-  /// CPU time of the thread as the flag was set.
+  /// Returns the CPU time of the thread when the flag was set.
   double cancelled_at() const { return cancelled_at_; }
 
  private:

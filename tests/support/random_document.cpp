@@ -22,7 +22,7 @@ class DocumentGenerator {
 
   Document generate() {
     document_.artboard.min = chance(0.5) ? Vec2{} : Vec2{real(-50, 50), real(-50, 50)};
-    // Where single precision has no more than seven bits below a unit.
+    // A place where single precision has at most seven bits below a unit.
     if (chance(0.04)) document_.artboard.min = {real(-1e5, 1e5), real(-1e5, 1e5)};
     document_.artboard.max =
         document_.artboard.min + Vec2{1.0 * whole(96, 160), 1.0 * whole(96, 160)};
@@ -41,7 +41,7 @@ class DocumentGenerator {
   }
   float number(double from, double to) { return static_cast<float>(real(from, to)); }
   bool chance(double share) { return real(0, 1) < share; }
-  /// from and to can both come.
+  /// Returns a number between from and to, both included.
   int whole(int from, int to) {
     return from + static_cast<int>(bits_() % static_cast<std::uint64_t>(to - from + 1));
   }
@@ -51,7 +51,7 @@ class DocumentGenerator {
     return {r, g, b};
   }
 
-  /// A share that is often one of its ends.
+  /// Returns a share that is often 0 or 1.
   float share() {
     const int kind = whole(0, 3);
     return kind < 2 ? static_cast<float>(kind) : number(0, 1);
@@ -70,7 +70,7 @@ class DocumentGenerator {
     return {grid_ * std::round(p.x / grid_), grid_ * std::round(p.y / grid_)};
   }
 
-  /// About the centre of the artboard: turned, mirrored, scaled, sheared, moved.
+  /// Returns a map around the artboard's centre: rotation, mirroring, scale, shear, translation.
   Affine transform(double smallest, double largest) {
     const double angle = real(0, 2 * std::numbers::pi), scale = real(smallest, largest);
     const double stretch = chance(0.3) ? real(0.5, 2) : 1,
@@ -91,7 +91,7 @@ class DocumentGenerator {
   StopList<Value> stops(std::size_t piece_count, Make make) {
     StopList<Value> list;
     list.space = chance(0.5) ? StopSpace::arc_length : StopSpace::parameter;
-    // SVG has percent: not every fraction is one.
+    // SVG has percentages, which not every fraction is.
     const double steps = list.space == StopSpace::parameter ? 1 : 100;
     const double end = list.space == StopSpace::parameter ? static_cast<double>(piece_count) : 1;
     for (int i = chance(0.03) ? whole(5, 40) : whole(1, 4); i > 0; --i) {
@@ -137,7 +137,7 @@ class DocumentGenerator {
     return fill;
   }
 
-  /// Waves of a few texels, so that two samples close by are alike.
+  /// Returns waves of a few texels, so that close samples are similar.
   Texture texture() {
     Texture texture;
     texture.width = whole(1, 24);
@@ -179,7 +179,7 @@ class DocumentGenerator {
     return curve;
   }
 
-  /// Nearly a point, a line that runs back on itself, or a side of the artboard.
+  /// Returns nearly a point, a line that runs back on itself, or a side of the artboard.
   Curve degenerate(Vec2 first) {
     const int kind = whole(0, 2);
     const Vec2 far = kind == 0 ? first + Vec2{1e-3, 0} : place();
@@ -189,7 +189,7 @@ class DocumentGenerator {
                           chance(0.5) ? Vec2{box.max.x, box.min.y} : Vec2{box.min.x, box.max.y});
   }
 
-  /// A closed curve with a corner at each of its joints.
+  /// Returns a closed curve with a corner at each of its joints.
   Curve blob(Vec2 center) {
     const int pieces = whole(2, 5);
     const double turn = (chance(0.5) ? 2 : -2) * std::numbers::pi / (3 * pieces);
@@ -221,7 +221,7 @@ class DocumentGenerator {
     if (is_blurred) {
       side.blur_radius =
           stops<float>(pieces, [&] { return chance(0.2) ? 0 : number(0, chance(0.1) ? 300 : 25); });
-      // Writers leave radii out that are 0 everywhere.
+      // Writers omit radii that are 0 everywhere.
       side.blur_radius.stops.back().value += 0.01f;
     }
     return side;
@@ -248,7 +248,7 @@ class DocumentGenerator {
     document_.layers.push_back(std::move(layer));
   }
 
-  /// A curve that begins where another ends, or that runs along it or back along it.
+  /// Moves a curve to begin where another one ends, or to run along it or back along it.
   void meet(const Curve& other, Curve& curve) {
     const Vec2 end = other.control_points.back();
     if (chance(0.5) || other.piece_count() != curve.piece_count()) {
@@ -313,7 +313,7 @@ class DocumentGenerator {
   }
 
   std::mt19937_64 bits_;
-  double grid_ = 0;  ///< of the layer in hand, units; 0: none
+  double grid_ = 0;  ///< of the current layer, units; 0: none
   Document document_;
 };
 

@@ -6,7 +6,7 @@
 
 namespace sfumato::test {
 
-/// A valid document that a seed decides on, of everything that the format knows: layers of curves
+/// Returns a valid document chosen by a seed, with all features of the format: layers of curves
 /// with every kind of side, blurred and weighted; curves that cross, meet, overlap and degenerate;
 /// gradients and textures; instances under affine maps, blended, in groups; local curves. The
 /// artboard is 96 to 160 units wide and high.

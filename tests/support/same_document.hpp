@@ -23,7 +23,8 @@ inline bool same_item(const StackItem& a, const StackItem& b) {
                 x->blend == std::get<GroupBegin>(b).blend);
 }
 
-/// Equal in all that is drawn, beside what shaders show.
+/// Returns whether two documents are equal in everything that is drawn, ignoring the content of
+/// shaders.
 inline bool same_document(const Document& a, const Document& b) {
   const auto same_layer = [](const Layer& x, const Layer& y) {
     return x.id == y.id && x.curves == y.curves;

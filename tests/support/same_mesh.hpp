@@ -11,7 +11,7 @@ inline bool same_piece(const mesh::SegmentPiece& a, const mesh::SegmentPiece& b)
   return a.segment == b.segment && a.u_from == b.u_from && a.u_to == b.u_to;
 }
 
-/// Whether the same lies on half-edge h of both meshes.
+/// Returns whether the same constraint lies on half-edge h of both meshes.
 inline bool same_constraint(const mesh::TriangleMesh& a, const mesh::TriangleMesh& b,
                             std::size_t h) {
   const std::int32_t in_a = a.half_edge_constraint[h], in_b = b.half_edge_constraint[h];
@@ -21,8 +21,8 @@ inline bool same_constraint(const mesh::TriangleMesh& a, const mesh::TriangleMes
          std::ranges::equal(a.pieces(c), b.pieces(d), same_piece);
 }
 
-/// In what two meshes differ, beside their lists of constraints: only what lies on edges is
-/// compared; empty: in nothing.
+/// Returns the difference of two meshes without their lists of constraints, comparing only the
+/// edges; empty: none.
 inline std::string difference_on_edges(const mesh::TriangleMesh& a, const mesh::TriangleMesh& b) {
   if (a.lattice_step != b.lattice_step) return "lattice step";
   if (a.vertex_position != b.vertex_position) return "vertices";
@@ -35,7 +35,7 @@ inline std::string difference_on_edges(const mesh::TriangleMesh& a, const mesh::
   return "";
 }
 
-/// In what two meshes differ, beside the numbers of their constraints; empty: in nothing.
+/// Returns the difference of two meshes, ignoring the numbers of their constraints; empty: none.
 inline std::string difference_of(const mesh::TriangleMesh& a, const mesh::TriangleMesh& b) {
   if (a.constraint.size() != b.constraint.size()) return "number of constraints";
   if (a.piece.size() != b.piece.size()) return "number of pieces";

@@ -32,7 +32,8 @@ inline bool same_soft_edges(const std::vector<SoftEdge>& a, const std::vector<So
   return true;
 }
 
-/// Between the values of all places of fields with the same triangles.
+/// Returns the largest difference between the values at all places of fields with the same
+/// triangles.
 inline float largest_difference(const PatchField& a, const PatchField& b) {
   const auto channels = static_cast<std::size_t>(a.channel_count);
   float largest = 0;
@@ -44,7 +45,7 @@ inline float largest_difference(const PatchField& a, const PatchField& b) {
   return largest;
 }
 
-/// In what two pictures differ; empty: in nothing but what shaders show.
+/// Returns the difference of two pictures, ignoring the content of shaders; empty: none.
 inline std::string difference_of(const Picture& a, const Picture& b) {
   if (!(a.artboard == b.artboard) || !(a.viewport == b.viewport)) return "artboard or viewport";
   if (a.interpolation != b.interpolation || a.background != b.background) return "colours";

@@ -1,7 +1,7 @@
 #pragma once
 
-/// SFUMATO_HAS_SANITIZER: 1 where AddressSanitizer or ThreadSanitizer is in the build (they replace
-/// the allocator, slow the program down, and take memory and stack of their own); 0 elsewhere.
+/// SFUMATO_HAS_SANITIZER: 1 in builds with AddressSanitizer or ThreadSanitizer, which replace the
+/// allocator, slow the program down, and use memory and stack of their own; 0 elsewhere.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define SFUMATO_HAS_SANITIZER 1
 #elif defined(__has_feature)

@@ -10,20 +10,20 @@
 
 namespace sfumato::test {
 
-/// The bytes of a file, or nothing where it cannot be read.
+/// Returns the bytes of a file, or nothing if it cannot be read.
 inline std::optional<std::string> file_bytes(const std::string& path) {
   std::ifstream stream(path, std::ios::binary);
   if (!stream) return std::nullopt;
   return std::string(std::istreambuf_iterator<char>(stream), {});
 }
 
-/// The bytes of one of the public scenes ("lady_bug.xml"), or nothing where they are not at hand.
+/// Returns the bytes of one of the public scenes ("lady_bug.xml"), or nothing if they are missing.
 inline std::optional<std::string> shared_scene_bytes(const std::string& name) {
   return file_bytes(shared_path("scenes/") + name);
 }
 
-/// A public scene, or nothing where it is not at hand. A test then says
-/// GTEST_SKIP() << "no public scene " << name.
+/// Returns a public scene, or nothing if it is missing. A test then calls GTEST_SKIP() << "no
+/// public scene " << name.
 inline std::optional<Document> shared_scene(const std::string& name) {
   const std::optional<std::string> bytes = shared_scene_bytes(name);
   if (!bytes) return std::nullopt;

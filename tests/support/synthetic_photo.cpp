@@ -14,13 +14,14 @@ Color mix(const Color& a, const Color& b, double t) {
   return {a[0] + (b[0] - a[0]) * t, a[1] + (b[1] - a[1]) * t, a[2] + (b[2] - a[2]) * t};
 }
 
-/// 0 below `low`, 1 above `high`, smooth between.
+/// Returns 0 below `low`, 1 above `high`, and a smooth step between.
 double ramp(double low, double high, double v) {
   const double t = std::clamp((v - low) / (high - low), 0.0, 1.0);
   return t * t * (3 - 2 * t);
 }
 
-/// Colours without noise at x from 0 to 4/3 and y from 0 to 1; `pixel` is the width of one.
+/// Returns colours without noise at x from 0 to 4/3 and y from 0 to 1; `pixel` is the width of a
+/// pixel.
 Color scene(double x, double y, double pixel) {
   const Color wall = mix({0.62, 0.66, 0.70}, {0.36, 0.40, 0.50}, 0.5 * x + 0.4 * y);
   const Color table = mix({0.50, 0.33, 0.22}, {0.72, 0.52, 0.36}, ramp(0.65, 1, y));
@@ -39,7 +40,7 @@ Color scene(double x, double y, double pixel) {
   return mix(color, ball, ramp(1 + 2 * pixel, 1 - 2 * pixel, r));
 }
 
-/// From 0 to 1, the same on every machine.
+/// Returns a number from 0 to 1, the same on every machine.
 double hash(std::uint32_t a, std::uint32_t b) {
   std::uint32_t h = a * 0x27d4eb2fU ^ (b + 0x9e3779b9U) * 0x165667b1U;
   h = (h ^ h >> 15) * 0x85ebca6bU;
@@ -47,7 +48,7 @@ double hash(std::uint32_t a, std::uint32_t b) {
   return (h ^ h >> 16) / 4294967296.0;
 }
 
-/// Nearly of the standard normal distribution: the sum of twelve.
+/// Returns an approximately normal number: the sum of twelve uniform ones.
 double normal(std::uint32_t index, std::uint32_t seed) {
   double sum = -6;
   for (std::uint32_t i = 0; i < 12; ++i) sum += hash(12 * index + i, seed);

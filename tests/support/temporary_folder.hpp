@@ -8,7 +8,7 @@
 
 namespace sfumato::test {
 
-/// An empty folder of its own that is removed, with all it holds, at the end.
+/// A new empty folder that is removed at the end with its content.
 class TemporaryFolder {
  public:
   TemporaryFolder() {
@@ -26,7 +26,7 @@ class TemporaryFolder {
   std::string file(const std::string& name) const { return path_ + "/" + name; }
   const std::string& path() const { return path_; }
 
-  /// How many entries it has, hidden ones too.
+  /// Returns the number of entries, with hidden ones.
   std::size_t entry_count() const {
     const std::filesystem::directory_iterator entries(path_);
     return static_cast<std::size_t>(std::distance(begin(entries), end(entries)));

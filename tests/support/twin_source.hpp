@@ -10,7 +10,7 @@
 
 namespace sfumato::test {
 
-/// Sums by point_walk.glsl as C++: what a device gives, bit for bit.
+/// Sums by point_walk.glsl compiled as C++: the result of a device, bit for bit.
 template <int kStack = 16>
 class TwinSource : public PointSource {
  public:
@@ -35,7 +35,7 @@ class TwinSource : public PointSource {
   }
 
   std::size_t asked() const { return asked_; }
-  /// The most steps that a point has taken.
+  /// Returns the largest number of steps of a point.
   int most_steps() const { return most_steps_; }
 
   float negligible = gather::kPointNegligible;

@@ -11,7 +11,7 @@
 
 namespace sfumato::test {
 
-/// How an image is cut: the first window may begin left of it and above, by less than its size.
+/// How to cut an image: the first window may begin left of it and above, by less than its size.
 struct Cut {
   int width, height;
   int x0 = 0, y0 = 0;
@@ -34,7 +34,7 @@ inline std::vector<Part> parts_of(const Cut& cut, int width, int height) {
   return parts;
 }
 
-/// The image that windows make together; `paint` is called with each and with where it stands.
+/// Returns the image that windows make together; calls `paint` with each window and its place.
 template <class Paint>
 Image joined(const RasterOptions& whole, const Cut& cut, const Paint& paint) {
   Image image{whole.width, whole.height, whole.format, {}};
@@ -59,7 +59,7 @@ inline RasterOptions window_options(const RasterOptions& whole, const Part& part
   return options;
 }
 
-/// Every window by itself.
+/// Paints every window separately.
 inline Image painted_in_windows(Context& context, const Picture& picture,
                                 const RasterOptions& whole, const Cut& cut) {
   return joined(whole, cut, [&](const Part& part, std::uint8_t* pixels, std::size_t row_bytes) {
@@ -67,7 +67,7 @@ inline Image painted_in_windows(Context& context, const Picture& picture,
   });
 }
 
-/// All windows of a picture that was prepared once.
+/// Paints all windows of a picture that was prepared once.
 inline Image painted_prepared(Context& context, const Picture& picture, const RasterOptions& whole,
                               const Cut& cut) {
   const Result<PreparedRaster> prepared = PreparedRaster::create(context, picture, whole);
@@ -78,7 +78,7 @@ inline Image painted_prepared(Context& context, const Picture& picture, const Ra
   });
 }
 
-/// No byte may differ.
+/// Expects equal bytes.
 inline void expect_same_pixels(const Image& found, const Image& expected,
                                const std::string& where) {
   ASSERT_EQ(found.bytes.size(), expected.bytes.size()) << where;

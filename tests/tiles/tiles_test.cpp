@@ -52,7 +52,7 @@ Status write(const Picture& picture, const DeepZoomOptions& options,
   return status;
 }
 
-/// The files of a folder with their content.
+/// Returns the files of a folder with their content.
 std::map<std::string, std::string> content_of(const std::string& folder) {
   std::map<std::string, std::string> content;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
@@ -73,7 +73,7 @@ Image drawn(const Picture& picture, RasterOptions options, int width, int height
   return image.ok() ? std::move(*image) : Image{};
 }
 
-/// Whether the pixels of `part` stand at (x, y) in `whole`.
+/// Returns whether the pixels of `part` are at (x, y) in `whole`.
 bool stands_in(const Image& part, const Image& whole, int x, int y) {
   const std::size_t pixel = whole.row_bytes() / static_cast<std::size_t>(whole.width);
   for (int row = 0; row < part.height; ++row) {
@@ -181,7 +181,8 @@ TEST(DeepZoom, a_second_call_writes_what_is_missing) {
   ASSERT_TRUE(write(picture, options, &stats).ok());
   EXPECT_EQ(stats.tiles, 0u);
   EXPECT_EQ(stats.skipped_blocks, stats.blocks);
-  // A call that was cut off leaves a block without its last tile, and files of no name.
+  // A call that was interrupted leaves a block without its last tile, and files without final
+  // names.
   std::filesystem::remove(folder.file("a_files/13/7_7.png"));
   std::filesystem::remove(folder.file("a_files/13/3_2.png"));
   ASSERT_TRUE(write(picture, options, &stats).ok());
@@ -247,7 +248,7 @@ TEST(DeepZoom, a_folder_that_is_a_file_is_an_error) {
   EXPECT_EQ(write(solved(1), options_in(folder, 99, 99)).code, StatusCode::io);
 }
 
-/// The image of the directory that is open.
+/// Returns the image of the current directory.
 Image tiff_level(TIFF* file) {
   std::uint32_t width = 0, height = 0, side = 0;
   std::uint16_t channels = 0;

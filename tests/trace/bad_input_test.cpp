@@ -1,4 +1,4 @@
-// Pictures and options that nobody means: a valid drawing or an error, never anything else.
+// Nonsensical pictures and options give a valid drawing or an error.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,7 +15,7 @@
 namespace sfumato {
 namespace {
 
-/// The picture whose pixel (x, y) has channel(x, y, c).
+/// Returns the picture whose pixel (x, y) has channel(x, y, c).
 template <class Channel>
 Image image_of(int width, int height, PixelFormat format, Channel channel) {
   Image image{width, height, format, {}};

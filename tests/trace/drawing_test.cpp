@@ -1,5 +1,5 @@
-// What a traced curve is in a document, and which pictures were drawn.
-#include "trace/drawing.hpp"
+// A traced curve in a document, and the detection of drawn pictures.
+#include "trace/curves/drawing.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "trace/picture.hpp"
+#include "trace/image/picture.hpp"
 #include "trace/planes_of.hpp"
 #include "trace/traced_curves.hpp"
 
@@ -38,7 +38,8 @@ TEST(DocumentCurves, have_short_numbers_elsewhere) {
   EXPECT_EQ(left_stops(drawn[0])[1].offset, 0.12);
 }
 
-/// A grey disc of this radius on white, in a picture of 100 by 100 pixels, with noise in it alone.
+/// Returns a grey disc of this radius on white, in a picture of 100 by 100 pixels, with noise only
+/// inside.
 Plane disc_on_white(double radius, double noise) {
   const auto inside = [&](Vec2 p) { return length(p - Vec2{50, 50}) < radius; };
   Plane rough = test::plane_of(100, 100, [](Vec2) { return 0.5; });

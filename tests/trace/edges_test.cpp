@@ -1,5 +1,5 @@
-// Edges where they are, none where there are none, and chains that meet.
-#include "trace/edges.hpp"
+// Edges are found where they exist, and only there; chains that meet.
+#include "trace/image/edges.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "support/poll_gap.hpp"
-#include "trace/chains.hpp"
+#include "trace/curves/chains.hpp"
 #include "trace/planes_of.hpp"
 #include "trace/tracing.hpp"
 
@@ -31,7 +31,7 @@ std::vector<Chain> chains_of(const EdgeMap& edges) {
   return chains.ok() ? std::move(*chains) : std::vector<Chain>{};
 }
 
-/// visit(place on the edge, strength) for each pixel that has one.
+/// Calls visit(place on the edge, strength) for each pixel that has one.
 template <class Visit>
 int each_edge(const EdgeMap& edges, Visit visit) {
   int count = 0;
@@ -162,7 +162,7 @@ TEST(LinkChains, lets_an_end_meet_the_line_ahead) {
   EXPECT_GE(stem.point.size(), 35u);
 }
 
-/// Many short lines, whose ends lie near others.
+/// Returns many short lines, whose ends are close to others.
 EdgeMap dashes(int side) {
   EdgeMap edges{side, side, std::vector<EdgePixel>(static_cast<std::size_t>(side * side))};
   for (int y = 0; y < side; ++y) {
@@ -174,7 +174,7 @@ EdgeMap dashes(int side) {
   return edges;
 }
 
-/// Memory of chains.
+/// Returns the memory of chains.
 std::size_t bytes_of(const std::vector<Chain>& chains) {
   std::size_t bytes = capacity_bytes(chains);
   for (const Chain& chain : chains) bytes += capacity_bytes(chain.point, chain.strength);
@@ -197,8 +197,8 @@ TEST(LinkChains, charges_what_it_has_to_the_byte) {
 TEST(LinkChains, every_memory_is_a_limit_or_enough) {
   const EdgeMap edges = dashes(128);
   constexpr std::size_t kPixels = 128 * 128, kMost = 64 * kPixels;
-  // A fourth of the pixels: places of chains, where they are, and again as they run on; beside a
-  // table of all pixels.
+  // A fourth of the pixels: places of chains, their positions, and a second copy while they are
+  // linked; beside a table of all pixels.
   constexpr std::size_t kLeast = 3 * 8 * kPixels / 4 + 4 * kPixels;
   bool was_enough = false;
   for (std::size_t bytes = 1000; bytes < kMost; bytes += 997) {

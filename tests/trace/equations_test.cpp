@@ -1,5 +1,5 @@
-// Sparse matrices against dense ones, bounded least squares against closed forms, and stops that
-// are left out.
+// Sparse matrices compared with dense ones, bounded least squares compared with closed forms, and
+// dropped stops.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,15 +10,15 @@
 #include <vector>
 
 #include "sfumato/base/native/thread_pool.hpp"
-#include "trace/bounded_solve.hpp"
-#include "trace/prune.hpp"
-#include "trace/sparse.hpp"
+#include "trace/fit/bounded_solve.hpp"
+#include "trace/fit/prune.hpp"
+#include "trace/fit/sparse.hpp"
 #include "trace/traced_curves.hpp"
 
 namespace sfumato::tracing {
 namespace {
 
-/// Row by row.
+/// A dense matrix, row by row.
 struct Dense {
   std::size_t rows, columns;
   std::vector<double> value;
@@ -82,7 +82,7 @@ TEST(Sparse, lists_the_entries_of_rows) {
 }
 
 TEST(Sparse, transposes) {
-  // Tall ones are transposed in slices, by several threads.
+  // Several threads transpose tall ones in slices.
   for (const auto& [rows, columns] : {std::pair<std::size_t, std::size_t>{300, 130}, {20000, 7}}) {
     const Dense dense = random_dense(rows, columns, 2);
     Dense expected = zeros(columns, rows);
@@ -200,7 +200,7 @@ TEST(SolveBounded, evens_out_neighbours) {
 
 TEST(SolveBounded, keeps_bounds_and_solves_for_the_rest) {
   TwoUnknowns two{.normal = {2, 2, {2, 1, 1, 2}}, .b0 = 6, .b1 = 3, .low = 0, .high = 2};
-  // Without bounds (3, 0); with the first held at 2, the second is (3 - 2) / 2.
+  // Without bounds (3, 0); with the first fixed at 2, the second is (3 - 2) / 2.
   expect_near(two.solve(), 2, 0.5);
 }
 
@@ -227,7 +227,7 @@ TEST(SolveBounded, keeps_bounds_in_large_problems) {
   EXPECT_GT(held, 20);
 }
 
-/// A curve whose sides have stops at random places.
+/// Returns a curve whose sides have stops at random places.
 TracedCurve with_stops(std::size_t left, std::size_t right, std::uint32_t seed) {
   std::mt19937 random(seed);
   TracedCurve curve = test::traced(test::straight_curve({0, 0}, {50, 0}));
@@ -244,7 +244,7 @@ TracedCurve with_stops(std::size_t left, std::size_t right, std::uint32_t seed) 
   return curve;
 }
 
-/// A curve whose left side has these values, evenly spaced, and its right side two stops.
+/// Returns a curve whose left side has these values, evenly spaced, and its right side two stops.
 TracedCurve with_left(const std::vector<SideValue>& values) {
   TracedCurve curve = test::traced(test::straight_curve({0, 0}, {50, 0}));
   SideStops& side = curve.side[0];

@@ -1,4 +1,4 @@
-// A drawing whose colours are scrambled finds them again in its own picture.
+// A drawing with scrambled colours recovers them from its own picture.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -42,7 +42,7 @@ auto stops_of(AnyDocument& document) {
   return stops;
 }
 
-/// All stops in colours that have nothing to do with theirs.
+/// Returns the document with all stops in unrelated colours.
 Document scrambled(Document document) {
   std::uint32_t state = 1;
   const auto next = [&] {
@@ -61,10 +61,10 @@ Document fitted(const Document& drawing, const Image& picture, const ColorFit& o
   return document ? std::move(*document) : Document{};
 }
 
-/// One code value of 255, as a difference of two floats has it.
+/// One code value of 255, as a difference of two floats.
 constexpr double kOneCode = 1.001;
 
-/// The largest difference of any channel of any stop, in code values of 255.
+/// Returns the largest difference of any channel of any stop, in code values of 255.
 double largest_difference(const Document& a, const Document& b) {
   const auto of_a = stops_of(a), of_b = stops_of(b);
   EXPECT_EQ(of_a.size(), of_b.size());
@@ -88,7 +88,7 @@ double psnr_to(const Document& document, const Image& picture) {
                        test::planes_of(picture));
 }
 
-/// A square along the artboard, coloured inside.
+/// Returns a square along the artboard, coloured inside.
 Curve frame_curve(std::vector<Rgb> inside, double side = 100) {
   Curve curve = polyline({{0, 0}, {side, 0}, {side, side}, {0, side}, {0, 0}});
   curve.right = colored(inside);
@@ -125,7 +125,7 @@ LocalStroke stroke(Vec2 from, Vec2 to, Rgb color, float radius) {
   return out;
 }
 
-/// A disc by itself, its layer transparent outside.
+/// Returns a single disc; its layer is transparent outside.
 std::vector<Curve> clear_disc(Vec2 center, std::vector<Rgb> colors, float opacity = 1) {
   Curve disc = test::with_opacity(test::circle_curve(center, 25), 0, opacity);
   disc.right.color = colored(colors).color;
@@ -332,7 +332,7 @@ TEST(FitColors, stats_say_how_it_was_and_is) {
   EXPECT_EQ(stats.rounds[1].curves, 2u);
   EXPECT_EQ(stats.rounds[1].control_points, 13u + 13u);
   EXPECT_EQ(stats.rounds[1].stops, 3u);
-  // What is as good as it can be is not made worse.
+  // A result that is as good as possible is not made worse.
   EXPECT_EQ(back.layers[0].curves, fitted(back, picture).layers[0].curves);
 }
 
@@ -415,13 +415,13 @@ TEST(FitColors, beyond_a_budget_is_a_limit_error) {
   EXPECT_LT(failures, 16);
 }
 
-/// An example, and the least PSNR that it reaches again.
+/// An example, and the least PSNR that it must reach again.
 struct Example {
   const char* name;
   double psnr_db;
 };
 
-/// Layers that modes mix keep their colours: these are not scrambled.
+/// Layers mixed by blend modes keep their colours, so these are not scrambled.
 Document scrambled_but_for_modes(const Document& document) {
   Document out = scrambled(document);
   std::size_t mixed = 0;

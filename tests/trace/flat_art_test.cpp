@@ -1,4 +1,4 @@
-// The flat art and the synthetic photo that traces are judged by are what they claim to be.
+// Checks the flat art and the synthetic photo that measure traces.
 #include "support/flat_art.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ Image picture_of(const std::string& name, bool has_background) {
   return image.ok() ? *image : Image{};
 }
 
-/// The share of pixels that have the colour of their right and lower neighbours.
+/// Returns the share of pixels that have the colour of their right and lower neighbours.
 double even_share(const Image& image) {
   const test::Planes planes = test::planes_of(image);
   int even = 0;

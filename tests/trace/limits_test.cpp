@@ -1,4 +1,4 @@
-// Whatever ends a trace early ends it cleanly: cancelled, or short of memory.
+// A trace that is cancelled or runs out of memory ends cleanly.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,16 +13,16 @@
 #include "support/flat_art.hpp"
 #include "support/poll_gap.hpp"
 #include "support/synthetic_photo.hpp"
-#include "trace/candidates.hpp"
+#include "trace/curves/candidates.hpp"
+#include "trace/curves/snap.hpp"
+#include "trace/fit/sparse.hpp"
 #include "trace/planes_of.hpp"
-#include "trace/snap.hpp"
-#include "trace/sparse.hpp"
 #include "trace/tracing.hpp"
 
 namespace sfumato {
 namespace {
 
-/// Tells the places in the code that look at the flag, and which polls were theirs.
+/// Records the places in the code that poll the flag, and their polls.
 class PollPlaces : public PollWatch {
  public:
   bool wants_every_turn() const override { return true; }
@@ -32,7 +32,8 @@ class PollPlaces : public PollWatch {
     if (std::has_single_bit(++polls) && std::countr_zero(polls) % 4 == 0) chosen_.insert(polls_);
   }
 
-  /// Of each place the first poll, the 16th, the 256th and so on, and some evenly spread.
+  /// Returns, for each place, the first poll, the 16th, the 256th and so on, and some evenly spread
+  /// ones.
   std::set<std::uint64_t> chosen() const {
     std::set<std::uint64_t> polls = chosen_;
     constexpr std::uint64_t kSpread = 20;
@@ -80,7 +81,7 @@ TEST(TraceLimits, it_looks_at_the_flag_often) {
   });
 }
 
-/// A gray picture of value(x, y).
+/// Returns a gray picture of value(x, y).
 template <class Value>
 Image gray(int side, const Value& value) {
   Image image{side, side, PixelFormat::rgb8, {}};
@@ -92,7 +93,7 @@ Image gray(int side, const Value& value) {
   return image;
 }
 
-/// Chains and curves of these are as many as there can be.
+/// Returns a picture with the largest possible number of chains and curves.
 Image noise(int side) {
   std::uint32_t state = 1;
   return gray(side, [&state](int, int) {
@@ -102,6 +103,33 @@ Image noise(int side) {
 }
 Image checkers(int side) {
   return gray(side, [](int x, int y) { return (x / 4 + y / 4) % 2 == 0 ? 255 : 0; });
+}
+
+/// Returns CPU seconds from the flag, which is set at a poll, to the return, which frees all
+/// memory.
+double seconds_to_end(const Image& picture, const TraceOptions& options, std::uint64_t poll) {
+  Context context;
+  test::PollRecorder recorder;
+  recorder.cancel = &context.cancel;
+  recorder.cancel_at = poll;
+  context.poll_watch = &recorder;
+  recorder.start();
+  EXPECT_EQ(trace(context, picture, options).status().code, StatusCode::cancelled) << poll;
+  return test::thread_seconds() - recorder.cancelled_at();
+}
+
+TEST(TraceLimits, it_ends_soon_once_it_is_cancelled_and_all_is_freed) {
+  const Image picture = noise(250);
+  const TraceOptions draft{.edges_only = true};
+  test::PollRecorder all;
+  Context context;
+  context.poll_watch = &all;
+  ASSERT_TRUE(trace(context, picture, draft).ok());
+  constexpr std::uint64_t kTries = 6;
+  for (std::uint64_t i = 1; i < kTries; ++i) {
+    test::expect_short_gaps(
+        "trace of noise", [&] { return seconds_to_end(picture, draft, all.polls() * i / kTries); });
+  }
 }
 
 TEST(TraceLimits, little_memory_is_a_limit_or_enough) {
@@ -120,7 +148,7 @@ TEST(TraceLimits, little_memory_is_a_limit_or_enough) {
   }
 }
 
-/// Candidates for curves of a gray picture, each charged.
+/// Expects that the candidates for curves of a gray picture are all charged.
 void expect_candidates_are_charged(const Image& image) {
   const auto plane = test::plane_of(image.width, image.height, [&image](Vec2 p) {
     const auto at =
@@ -163,7 +191,7 @@ TEST(TraceLimits, candidates_are_charged_however_many_there_are) {
 TEST(TraceLimits, what_is_kept_of_each_pixel_is_charged) {
   Context small{.budget = Budget(100000)};
   std::vector<tracing::TracedCurve> curves{tracing::frame_of(400, 300)};
-  EXPECT_EQ(tracing::snap_to_curves(small, 400, 300, 0.1f, curves).code, StatusCode::limit);
+  EXPECT_EQ(tracing::snap_to_curves(small, 400, 300, {0.1f}, curves).code, StatusCode::limit);
   TableMemory memory("curves");
   EXPECT_EQ(
       tracing::choose_curves(small, curves, 400, 300, {100, 10}, curves, memory).status().code,
@@ -172,7 +200,7 @@ TEST(TraceLimits, what_is_kept_of_each_pixel_is_charged) {
 }
 
 TEST(TraceLimits, equations_are_charged_as_they_are_made) {
-  // The matrix alone has 800,000 bytes; for a moment its rows are there twice.
+  // The matrix alone has 800,000 bytes; for a moment its rows exist twice.
   Context small{.budget = Budget(1200000)};
   const auto fill = [](std::size_t, tracing::RowSummer& sum) {
     for (std::uint32_t column = 0; column < 100; ++column) sum.add(column, 1);

@@ -1,4 +1,4 @@
-// The measures that traces are judged by, against closed forms and a readable reference.
+// The quality measures of traces, compared with closed forms and a readable reference.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -45,7 +45,7 @@ TEST(Ssim, needs_a_window) {
   EXPECT_NEAR(*test::ssim(even(11, 0), even(11, 0)), 1, 1e-6);
 }
 
-/// The definition, window by window.
+/// Returns the value by definition, window by window.
 double reference_ssim(const test::Plane& a, const test::Plane& b) {
   double sum = 0;
   int count = 0;
@@ -107,7 +107,7 @@ TEST(FoundCurves, finds_a_drawing_in_itself) {
 
 TEST(FoundCurves, measures_how_far_a_trace_is_off) {
   const Document circle = circle_at({50, 50});
-  // Half a unit is a pixel, across the circle's direction 2/π of it on the mean.
+  // Half a unit is a pixel; across the circle's direction it is 2/π of that on the mean.
   const test::FoundCurves near =
       test::find_curves(circle, circle_at({50.5, 50}), planes_of_drawing(circle));
   EXPECT_EQ(near.found_share, 1);

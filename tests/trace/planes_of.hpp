@@ -7,11 +7,11 @@
 #include <random>
 
 #include "sfumato/base/vec2.hpp"
-#include "trace/plane.hpp"
+#include "trace/image/plane.hpp"
 
 namespace sfumato::test {
 
-/// The plane of value(p) at the pixels' centres p.
+/// Returns the plane of value(p) at the pixels' centres p.
 template <class Value>
 tracing::Plane plane_of(int width, int height, Value value) {
   tracing::Plane plane{width, height, {}};
@@ -23,7 +23,7 @@ tracing::Plane plane_of(int width, int height, Value value) {
   return plane;
 }
 
-/// The share of each pixel that lies inside, of a shape whose border is distance(p) away; negative
+/// Returns the share of each pixel inside a shape whose border is distance(p) away; negative
 /// outside.
 template <class Distance>
 tracing::Plane cover_plane(int width, int height, Distance distance) {
@@ -38,12 +38,12 @@ tracing::Plane cover_plane(int width, int height, Distance distance) {
   });
 }
 
-/// About the same of one pixel.
+/// Returns approximately the same for one pixel.
 inline double cover(double distance) {
   return std::clamp(0.5 + distance, 0.0, 1.0);
 }
 
-/// A step from 0 to 1 as a Gaussian blurs it; 0: a sharp one.
+/// Returns a step from 0 to 1 blurred by a Gaussian; 0: a sharp one.
 inline double blurred_step(double distance, double sigma) {
   return sigma > 0 ? 0.5 + 0.5 * std::erf(distance / (sigma * std::numbers::sqrt2))
                    : cover(distance);

@@ -1,5 +1,5 @@
-// Radii of blur, ends that meet other curves, and shapes that move to where edges are.
-#include "trace/shape.hpp"
+// Radii of blur, ends that meet other curves, and shapes that move to the edges.
+#include "trace/curves/shape.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 #include <limits>
 #include <vector>
 
-#include "trace/blur_estimate.hpp"
+#include "trace/curves/snap.hpp"
+#include "trace/image/blur_estimate.hpp"
 #include "trace/planes_of.hpp"
-#include "trace/snap.hpp"
 #include "trace/traced_curves.hpp"
 
 namespace sfumato::tracing {
@@ -48,7 +48,7 @@ TEST(EstimateBlur, leaves_the_frame_alone) {
   EXPECT_EQ(frame.radius, 0);
 }
 
-/// The line x = 50 and a curve that comes from the left and ends at (x, 50).
+/// Returns the line x = 50 and a curve that comes from the left and ends at (x, 50).
 std::vector<TracedCurve> line_and_end(double x, double rise = 0) {
   return {test::traced(test::straight_curve({50, 10}, {50, 90})),
           test::traced(test::straight_curve({10, 50 - rise}, {x, 50}))};
@@ -56,7 +56,7 @@ std::vector<TracedCurve> line_and_end(double x, double rise = 0) {
 
 std::vector<TracedCurve> snapped(std::vector<TracedCurve> curves) {
   Context context;
-  EXPECT_TRUE(snap_to_curves(context, 100, 100, 0.08f, curves).ok());
+  EXPECT_TRUE(snap_to_curves(context, 100, 100, {0.08f}, curves).ok());
   return curves;
 }
 
@@ -89,7 +89,7 @@ TEST(SnapToCurves, leaves_ends_alone_that_are_far_or_leak_nothing) {
   EXPECT_EQ(snapped(even)[1].control_points.back(), (Vec2{49, 50}));
 }
 
-/// What is above the curve that comes from the left, and what is below, may differ then.
+/// The colours above and below the curve from the left may then differ.
 TEST(SnapToCurves, gives_the_side_on_which_an_end_lands_a_step) {
   for (const bool is_mirrored : {false, true}) {
     std::vector<TracedCurve> curves = line_and_end(49);
@@ -118,7 +118,7 @@ TEST(SnapToCurves, gives_the_frame_steps_for_ends_that_are_near_each_other) {
   }
   curves[0].side[0] = {};
   Context context;
-  ASSERT_TRUE(snap_to_curves(context, 1000, 1000, 0.08f, curves).ok());
+  ASSERT_TRUE(snap_to_curves(context, 1000, 1000, {0.08f}, curves).ok());
   std::vector<double> at;
   const std::vector<double>& places = curves[0].side[1].place;
   for (std::size_t i = 1; i < places.size(); ++i) {
@@ -135,15 +135,15 @@ TEST(SnapToCurves, gives_one_step_to_a_place_however_often_it_is_called) {
   EXPECT_EQ(snapped(once)[0].side[1].place.size(), 4u);
 }
 
-/// A disc drawn `off` from where it is in the picture, after its shape was improved `turns` times:
-/// the largest distance of its border from the true one.
+/// Returns, for a disc drawn `off` from its place in the picture, the largest distance of its
+/// border from the true one after its shape was improved `turns` times.
 double miss_of_disc(Vec2 off, int turns) {
   const Vec2 center{32.3, 31.8};
   const double radius = 20;
   Curve circle = test::circle_curve(center + off, radius);
   std::vector<TracedCurve> curves{test::traced(circle)};
   for (int turn = 0; turn < turns; ++turn) {
-    // Inside is on the right, whose colour is 1; what is drawn is taken from the curve itself.
+    // The inside is on the right and has colour 1; the drawn picture follows from the curve itself.
     const std::vector<CurveSample> border = samples_along(curves[0], 0.5);
     const auto drawn = [&](Vec2 p) {
       const auto near = std::ranges::min_element(
@@ -176,7 +176,7 @@ TEST(ImproveShapes, leaves_a_disc_that_is_right) {
   EXPECT_LT(miss_of_disc({0, 0}, 1), 0.02);
 }
 
-/// Where nothing is missing: an arc whose handles are at this height.
+/// Returns an arc whose handles are at this height, for a picture without errors.
 TracedCurve arc_with_handles_at(double y) {
   Curve arc;
   arc.control_points = {{5, 30}, {5, y}, {55, y}, {55, 30}};

@@ -1,4 +1,4 @@
-// What the curves miss, as a texture on top.
+// The parts that the curves miss, as a texture on top.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,7 +18,7 @@ TraceOptions textured(int points) {
   return {.points = points, .edges_only = true, .has_texture = true};
 }
 
-/// An image of one pixel.
+/// Returns an image of one pixel.
 Image pixel(PixelFormat format, std::vector<std::uint8_t> bytes) {
   return {1, 1, format, std::move(bytes)};
 }

@@ -1,5 +1,5 @@
-// Distances to pixels by brute force, and thin lines that hang together as thick ones did.
-#include "trace/thinning.hpp"
+// Distances to pixels by brute force, and thin lines that are connected like the thick ones.
+#include "trace/image/thinning.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "trace/distance.hpp"
+#include "trace/image/distance.hpp"
 
 namespace sfumato::tracing {
 namespace {
@@ -62,7 +62,7 @@ PixelSet empty_set(int width, int height) {
   return set;
 }
 
-/// Strokes of a few pixels' width, the brush a disc.
+/// Returns strokes a few pixels wide, painted with a disc.
 PixelSet random_strokes(std::uint32_t seed) {
   std::mt19937 random(seed);
   PixelSet set = empty_set(80, 60);
@@ -84,8 +84,8 @@ PixelSet random_strokes(std::uint32_t seed) {
   return set;
 }
 
-/// Sets of pixels that hang together: of those that are set by eight neighbours, of the others by
-/// four.
+/// Returns the number of connected sets of pixels: set pixels connect to eight neighbours, others
+/// to four.
 int component_count(const PixelSet& set, bool of_set) {
   std::vector<std::uint8_t> left(set.is_set.size());
   for (std::size_t i = 0; i < left.size(); ++i) left[i] = (set.is_set[i] != 0) == of_set;
@@ -117,7 +117,7 @@ int component_count(const PixelSet& set, bool of_set) {
   return count;
 }
 
-/// Squares of three by three pixels that are all set.
+/// Returns the number of squares of three by three set pixels.
 int thick_places(const PixelSet& set) {
   int count = 0;
   for (int y = 1; y + 1 < set.height; ++y) {

@@ -1,4 +1,4 @@
-// The same picture makes the same bytes, whatever the threads and the instruction set.
+// The same picture gives the same bytes for all thread counts and instruction sets.
 #include <gtest/gtest.h>
 
 #include <string>

@@ -1,4 +1,4 @@
-// trace(): drawings that look like their pictures, and what options ask of them.
+// trace(): drawings that resemble their pictures, and the effects of options.
 #include "sfumato/trace/trace.hpp"
 
 #include <gtest/gtest.h>
@@ -94,7 +94,7 @@ TEST(Trace, finds_the_curves_of_a_drawing_again) {
   expect_no_hints(drawing);
 }
 
-/// What a trace of flat art reaches at least.
+/// The quality that a trace of flat art must reach.
 struct FlatCase {
   const char* name;
   double psnr_db;
@@ -212,8 +212,8 @@ TEST(Trace, has_blur_but_where_it_is_to_be_sharp) {
   EXPECT_GT(largest_radius(test::trace_of(photo, {.blur = TraceBlur::fitted})), 2);
 }
 
-/// Of one picture a curve more or less decides: several are compared, with a tenth of a decibel
-/// each to spare.
+/// In one picture a single curve decides, so several are compared, each with a tolerance of a tenth
+/// of a decibel.
 TEST(Trace, does_not_lose_by_fitted_blur) {
   double gain = 0;
   for (const int side : {120, 160, 200, 240}) {
@@ -258,7 +258,97 @@ TEST(Trace, takes_fine_texture_for_none_where_it_is_to_smooth) {
   EXPECT_GE(smooth.rounds.back().curves, 2u);
 }
 
-/// Counts what it is told.
+/// Returns an ellipse's ring that the picture's sides cut, black on a transparent ground, four
+/// samples per pixel side.
+Image cut_ring(int side) {
+  Image image{side, side, PixelFormat::rgba8, {}};
+  const auto covers = [side](double x, double y) {
+    const double u = 2 * x / side - 1, v = 2 * y / side - 1;
+    return u * u / 1.21 + v * v / 0.64 < 1 && u * u / 0.44 + v * v / 0.21 > 1;
+  };
+  for (int i = 0; i < side * side; ++i) {
+    int count = 0;
+    for (int k = 0; k < 16; ++k) {
+      count += covers(i % side + (k % 4 + 0.5) / 4, i / side + (k / 4 + 0.5) / 4);
+    }
+    image.bytes.insert(image.bytes.end(), {0, 0, 0, static_cast<std::uint8_t>(255 * count / 16)});
+  }
+  return image;
+}
+
+TEST(Trace, opacity_counts_in_what_is_reached_and_said) {
+  const Image ring = cut_ring(150);
+  TraceStats stats, wished;
+  const Document drawing = test::trace_of(ring, {}, &stats);
+  const double on_white = test::rendered_psnr_db(drawing, ring, {1, 1, 1});
+  EXPECT_GE(on_white, 28);
+  EXPECT_NEAR(stats.rounds.back().psnr_db, on_white, 4);
+  test::trace_of(ring, {.psnr_db = stats.rounds[0].psnr_db + 0.01}, &wished);
+  EXPECT_GT(wished.rounds.size(), 2u);
+}
+
+/// Returns level stripes of two pixels.
+Image stripes(int side) {
+  Image image{side, side, PixelFormat::rgb8, {}};
+  for (int y = 0; y < side; ++y) {
+    image.bytes.resize(image.bytes.size() + image.row_bytes(),
+                       static_cast<std::uint8_t>(y / 2 % 2 == 0 ? 0 : 255));
+  }
+  return image;
+}
+
+TEST(Trace, stops_and_memory_follow_the_control_points_whatever_the_edges) {
+  const Image picture = stripes(400);
+  TraceStats stats;
+  Context context{.budget = Budget(std::size_t{100} << 20)};
+  const Result<Document> drawing =
+      trace(context, picture, {.points = 100, .stops = TraceStops::many}, &stats);
+  ASSERT_TRUE(drawing.ok()) << to_string(drawing.status());
+  const Curve& frame = drawing->layers.at(0).curves.at(0);
+  EXPECT_LE(frame.right.color.stops.stops.size(), 300u);
+  EXPECT_LE(stats.rounds.back().stops, 2200u);
+}
+
+/// Ends the time at the first report of a round.
+class LateWatch : public TraceWatch {
+ public:
+  LateWatch(Context& context, std::size_t round) : context_(context), left_(round + 2) {}
+  void reached(const TraceState&, const Document& drawing) override {
+    if (--left_ == 0) context_.deadline = Deadline::in(-1);
+    told = test::svg_of(drawing);
+  }
+  std::string told;
+
+ private:
+  Context& context_;
+  std::size_t left_;
+};
+
+TEST(Trace, keeps_the_drawing_of_its_last_round_where_time_is_over) {
+  const Image photo = test::synthetic_photo(120);
+  for (const int round : {0, 1, 4}) {
+    Context context;
+    context.deadline = Deadline::in(3600);
+    LateWatch watch(context, static_cast<std::size_t>(round));
+    TraceStats stats;
+    const Result<Document> drawing = trace(context, photo, {.watch = &watch}, &stats);
+    ASSERT_TRUE(drawing.ok()) << to_string(drawing.status());
+    EXPECT_TRUE(stats.ended_early);
+    EXPECT_EQ(stats.rounds.back().round, round);
+    EXPECT_EQ(stats.rounds.back().curves, test::curve_count(*drawing));
+    EXPECT_EQ(test::svg_of(*drawing), watch.told);
+    EXPECT_GE(test::rendered_psnr_db(*drawing, photo), 20);
+    EXPECT_EQ(context.budget.used(), 0u);
+  }
+}
+
+TEST(Trace, says_nothing_of_time_where_there_was_enough) {
+  TraceStats stats;
+  test::trace_of(test::synthetic_photo(80), {.max_seconds = 3600}, &stats);
+  EXPECT_FALSE(stats.ended_early);
+}
+
+/// Counts its reports.
 class CountingWatch : public TraceWatch {
  public:
   void reached(const TraceState& state, const Document& drawing) override {

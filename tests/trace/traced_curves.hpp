@@ -2,11 +2,11 @@
 
 #include "sfumato/base/vec2.hpp"
 #include "support/drawing.hpp"
-#include "trace/traced_curve.hpp"
+#include "trace/curves/traced_curve.hpp"
 
 namespace sfumato::test {
 
-/// A traced curve along another, with one colour on each side.
+/// Returns a traced curve along another, with one colour on each side.
 inline tracing::TracedCurve traced(const Curve& curve, tracing::SideValue left = {0, 0, 0, 1},
                                    tracing::SideValue right = {1, 1, 1, 1}) {
   tracing::TracedCurve traced;

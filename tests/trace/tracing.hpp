@@ -19,7 +19,7 @@
 
 namespace sfumato::test {
 
-/// A trace that must succeed and be valid.
+/// Returns a trace that must succeed and be valid.
 inline Document trace_of(const Image& picture, const TraceOptions& options = {},
                          TraceStats* stats = nullptr) {
   Context context;
@@ -33,7 +33,7 @@ inline Document trace_of(const Image& picture, const TraceOptions& options = {},
   return std::move(*drawing);
 }
 
-/// How the drawing looks at a size, on a background where it is transparent.
+/// Returns the drawing's picture at a size, on a background where it is transparent.
 inline Planes look_of(const Document& drawing, int width, int height, Rgb background = {1, 1, 1}) {
   Context context;
   const Result<Image> image = draw(context, drawing, width, height, PixelFormat::rgba16);
@@ -41,7 +41,7 @@ inline Planes look_of(const Document& drawing, int width, int height, Rgb backgr
   return image.ok() ? planes_of(*image, background) : Planes{};
 }
 
-/// How the drawing looks beside the picture.
+/// Returns the PSNR of the drawing against the picture.
 inline double rendered_psnr_db(const Document& drawing, const Image& picture,
                                Rgb background = {1, 1, 1}) {
   return psnr_db(look_of(drawing, picture.width, picture.height, background),
@@ -77,7 +77,7 @@ inline Document evening() {
   return read.ok() ? std::move(read->document) : Document{};
 }
 
-/// A document as a picture whose longer side has so many pixels.
+/// Returns a document as a picture whose longer side has so many pixels.
 inline Image picture_of(const Document& document, int longer_side) {
   const double scale =
       longer_side / std::max(document.artboard.width(), document.artboard.height());

@@ -1,5 +1,5 @@
-// Closed curves cross neither themselves nor what does not fit them.
-#include "trace/untangle.hpp"
+// Closed curves cross neither themselves nor curves with other colours.
+#include "trace/curves/untangle.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@ namespace {
 
 constexpr SideValue kBlack{0, 0, 0, 1}, kWhite{1, 1, 1, 1};
 
-/// A closed curve of straight pieces, black on its left and white on its right.
+/// Returns a closed curve of straight pieces, black on its left and white on its right.
 TracedCurve polygon(std::vector<Vec2> corners) {
   TracedCurve curve;
   corners.push_back(corners.front());

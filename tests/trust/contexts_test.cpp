@@ -1,5 +1,5 @@
-// Contexts that are at work at the same time know nothing of each other. The test runs under
-// ThreadSanitizer too (scripts/sanitize).
+// Contexts that work at the same time do not affect each other. The test also runs under
+// ThreadSanitizer (scripts/sanitize).
 #include <gtest/gtest.h>
 
 #include <barrier>
@@ -23,7 +23,7 @@ namespace {
 
 constexpr int kRounds = 3;
 
-/// The outputs of a document, one after another; an error's message where one is refused.
+/// Returns the outputs of a document, one after another; an error's message if one is refused.
 std::string outputs_of(Executor* executor, const std::string& text) {
   Context context{.executor = executor};
   const auto read = read_document(context, text, "a.svg");
@@ -43,7 +43,7 @@ std::string outputs_of(Executor* executor, const std::string& text) {
   return all;
 }
 
-/// Two documents as SVG, and what becomes of each where it is alone.
+/// Two documents as SVG, and the outputs of each one alone.
 class Contexts : public testing::Test {
  protected:
   void SetUp() override {
@@ -58,7 +58,7 @@ class Contexts : public testing::Test {
     ASSERT_NE(expected_[0], expected_[1]);
   }
 
-  /// Each document on a thread of its own, on its executor, at the same time.
+  /// Expects the same bytes for each document on its own thread and executor, at the same time.
   void expect_the_same_bytes(const std::vector<Executor*>& executors) {
     std::barrier start(static_cast<std::ptrdiff_t>(executors.size()));
     std::vector<std::jthread> threads;

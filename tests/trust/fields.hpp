@@ -17,8 +17,8 @@
 #include "sfumato/raster/rasterize.hpp"
 #include "sfumato/solve/diffuse.hpp"
 
-/// The fields of every public struct that a caller fills in. A field that is added to a struct must
-/// be added here: without it the number of names does not fit, and this does not compile.
+/// The fields of every public struct that a caller fills in. A new field of a struct must be added
+/// here: without it the number of names is wrong, and this does not compile.
 namespace sfumato::test {
 
 inline auto fields(Vec2& v) {
@@ -74,8 +74,8 @@ inline auto fields(LinearGradient& v) {
   return std::tie(start, end);
 }
 inline auto fields(RadialGradient& v) {
-  auto& [center, focus, radius] = v;
-  return std::tie(center, focus, radius);
+  auto& [center, focus, radius, focal_radius] = v;
+  return std::tie(center, focus, radius, focal_radius);
 }
 inline auto fields(GradientFill& v) {
   auto& [shape, spread, layer_from_gradient, stops] = v;
@@ -215,18 +215,18 @@ inline auto fields(SourcePlace& v) {
 }
 inline auto fields(Status& v) {
   auto& [code, message, where, limit] = v;
-  static_cast<void>(limit);  // a name, of any text
+  static_cast<void>(limit);  // a name, any text
   return std::tie(code, message, where);
 }
 inline auto fields(Deadline& v) {
-  auto& [at, seconds] = v;  // any time is one
+  auto& [at, seconds] = v;  // any time is valid
   static_cast<void>(at);
   return std::tie(seconds);
 }
 inline auto fields(Context& v) {
   auto& [executor, progress, budget, limits, cancel, deadline, simd, point_source, poll_watch,
          outer] = v;
-  // Pointers are the caller's; limits, budget and what is behind pointers have tests of their own.
+  // The caller owns pointers. Limits, budget and the objects behind pointers have their own tests.
   static_cast<void>(executor), static_cast<void>(progress), static_cast<void>(budget);
   static_cast<void>(limits), static_cast<void>(cancel), static_cast<void>(poll_watch);
   static_cast<void>(outer), static_cast<void>(point_source);

@@ -1,4 +1,4 @@
-// The library on threads of 256 KiB: the calling one and those of the pool.
+// The library on threads of 256 KiB: the calling thread and the threads of the pool.
 #include <gtest/gtest.h>
 #include <oneapi/tbb/global_control.h>
 #include <pthread.h>
@@ -58,7 +58,7 @@ TEST(SmallStack, of_the_calling_thread_is_enough) {
 
 TEST(SmallStack, of_the_pools_threads_is_enough) {
   if (SFUMATO_HAS_SANITIZER) GTEST_SKIP() << "sanitizers make frames larger";
-  // Must come before the process's first pool: ctest runs each test in a process of its own.
+  // Must come before the process's first pool; ctest runs each test in a separate process.
   const tbb::global_control small(tbb::global_control::thread_stack_size, kStackBytes);
   ThreadPool executor(4);
   for (const std::uint64_t seed : {1, 2, 3, 4}) {

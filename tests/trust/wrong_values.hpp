@@ -14,7 +14,7 @@
 
 namespace sfumato::test {
 
-/// Called while one field has a wrong value; `place` says which.
+/// Called while one field has a wrong value; `place` names the field.
 using Attempt = std::function<void(const std::string& place)>;
 
 namespace wrong {
@@ -80,7 +80,7 @@ void of(std::variant<T...>& value, const std::string& place, const Attempt& atte
              value);
 }
 
-/// Wrong lengths, then wrong elements: the first and the last.
+/// Sets wrong lengths, then wrong elements: the first and the last.
 template <class T>
 void of(std::vector<T>& value, const std::string& place, const Attempt& attempt) {
   std::vector<T> longer = value, shorter = value, doubled = value;
@@ -116,7 +116,7 @@ void of(T& value, const std::string& place, const Attempt& attempt) {
 
 }  // namespace wrong
 
-/// Gives every field of `value`, and of what it holds, wrong values, one field at a time.
+/// Gives wrong values to every field of `value` and of its parts, one field at a time.
 template <class T>
 void try_wrong_values(T& value, const std::string& name, const Attempt& attempt) {
   wrong::of(value, name, attempt);

@@ -1,5 +1,5 @@
-// Every field of every public struct, given every wrong value, is an answer of every public verb:
-// no crash, no exception, no undefined behaviour (the sanitizers run this too).
+// With every wrong value in every field of every public struct, every public function gives an
+// answer: no crash, no exception, no undefined behaviour (the sanitizers run this too).
 #include "trust/wrong_values.hpp"
 
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@
 namespace sfumato::test {
 namespace {
 
-/// What an attempt may cost. To pass either is an answer too.
+/// Limits for an attempt; reaching one of them is a valid answer, too.
 constexpr double kSeconds = 0.2;
 constexpr std::size_t kBytes = std::size_t{256} << 20;
 
@@ -50,7 +50,7 @@ Context limited() {
 }
 
 const RasterOptions kSmall{.width = 12, .height = 9};
-// Thousands of attempts: what each draws has few triangles, however wrong the one value is.
+// Thousands of attempts: each draws few triangles, however wrong the one value is.
 const DiffuseOptions kFewNodes{.tolerance = 0.2, .max_area_fraction = 1, .max_error = 8};
 const DiffuseOptions kFewTriangles{.tolerance = 0.2, .max_area_fraction = 1, .max_error = 0};
 constexpr double kMostError = 32;
@@ -58,10 +58,10 @@ const PdfOptions kCoarsePdf{.dpi = 24, .max_error = kMostError};
 const GlbOptions kCoarseGlb{.max_error = kMostError, .dpi = 24};
 const SvgOptions kCoarseSvg{.mode = SvgMode::vector, .dpi = 24, .max_error = kMostError};
 
-/// What a verb said; nothing: it ran out of time, as anything may on a busy machine.
+/// The answer of a function; nothing: it ran out of time, as may happen on a busy machine.
 using Answer = std::optional<StatusCode>;
 
-/// Ok or an error that is the caller's to mend.
+/// Returns the code; requires ok or an error that the caller can fix.
 Answer answer(const Status& status, const std::string& place) {
   const bool is_honest =
       status.ok() || status.code == StatusCode::bad_input || status.code == StatusCode::limit;
@@ -70,7 +70,7 @@ Answer answer(const Status& status, const std::string& place) {
   return status.limit == "time" ? std::nullopt : Answer(status.code);
 }
 
-/// What a check refuses every verb refuses in the same way.
+/// Expects that the functions refuse in the same way as the check.
 void expect_as_checked(Answer checked, std::initializer_list<Answer> answers,
                        const std::string& place) {
   if (!checked || checked == StatusCode::ok) return;
@@ -79,7 +79,7 @@ void expect_as_checked(Answer checked, std::initializer_list<Answer> answers,
   }
 }
 
-/// Of a verb in a Context of its own, which ends as it began.
+/// Calls a function in a new Context, which must end as it began.
 template <class Verb>
 Answer answer_of(const std::string& place, Verb verb) {
   Context context = limited();
@@ -112,8 +112,8 @@ Picture picture_of_everything() {
   return std::move(*picture);
 }
 
-/// Asks one verb of three about an attempt, and the next ones about the next attempt, so that every
-/// verb sees wrong values of every field; in `make soak` all of them.
+/// Chooses one function of three for an attempt, and the next ones for the next attempt, so that
+/// every function sees wrong values of every field; in `make soak` all of them.
 class Turns {
  public:
   Turns(std::size_t attempt, std::size_t step) : next_(attempt), step_(step) {}
@@ -143,7 +143,7 @@ void draw(const Document& document, const std::string& place) {
       place);
 }
 
-/// What is written can be read, and is the same then.
+/// Expects that the written bytes can be read, and give the same picture.
 Result<std::vector<std::uint8_t>> kept(Context& context, const Picture& picture,
                                        const PictureOrigin& origin = {}) {
   auto bytes = write_picture(context, picture, origin);
@@ -157,7 +157,7 @@ Result<std::vector<std::uint8_t>> kept(Context& context, const Picture& picture,
   return bytes;
 }
 
-/// Every output of a picture, or some of them in turn where it is one.
+/// Makes every output of a valid picture, or some of them in turn.
 void show(const Picture& picture, const std::string& place, std::size_t attempt) {
   const Answer valid =
       answer_of(place + ", check", [&](Context& c) { return picture::check_picture(c, picture); });
@@ -167,7 +167,7 @@ void show(const Picture& picture, const std::string& place, std::size_t attempt)
   EXPECT_TRUE(is_valid || written != StatusCode::ok) << place;
   const Answer shown =
       answer_of(place + ", rasterize", [&](Context& c) { return rasterize(c, picture, kSmall); });
-  if (shown == StatusCode::bad_input) {  // before a device is asked for
+  if (shown == StatusCode::bad_input) {  // before a device is requested
     expect_as_checked(
         shown,
         {answer_of(place + ", gpu", [&](Context& c) { return render_on_gpu(c, picture, kSmall); })},
@@ -200,7 +200,7 @@ TEST(WrongValues, of_documents_are_answered) {
   try_wrong_values(document, "document", [&](const std::string& place) { draw(document, place); });
 }
 
-/// show() for one attempt after the other.
+/// Returns an attempt that calls show() for one attempt after the other.
 Attempt shown_in_turn(const Picture& picture) {
   return [&picture, count = std::size_t{0}](const std::string& place) mutable {
     show(picture, place, count++);
@@ -262,7 +262,7 @@ TEST(WrongValues, of_what_documents_and_pictures_share_are_the_same_to_both) {
   try_wrong_values(document.interpolation, "interpolation", compare);
   try_wrong_values(document.background, "background", compare);
   for (StackItem& item : document.stack) try_wrong_values(item, "item", compare);
-  document.layers.clear();  // which refer to shaders
+  document.layers.clear();  // they refer to shaders
   document.stack.clear();
   try_wrong_values(document.shaders, "shaders", compare);
 }
@@ -364,10 +364,10 @@ TEST(WrongValues, of_hints_have_words) {
   });
 }
 
-/// Every public verb that takes a Context; each on small, right things.
+/// All public functions that take a Context, each with small valid arguments.
 class Verbs {
  public:
-  /// In a Context that `change` has made wrong. Null: what each answers may be anything honest.
+  /// Runs them in a Context that `change` has made wrong. Null: each may give any honest answer.
   void run(const std::function<void(Context&)>& change, const std::string& place,
            const StatusCode* expected = nullptr) {
     const auto ask = [&](auto verb) {
@@ -479,7 +479,7 @@ TEST(WrongValues, of_budgets_are_answered) {
   EXPECT_FALSE(all.charge(1, "more").ok());
 }
 
-/// An executor that says it has a number of threads.
+/// An executor that claims a number of threads.
 class Boaster : public Executor {
  public:
   explicit Boaster(int threads) : threads_(threads) {}

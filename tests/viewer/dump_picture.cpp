@@ -1,7 +1,8 @@
-// Writes what the viewer has to decode, for tests/viewer/run.mjs: dump_picture IN OUT.payload
-// OUT.values OUT.stack. The payload is not deflated, the stack is it without tables; the values are
-// raw doubles: for each layer the triangles, channels of colour and of opacity, then for each
-// triangle, in the viewer's order, its corners x, y and the ten nodes' values of each field.
+// Writes the data that the viewer must decode, for tests/viewer/run.mjs: dump_picture IN
+// OUT.payload OUT.values OUT.stack. The payload is not deflated, and the stack is the payload
+// without tables. The values are raw doubles: for each layer the triangles, channels of colour and
+// of opacity, then for each triangle, in the viewer's order, its corners x, y and the ten nodes'
+// values of each field.
 #include <cstdio>
 #include <sfumato/sfumato.hpp>
 #include <vector>

@@ -1,4 +1,4 @@
-// Exact pixels, gathered in a page, against those of the library.
+// Exact pixels, gathered in a page, compared with the library's.
 import { readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { deflateSync, inflateSync } from "node:zlib";
 import { PayloadError } from "../../web/viewer/bytes.js";
@@ -7,7 +7,7 @@ import { PictureReader } from "../../web/viewer/payload.js";
 import { check, pathOf, randomNumbers, settled, show } from "./harness.mjs";
 import { withServer } from "./updates.mjs";
 
-/** Code values. */
+/** Limit in code values. */
 const MOST_MISS = 0.05;
 
 export const svg = (body, attributes = "") =>
@@ -37,7 +37,7 @@ const DOCUMENTS = {
   ),
 };
 
-/** What the walk's program is made with, besides. */
+/** Further defines of the walk's program. */
 const DEFINES = { blur: " WITH_BLUR", opacity: " WITH_OPACITY" };
 
 const SIZE = [48, 40];
@@ -62,7 +62,7 @@ const shaderPaths = [
   "src/gather/point_walk.glsl",
 ].join(" ");
 
-/** What a page gathers of a payload. */
+/** Returns the pixels that a page gathers from a payload. */
 export async function gathered({ pages }, payload, wish) {
   let result = null;
   await withServer(payload, async (address) => {
@@ -76,7 +76,7 @@ export async function gathered({ pages }, payload, wish) {
   return result;
 }
 
-/** The library's pixels, 16 bits, premultiplied code values from 0 to 1. */
+/** Returns the library's pixels, 16 bits, as premultiplied code values from 0 to 1. */
 function expectedOf({ command, PNG }, name) {
   const path = command.file("exact_expected.png");
   command.run("render", documentOf(command, name), "-o", path, "--method", "pixels", "--depth", 16,
@@ -119,7 +119,7 @@ async function testPixels(tap, tools) {
   }
 }
 
-/** Where a row changes from its left value to its right one, by how much of it is like the left. */
+/** Returns where a row changes from its left value to its right one, from the share that equals the left. */
 function crossing(pixels, width, row) {
   const at = (x) => pixels[4 * (width * row + x)];
   const left = at(0),
@@ -129,14 +129,14 @@ function crossing(pixels, width, row) {
   return sum;
 }
 
-/** How far points are from their best parabola at most. */
+/** Returns the largest distance of points from their best parabola. */
 function strayOf(values) {
   const n = values.length;
   const basis = values.map((_, i) => {
     const t = (2 * i + 1) / n - 1;
     return [1, t, 1.5 * t * t - 0.5];
   });
-  // Legendre's polynomials are about orthogonal on even steps; twice is enough.
+  // Legendre polynomials are nearly orthogonal on even steps; two passes suffice.
   let rest = values;
   for (let pass = 0; pass < 8; ++pass) {
     for (let k = 0; k < 3; ++k) {
@@ -237,7 +237,7 @@ async function testPage(tap, tools) {
         const gl = document.getElementById("canvas").getContext("webgl2");
         window.lose = gl.getExtension("WEBGL_lose_context");
       });
-      // In the midst of it, or at its end where the machine is quick.
+      // In the middle of the work, or at its end on a quick machine.
       await page.waitForFunction(() => {
         const isBegun = /^(gathered [1-9]|exact)/.test(window.sfumatoViewer.exactState);
         if (isBegun) window.lose.loseContext();
@@ -265,7 +265,7 @@ async function testPage(tap, tools) {
   });
 }
 
-/** Of a window, in which pictures of 20 layers take 288 MB. */
+/** A window size at which pictures of 20 layers take 288 MB. */
 const LARGE = [1500, 1200];
 
 async function testRoom(tap, { command, pages }) {

@@ -1,19 +1,19 @@
-// Exact pixels of drawings that are hard on the walk: they come to an end, in shares that are small
-// until they are known to be quick, and they are the library's.
+// Exact pixels of drawings that are hard for the walk: it ends, its shares stay small until they are known to be
+// quick, and its pixels equal the library's.
 import { readFileSync, writeFileSync } from "node:fs";
 import { compare, gathered, payloadOf, svg } from "./exact.mjs";
 import { check, randomNumbers } from "./harness.mjs";
 
 /** Pixels of the first share in software; one may take 10 ms. */
 const FIRST_SHARE = 16;
-/** Code values. */
+/** Limit in code values. */
 const MOST_MISS = 1;
 
 const MIDDLE = [24.0371, 20.0193];
 
 const layer = (shapes) => svg(`<g sf:diffuse="true">${shapes}</g>`);
 
-/** 400 teeth, 28 long and a hundredth from the next at the foot. */
+/** Returns 400 teeth, 28 long and a hundredth from the next at the foot. */
 function comb() {
   const teeth = Array.from({ length: 400 }, (_, i) => {
     const x = 4.0137 + 0.1 * i;
@@ -23,7 +23,7 @@ function comb() {
   return layer(`<path d="${path}" sf:left="#136, #fe8, #264" sf:right="#fff, #f00, #08f"/>`);
 }
 
-/** Curves of a few hundredths of a unit. */
+/** Returns curves of a few hundredths of a unit. */
 function dust(count) {
   const random = randomNumbers(5);
   const next = () => random.next().value / (1 << 24);
@@ -37,9 +37,8 @@ function dust(count) {
 }
 
 /**
- * The part of a drawing that is looked at: size in pixels, zoom, and the point in the middle.
- * tolerance: how fine chords are, user units. limit: of steps, where it is not the page's. least: so
- * many pixels have to be there.
+ * The visible part of a drawing: size in pixels, zoom, and the point in the middle. tolerance: of chords, user
+ * units. limit: of steps, if it differs from the page's. least: the number of pixels that must be gathered.
  */
 const HARD = [
   { name: "a comb", of: comb, tolerance: 0.0005, size: [24, 20], zoom: 0.5, least: 100 },
@@ -48,7 +47,7 @@ const HARD = [
   { name: "dust from near", of: () => dust(400), tolerance: 0.02, size: [24, 20], zoom: 7, least: 400 },
 ];
 
-/** The library's pixels, 16 bits. */
+/** Returns the library's pixels, 16 bits. */
 function expectedOf({ command, PNG }, path, { tolerance, size, zoom }) {
   const png = command.file("exact_expected.png");
   const [width, height] = size.map((length) => length / zoom);
@@ -58,7 +57,7 @@ function expectedOf({ command, PNG }, path, { tolerance, size, zoom }) {
   return PNG.sync.read(readFileSync(png), { skipRescale: true }).data;
 }
 
-/** The payload of a page; its patches are not looked at. */
+/** Returns the payload of a page, whose patches are not compared. */
 function payloadFor({ command }, path, { tolerance }) {
   const page = command.file("exact_hard.html");
   command.run("render", path, "-o", page, "--quiet", "--tolerance", tolerance,
@@ -66,7 +65,7 @@ function payloadFor({ command }, path, { tolerance }) {
   return payloadOf(page);
 }
 
-/** None is much larger than one that was quick before: no walk holds the machine up. */
+/** Expects that no share is much larger than an earlier quick one, so that no walk blocks the machine. */
 function checkShares(shares) {
   const longest = Math.max(...shares.map(({ milliseconds }) => milliseconds));
   console.log(`# ${shares.length} shares; one took at most ${longest.toFixed(0)} ms`);

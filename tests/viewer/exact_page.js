@@ -1,4 +1,4 @@
-// What runs in the page of exact.mjs: exact pixels of a picture, as they are gathered.
+// Runs in the page of exact.mjs: gathers exact pixels of a picture.
 import { Programs } from "/web/viewer/gl.js";
 import { ExactPixels } from "/web/viewer/exact.js";
 import { readPicture } from "/web/viewer/payload.js";
@@ -14,7 +14,7 @@ async function readShaders() {
 
 const frame = () => new Promise((resolve) => setTimeout(resolve, 1));
 
-/** @returns pixels as they stand in the image: red, green, blue, alpha; -1: not there */
+/** @returns pixels in the layout of the image: red, green, blue, alpha; -1: missing */
 function pixelsOf(gl, exact, size) {
   const [image] = exact.images.values();
   const pixels = new Float32Array(4 * size[0] * size[1]);
@@ -24,11 +24,11 @@ function pixelsOf(gl, exact, size) {
 }
 
 /**
- * Gathers all of it.
+ * Gathers the whole picture.
  * views: maps from the artboard to pixels, one after another; the last is read.
- * limit: of steps of a walk; isPaced: in shares that are as long as a page's.
- * @returns pixels, gathered of the last view, or a reason; the programs that were made, and the shares:
- * their pixels, how many were asked for, and milliseconds
+ * limit: of steps of a walk; isPaced: in shares as long as a page's.
+ * @returns pixels gathered for the last view, or a reason; the compiled programs; and the shares: their pixels, how
+ *   many were requested, and milliseconds
  */
 export async function gathered({ size, views, limit, isPaced }) {
   const shaders = await readShaders();

@@ -1,4 +1,4 @@
-// The viewer in frames, on paper, and where drawing is slow.
+// The viewer in frames, on paper, and with slow drawing.
 import { execFileSync } from "node:child_process";
 import { readFileSync, writeFileSync } from "node:fs";
 import {
@@ -16,7 +16,7 @@ const DOCUMENT = "tests/wasm/controls.svg";
 /** The page's width and height. */
 const PAGE = [128, 96];
 
-/** A long page with the viewer in a frame at its top. */
+/** Returns a long page with the viewer in a frame at its top. */
 function pageWithFrame(command, name, hash) {
   const viewer = command.html(DOCUMENT);
   const path = command.file(`${name}.html`);
@@ -43,7 +43,7 @@ async function inFrame(pages, path, options, body) {
 
 const scrolled = (page) => page.evaluate(() => window.scrollY);
 
-/** Does what scrolls the page, and waits until it has come to rest. */
+/** Does something that scrolls the page, and waits until it rests. */
 async function scrolling(page, act) {
   await page.evaluate(() => {
     window.isScrolled = false;
@@ -53,7 +53,7 @@ async function scrolling(page, act) {
   await page.waitForFunction(() => window.isScrolled);
 }
 
-/** Turns the wheel over the picture, and waits until that has come nearer. */
+/** Turns the wheel over the picture, and waits until it has zoomed in. */
 async function zooming(page, frame, delta) {
   const { zoom } = await viewOf(frame);
   await page.mouse.wheel(0, delta);
@@ -158,7 +158,7 @@ async function testEmbedded(tap, { command, pages }) {
   );
 }
 
-/** The first page of what the browser prints, one pixel to a CSS pixel. */
+/** Returns the first printed page, one pixel per CSS pixel. */
 async function printed(page, command, name) {
   const path = command.file(`${name}.pdf`);
   await page.pdf({ path, width: "400px", height: "400px", printBackground: true });
@@ -172,7 +172,7 @@ async function printed(page, command, name) {
 }
 
 async function testPaper(tap, { PNG, command, pages }) {
-  /** What paper of 400 pixels is to hold: the page as wide as the paper, white below. */
+  /** Returns the expected content of paper of 400 pixels: the page as wide as the paper, white below. */
   const expected = () => {
     const width = 400,
       height = (width * PAGE[1]) / PAGE[0];
@@ -197,7 +197,7 @@ async function testPaper(tap, { PNG, command, pages }) {
       },
     ),
   );
-  // As many pixels as paper has.
+  // As many pixels as the paper has.
   await tap.test("paper has the whole picture, whatever the window shows", () =>
     pages.open(command.html(DOCUMENT), { colorScheme: "dark" }, async (page) => {
       await show(page, { x: 10, y: 10, zoom: 40 });
@@ -222,7 +222,7 @@ async function testPaper(tap, { PNG, command, pages }) {
   );
 }
 
-/** Graphics that hold few pixels: software draws the whole paper for long. */
+/** Limits textures to a few pixels, because software would draw the whole paper for long. */
 function smallTextures() {
   const { getParameter } = WebGL2RenderingContext.prototype;
   WebGL2RenderingContext.prototype.getParameter = function (name) {

@@ -1,4 +1,4 @@
-// What the tests share: the command, pages in Chromium, comparison of pictures.
+// Helpers of the tests: the command, pages in Chromium, comparison of pictures.
 import { execFileSync } from "node:child_process";
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
@@ -8,10 +8,10 @@ export { PATIENCE, Skip, Tap, check, checkEqual, checkNear } from "../tap.mjs";
 
 const root = new URL("../../", import.meta.url);
 
-/** A path of the project, absolute. */
+/** Returns the absolute path of a file of the project. */
 export const pathOf = (relative) => fileURLToPath(new URL(relative, root));
 
-/** The same numbers in every run. */
+/** Yields the same numbers in every run. */
 export function* randomNumbers(seed) {
   for (let state = seed >>> 0; ;) {
     state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
@@ -19,7 +19,7 @@ export function* randomNumbers(seed) {
   }
 }
 
-/** A document of the tests; skips where it is a public scene that is not here. */
+/** Returns the path of a document of the tests; skips the test if it is a missing public scene. */
 export function documentPath(name) {
   const path = pathOf(name);
   if (!existsSync(path)) throw new Skip(`${name} is not here`);
@@ -28,7 +28,7 @@ export function documentPath(name) {
 
 export const shortName = (document) => document.split("/").at(-1);
 
-/** The command and a folder for what it makes. */
+/** The command and a folder for its outputs. */
 export class Command {
   constructor(program, folder) {
     this.program = program;
@@ -44,7 +44,7 @@ export class Command {
     execFileSync(this.program, words.map(String), { stdio: ["ignore", "ignore", "pipe"] });
   }
 
-  /** Renders a document as the extension says, once; returns the file's path. */
+  /** Renders a document to the format of the extension, once. Returns the file's path. */
   made(document, extension, ...options) {
     const path = this.file(`${document.replace(/\W/g, "_")}${options.join("")}.${extension}`);
     if (!existsSync(path))
@@ -52,19 +52,19 @@ export class Command {
     return path;
   }
 
-  /** The viewer of a document. */
+  /** Returns the viewer of a document. */
   html(document, ...options) {
     return this.made(document, "html", ...options);
   }
 
-  /** A page made of a document's by changing its text. */
+  /** Returns a page made by changing the text of a document's page. */
   changed(document, name, change) {
     const path = this.file(`${name}.html`);
     writeFileSync(path, change(readFileSync(this.html(document), "utf8")));
     return path;
   }
 
-  /** What the rasterizer shows of a part of the artboard: x, y, width, height. */
+  /** Returns the rasterizer's picture of a part of the artboard: x, y, width, height. */
   raster(document, size, part) {
     const path = this.file("raster.png");
     this.run(
@@ -85,14 +85,14 @@ export class Command {
   }
 }
 
-/** Messages that are no fault of the page: reading a screenshot back is slow. */
+/** Messages for which the page is not responsible: reading a screenshot back is slow. */
 const HARMLESS = /GPU stall due to ReadPixels/;
 
-/** What a page complains of while it is listened to. */
+/** Collects the errors and warnings of a page. */
 class Complaints {
   /**
-   * @param {string} address its server is all that the page may ask, beside files
-   * @param {RegExp} harmless what it may say
+   * @param {string} address the only server that the page may access, beside files
+   * @param {RegExp} harmless allowed messages
    */
   constructor(page, address, harmless) {
     this.all = [];
@@ -115,9 +115,9 @@ class Complaints {
   }
 }
 
-/** Pages of one browser; their consoles have to stay silent. */
+/** Pages of one browser; their consoles must stay silent. */
 export class Pages {
-  /** By what makes them differ: a process of its own is most of what a small test takes. */
+  /** Pages by their options, kept because a new process takes most of the time of a small test. */
   #kept = new Map();
 
   constructor(browser) {
@@ -125,24 +125,22 @@ export class Pages {
   }
 
   /**
-   * Opens a file, hands the page to `body`, and fails where the page complains.
-   * options: those of `visit`, broken (no picture expected), isSlow (the page may show the still
-   * picture).
+   * Opens a file, passes the page to `body`, and fails if the page complains. options: as for `visit`; broken (no
+   * picture expected); isSlow (the page may show the still picture).
    */
   async open(path, { broken = false, isSlow = false, ...options }, body) {
     await this.visit(`file://${path}`, options, async (page) => {
       if (!broken) await page.evaluate(() => window.sfumatoViewer.ready);
-      // Drivers in software on busy machines are slow; that is a test of its own.
+      // Software drivers on busy machines are slow; another test covers that.
       if (!broken && !isSlow) await page.evaluate(() => window.sfumatoViewer.goLive());
       await body(page);
     });
   }
 
   /**
-   * Opens an address, hands the page to `body`, and fails where the page complains or asks for
-   * anything of another server.
-   * options: size, ratio, touch, before (a script that runs first), harmless (complaints that are
-   * expected), and what Playwright has for contexts.
+   * Opens an address, passes the page to `body`, and fails if the page complains or accesses another server.
+   * options: size, ratio, touch, before (a script that runs first), harmless (expected complaints), and
+   * Playwright's options for contexts.
    */
   async visit(address, { size = [320, 240], before, harmless = HARMLESS, ...options }, body) {
     const page = await this.#pageFor(size, options, before);
@@ -197,7 +195,7 @@ export async function show(page, view) {
   await settled(page);
 }
 
-/** A screenshot without the buttons. */
+/** Takes a screenshot without the buttons. */
 export async function pictureOf(page) {
   await page.evaluate(() => {
     document.getElementById("tools").style.visibility = "hidden";
@@ -205,13 +203,13 @@ export async function pictureOf(page) {
   return page.screenshot();
 }
 
-/** A channel of a decoded PNG as white paper shows it. */
+/** Returns a channel of a decoded PNG on white paper. */
 function onPaper(data, i) {
   const alpha = data[i - (i % 4) + 3] / 255;
   return Math.round(data[i] * alpha + 255 * (1 - alpha));
 }
 
-/** Mean, 99th percentile and maximum of the difference of two PNGs, code values. */
+/** Returns mean, 99th percentile and maximum of the difference of two PNGs, code values. */
 export function difference(PNG, a, b) {
   const [first, second] = [a, b].map((bytes) => PNG.sync.read(bytes));
   check(first.width === second.width && first.height === second.height, "the sizes differ");
@@ -233,7 +231,7 @@ export function difference(PNG, a, b) {
   return { mean, percentile, largest };
 }
 
-/** How far a picture is from one colour at most, code values. */
+/** Returns the largest difference of a picture from one colour, code values. */
 export function rangeOf(PNG, bytes) {
   const { data } = PNG.sync.read(bytes);
   let range = 0;

@@ -1,14 +1,14 @@
-// Pointers, wheel, keys, buttons, and what happens to the window.
+// Pointers, wheel, keys, buttons, and changes of the window.
 import { readFileSync } from "node:fs";
 import { check, checkNear, difference, pictureOf, settled, show, viewOf } from "./harness.mjs";
 
 const DOCUMENT = "tests/wasm/controls.svg";
 const SIZE = [320, 240];
 const MIDDLE = [160, 120];
-/** Device pixels to a CSS pixel, where these are not looked at: software draws a quarter of them. */
+/** Device pixels per CSS pixel, for tests that do not look at them: software draws a quarter of the pixels. */
 const RATIO = 0.5;
 
-/** The artboard point under a point of the window. */
+/** Returns the artboard point under a point of the window. */
 const pointAt = ({ x, y, zoom }, px, py) => [
   x + (px - MIDDLE[0]) / zoom,
   y + (py - MIDDLE[1]) / zoom,

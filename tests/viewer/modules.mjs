@@ -1,4 +1,4 @@
-// The viewer's modules, and the one script that the page holds of them.
+// The viewer's modules, and the single script that the page makes of them.
 import { readFileSync, readdirSync } from "node:fs";
 import { Script } from "node:vm";
 import { check, pathOf } from "./harness.mjs";
@@ -9,7 +9,7 @@ const files = readdirSync(folder).filter((file) => file.endsWith(".js"));
 
 const DECLARATION = /^(?:export )?(?:async )?(?:function\*?|class|const|let|var) (\w+|[{[])/gm;
 const IMPORT = /^import \{\s*(\w+,\s+)*\w+,?\s+\} from "\.\/(\w+\.js)";$/gm;
-/** Forms that one script can take the place of. */
+/** Module syntax that the single script may contain instead. */
 const LINKAGE =
   /^(?:import \{[\w\s,]+\} from "\.\/\w+\.js";$|export (?:async )?(?:function|class|const) )/;
 
@@ -38,11 +38,11 @@ function checkLinkage() {
   }
 }
 
-/** The script of a page, which stands last in it. */
+/** Returns the script of a page, which is its last one. */
 const scriptOf = (page) =>
   page.slice(page.lastIndexOf("<script>") + "<script>".length, page.lastIndexOf("</script>"));
 
-/** `main.js` and all that it imports; the folder also holds what the editor alone imports. */
+/** Returns `main.js` and all its imports; the folder also holds modules that only the editor imports. */
 function filesOfPage() {
   const found = new Set(["main.js"]);
   for (const file of found) {

@@ -1,4 +1,4 @@
-// Other outputs than the viewer, in programs that npm and Chromium bring: SVG and GLB.
+// Outputs other than the viewer, in programs from npm and Chromium: SVG and GLB.
 import { createRequire } from "node:module";
 import { readFileSync } from "node:fs";
 import { check, difference, shortName } from "./harness.mjs";
@@ -7,7 +7,7 @@ const LADY_BUG = "../shared/scenes/lady_bug.xml";
 const APPLE = "examples/apple.svg";
 const FISH = "examples/fish.svg";
 
-/** Width and height of what is compared, and the limits: what was measured, and a third more. */
+/** Width and height for the comparison, and limits: a third above the measured values. */
 const SHOWN = [
   { document: LADY_BUG, size: [512, 512], mode: "vector", mean: 0.6, percentile: 6 },
   { document: APPLE, size: [640, 480], mode: "vector", mean: 0.6, percentile: 4 },

@@ -1,4 +1,4 @@
-// The viewer's own reader, outside a browser: against the library's values, and fed with damage.
+// The viewer's own reader, outside a browser: compared with the library's values, and given damaged data.
 import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { isDeepStrictEqual } from "node:util";
@@ -9,7 +9,7 @@ import { check, documentPath, randomNumbers } from "./harness.mjs";
 /** A quarter of an 8-bit step. */
 const LARGEST_MISS = 0.25 / 255 + 1e-7;
 
-/** The values of a layer's field at triangle t, from both sides; returns the largest difference. */
+/** Compares the values of a layer's field at triangle t. Returns the largest difference. */
 function fieldMiss(field, t, values, at) {
   let miss = 0;
   for (let slot = 0; slot < 10; ++slot) {
@@ -48,7 +48,7 @@ function checkLayer(layer, values, at) {
 
 const DAMAGES = 3000;
 
-/** Reads a picture of which bytes were changed: it has to be read, or refused in words. */
+/** Reads a picture with changed bytes: it must be read, or refused with a message. */
 function feedDamage(bytes, readPicture) {
   const random = randomNumbers(7);
   let refused = 0;
@@ -70,7 +70,7 @@ function feedDamage(bytes, readPicture) {
   check(refused > DAMAGES / 10, `only ${refused} of ${DAMAGES} were refused`);
 }
 
-/** A stack has all that its picture has, but for what tables have. */
+/** Expects that a stack has everything of its picture except the tables' content. */
 function checkStack(stack, picture) {
   const layers = picture.layers.map(({ order, color, opacity }) => ({
     order,

@@ -1,20 +1,19 @@
-// PDF in PDFium, and in the viewer of Chromium around it, held against the rasterizer.
+// PDF in PDFium, and in the viewer of Chromium around it, compared with the rasterizer.
 import { PDFiumLibrary } from "@hyzyla/pdfium";
 import { readFileSync, writeFileSync } from "node:fs";
 import { PNG } from "pngjs";
 import { PATIENCE, Skip, check, difference, rangeOf, shortName } from "./harness.mjs";
 
 /**
- * Limits a little above what was measured, code values: mean and 99th percentile of the page, and
- * how far the mean colour of the worst square is off. Rough edges cancel out in a square; something
- * small that is missing does not.
+ * Limits slightly above the measured values, code values: mean and 99th percentile of the page, and the error of
+ * the mean colour of the worst square. Rough edges cancel out in a square; a small missing object does not.
  */
 const SHOWN = [
   { document: "../shared/scenes/lady_bug.xml", mean: 0.7, percentile: 6, square: 7 },
   { document: "examples/apple.svg", mean: 2, percentile: 16, square: 9 },
   {
     document: "examples/fish.svg",
-    // PDFium places images at whole pixels, which a small fish is off by.
+    // PDFium places images at whole pixels, which is a visible error for a small fish.
     options: ["--pdf-flatten", "never"],
     mean: 2.6,
     percentile: 35,
@@ -26,12 +25,12 @@ const SHOWN = [
 
 const SQUARE = 16;
 
-/** A pixel is far from white where a channel is below this. */
+/** A pixel is far from white if a channel is below this. */
 const FAR_FROM_WHITE = 224;
 
 const POINTS_TO_PIXELS = 96 / 72;
 
-/** The first page on white, as the bytes of a PNG. */
+/** Returns the first page on white, as the bytes of a PNG. */
 async function shownByPdfium(library, path) {
   const document = await library.loadDocument(readFileSync(path));
   try {
@@ -44,7 +43,7 @@ async function shownByPdfium(library, path) {
   }
 }
 
-/** Mean of the signed differences of a square's pixels, the largest of the channels. */
+/** Returns the mean of the signed differences of a square's pixels, the largest of the channels. */
 function squareMiss(shown, expected, left, top) {
   const sums = [0, 0, 0];
   for (let y = top; y < top + SQUARE; ++y) {
@@ -56,7 +55,7 @@ function squareMiss(shown, expected, left, top) {
   return Math.max(...sums.map(Math.abs)) / SQUARE ** 2;
 }
 
-/** The largest of the squares of a grid of half squares. */
+/** Returns the largest value of the squares of a grid of half squares. */
 function worstSquare(shown, expected) {
   let worst = 0;
   for (let top = 0; top + SQUARE <= expected.height; top += SQUARE / 2) {
@@ -67,7 +66,7 @@ function worstSquare(shown, expected) {
   return worst;
 }
 
-/** Pixels at which paper shines through. */
+/** Returns the number of pixels where paper shines through. */
 function countPinholes(shown, expected) {
   const darkest = (image, at) => Math.min(...image.data.subarray(at, at + 3));
   let count = 0;
@@ -105,11 +104,11 @@ export async function testPdf(tap, { command }) {
   library.destroy();
 }
 
-/** Of Chromium's viewer around the page: pixels above it, and at each side of it. */
+/** The margins of Chromium's viewer around the page: pixels above it, and on each side. */
 const ABOVE = 3;
 const BESIDE = 32;
 
-/** What the viewer shows where the page is to be, when it shows something there and is done. */
+/** Returns the viewer's pixels in the place of the page, once it shows something there and is done. */
 async function pageInViewer(page, [width, height]) {
   let before = Buffer.alloc(0);
   const clip = { x: BESIDE, y: ABOVE, width, height };
@@ -133,7 +132,7 @@ export async function testPdfInChromium(tap, { command, pages }) {
     try {
       const page = await context.newPage();
       page.setDefaultTimeout(PATIENCE);
-      // A Chromium without the viewer takes this for a download, which is an error here.
+      // A Chromium without the viewer starts a download here, which is an error.
       const address = `file://${pdf}#zoom=100&toolbar=0&navpanes=0`;
       const hasViewer = await page.goto(address).then(() => true, () => false);
       if (!hasViewer) throw new Skip("Chromium has no viewer of PDF here");

@@ -1,10 +1,10 @@
-// What the page shows is what the rasterizer shows, at two zooms.
+// The page shows the rasterizer's picture, at two zooms.
 import { Skip, check, difference, pictureOf, settled, show } from "./harness.mjs";
 
 /**
- * Documents, their pages' width and height, the width of the window, and where to look from near:
- * artboard point and zoom; `most`: the largest difference of a value, where there is a limit. Windows
- * are small because the tests' graphics are made in software.
+ * Documents, their pages' width and height, the width of the window, and a close view: artboard point and zoom.
+ * `most`: the largest allowed difference of a value, if there is a limit. Windows are small because the tests use
+ * software rendering.
  */
 const PICTURES = [
   {
@@ -44,8 +44,14 @@ const PICTURES = [
     near: { x: 225, y: 300, zoom: 4 },
   },
   {
+    document: "tests/viewer/cones.svg",
+    page: [120, 80],
+    width: 240,
+    near: { x: 20, y: 44, zoom: 8 },
+  },
+  {
     document: "tests/viewer/compositing.svg",
-    // At edges; lines where there are none differ more.
+    // At edges; lines without edges differ more.
     most: 40,
     page: [200, 120],
     width: 320,
@@ -90,7 +96,7 @@ export async function testPictures(tap, tools) {
   }
 }
 
-/** On a driver that the other tests did not have: each has weaknesses of its own. */
+/** On a driver that the other tests do not use, because each driver has its own weaknesses. */
 export async function testOtherDriver(tap, tools) {
   const tested = PICTURES.at(-1);
   const { document, page: extent, width } = tested;

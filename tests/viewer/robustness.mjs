@@ -1,4 +1,4 @@
-// Lost graphics, browsers that lack something, damaged files, pictures with little in them.
+// Lost graphics, browsers without a feature, damaged files, pictures with little content.
 import { writeFileSync } from "node:fs";
 import { deflateSync, inflateSync } from "node:zlib";
 import { check, difference, pictureOf, rangeOf, settled } from "./harness.mjs";

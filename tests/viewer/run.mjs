@@ -41,7 +41,7 @@ await testTables(tap);
 await testGlb(tap, { command });
 await testPdf(tap, { command });
 
-/** A browser for `body`, its graphics by the flags. */
+/** Runs `body` with a browser whose graphics follow the flags. */
 async function withBrowser(flags, body) {
   const browser = await launchWith(chromium, flags);
   try {

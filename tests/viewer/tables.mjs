@@ -1,4 +1,4 @@
-// The tables of layers that change, on a GPU that is played: what it holds, and how much.
+// The tables of changing layers on a simulated GPU: their content and size.
 import { isDeepStrictEqual } from "node:util";
 import { LayerTables } from "../../web/viewer/layer_tables.js";
 import { check, randomNumbers } from "./harness.mjs";
@@ -7,13 +7,13 @@ const NUMBERS = { RED_INTEGER: 1, RED: 1, RG: 2, RGBA: 4 };
 const ARRAYS = { UNSIGNED_INT: Uint32Array, UNSIGNED_BYTE: Uint8Array, FLOAT: Float32Array };
 const MOST_ROWS = 16384;
 
-/** As much of WebGL 2 as tables need: textures are arrays of rows. */
+/** The part of WebGL 2 that tables need: textures are arrays of rows. */
 class PlayedGl {
   bound = null;
   live = new Set();
   made = 0;
   uploaded = 0;
-  /** Whether it keeps what it is given. */
+  /** Whether it stores its data. */
   keeps = true;
 
   createTexture() {
@@ -62,7 +62,7 @@ const playedGl = () =>
     get: (gl, name) => (/^[A-Z_0-9]+$/.test(name) ? name : Reflect.get(gl, name)),
   });
 
-/** Numbers of a table, of `columns` a row, and how they change. */
+/** Numbers of a table, with `columns` per row, and their changes. */
 class Rows {
   constructor(type, columns, random) {
     Object.assign(this, { type, columns, random, values: new type(0) });
@@ -70,7 +70,7 @@ class Rows {
   below(bound) {
     return this.random.next().value % bound;
   }
-  /** Gives the table another length and some rows other numbers; returns which. */
+  /** Gives the table another length and new numbers to some rows. Returns their ranges. */
   change(count, rangeCount) {
     const before = this.values.length / this.columns;
     const values = new this.type(count * this.columns);
@@ -88,7 +88,7 @@ class Rows {
   }
 }
 
-/** A layer that changes at random, and the ranges that tell of it. */
+/** A layer that changes at random, and the ranges of its changes. */
 class ChangingLayer {
   constructor(random, size) {
     Object.assign(this, { random, size });
@@ -101,7 +101,7 @@ class ChangingLayer {
   below(bound) {
     return this.random.next().value % bound;
   }
-  /** Shaders of the colour, and of the opacity: null for none. */
+  /** Sets the shaders of the colour, and of the opacity: null for none. */
   takeShape(colorShaders, opacityShaders) {
     const field = (own, count) => ({
       shaders: Array.from({ length: count }, (_, i) => i),
@@ -149,7 +149,7 @@ class ChangingLayer {
   }
 }
 
-/** Each table holds what one made of the layer as it is holds, and perhaps old rows behind that. */
+/** Expects the content of newly made tables in each table, perhaps with old rows after it. */
 function checkAsFresh(tables, step) {
   const gl = playedGl();
   const fresh = new LayerTables(gl, tables.layer);
@@ -222,7 +222,7 @@ function refuseTooLarge() {
   checkTooLarge(() => tables.update({}));
   checkTooLarge(() => new LayerTables(gl, changing.layer));
   check(gl.live.size === count, "what was refused left textures");
-  // What the refused change did not say is made good.
+  // The next update repairs a change that was refused.
   changing.change(1);
   tables.update({});
   tables.wantEdges();

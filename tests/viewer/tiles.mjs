@@ -1,4 +1,4 @@
-// `sfumato tiles` in OpenSeadragon: what it shows at one pixel to a pixel is the picture there.
+// `sfumato tiles` in OpenSeadragon: at 1:1 it shows the pixels of the picture there.
 import { createServer } from "node:http";
 import { readFileSync } from "node:fs";
 import { check, difference, documentPath, pathOf } from "./harness.mjs";
@@ -34,7 +34,7 @@ async function serve(folder) {
   return server;
 }
 
-/** Shows the largest level with this pixel in the middle, and waits until all of it is there. */
+/** Shows the largest level with this pixel in the middle, and waits until all of it is loaded. */
 const show = (page, x, y) =>
   page.evaluate(
     async ([centerX, centerY]) => {
@@ -45,9 +45,11 @@ const show = (page, x, y) =>
       viewer.viewport.zoomTo(item.imageToViewportZoom(1), undefined, true);
       viewer.viewport.panTo(item.imageToViewportCoordinates(centerX, centerY), true);
       viewer.forceRedraw();
-      const frame = () => new Promise((done) => requestAnimationFrame(done));
-      while (!item.getFullyLoaded() || viewer.world.needsDraw()) await frame();
-      for (let i = 0; i < 3; ++i) await frame();
+      // The item counts as loaded until the viewer's next frame chooses other tiles, so three frames must agree.
+      const settled = () => item.getFullyLoaded() && !viewer.world.needsDraw();
+      for (let frames = 0; frames < 3; frames = settled() ? frames + 1 : 0) {
+        await new Promise((done) => requestAnimationFrame(done));
+      }
     },
     [x, y],
   );

@@ -1,4 +1,4 @@
-// The renderer on pictures that change, as the modules that other programs import.
+// The renderer with changing pictures, as the modules that other programs import.
 import { createServer } from "node:http";
 import { readFileSync, readdirSync } from "node:fs";
 import { isDeepStrictEqual } from "node:util";
@@ -6,10 +6,10 @@ import { check, documentPath, pathOf } from "./harness.mjs";
 
 const DOCUMENTS = ["tests/viewer/compositing.svg", "tests/viewer/small.svg"];
 
-/** The picture of a page, as base64. */
+/** Returns the picture of a page, as base64. */
 const payloadOf = (html) => html.match(/id="payload">([^<]*)</)[1];
 
-/** A server of the modules, an empty page, a picture and more; `body` gets its address. */
+/** Serves the modules, an empty page, a picture and more; `body` gets the address. */
 export async function withServer(payload, body, more = {}) {
   const shaders = readdirSync(pathOf("web/viewer/shaders")).join(" ");
   const made = {
@@ -31,7 +31,7 @@ export async function withServer(payload, body, more = {}) {
   }
 }
 
-/** Calls a function of updates_page.js on a document. */
+/** Calls a function of updates_page.js with a document. */
 async function run({ command, pages }, document, name) {
   documentPath(document);
   let result = null;

@@ -1,11 +1,11 @@
-// What runs in the page of updates.mjs: the viewer's renderer on pictures that change.
+// Runs in the page of updates.mjs: the viewer's renderer with changing pictures.
 import { makeTexels } from "/web/viewer/paints.js";
 import { readPicture } from "/web/viewer/payload.js";
 import { Renderer } from "/web/viewer/renderer.js";
 
 const SIZE = [300, 180];
 
-/** Every kind of thing that a renderer makes, counted. */
+/** Counts every kind of object that a renderer makes. */
 function counted(gl) {
   const live = {};
   for (const kind of [
@@ -31,7 +31,7 @@ function counted(gl) {
   return live;
 }
 
-/** The shaders, the picture, and what they are drawn with. */
+/** Returns the shaders, the picture, and the drawing parameters. */
 export async function open() {
   const text = async (path) => (await fetch(path)).text();
   const shaders = new Map();
@@ -57,7 +57,7 @@ export async function open() {
   return { gl, live, picture, texels, frame, make };
 }
 
-/** What a renderer shows: coarse, with the mesh, and as fine as it gets, all in one array. */
+/** Returns the pictures of a renderer: coarse, with the mesh, and as fine as possible, in one array. */
 function shown({ gl, frame }, renderer) {
   const byteCount = 4 * SIZE[0] * SIZE[1];
   const pixels = new Uint8Array(3 * byteCount);
@@ -75,10 +75,10 @@ function shown({ gl, frame }, renderer) {
   return pixels;
 }
 
-/** Bytes in which two pictures differ. */
+/** Returns the number of bytes that differ between two pictures. */
 const differing = (a, b) => a.reduce((sum, value, i) => sum + (value === b[i] ? 0 : 1), 0);
 
-/** What a fresh renderer shows of the picture. */
+/** Returns the pictures of a new renderer. */
 function reference(stage, picture = stage.picture) {
   const renderer = stage.make(picture);
   const pixels = shown(stage, renderer);
@@ -86,7 +86,7 @@ function reference(stage, picture = stage.picture) {
   return pixels;
 }
 
-/** A layer with fewer triangles, vertices and nodes, other values, and none or a wrong opacity. */
+/** Returns a layer with fewer triangles, vertices and nodes, other values, and no or a wrong opacity. */
 function draft(layer) {
   const part = (values, columns) =>
     values.slice(0, columns * Math.floor(values.length / columns / 3));
@@ -113,7 +113,7 @@ function draft(layer) {
   };
 }
 
-/** Ranges of a table of `count` rows in `n` pieces, of which every other one is told by `odd`. */
+/** Returns ranges of a table of `count` rows in `n` pieces; `odd` chooses the odd or the even ones. */
 function pieces(count, n, odd) {
   const ranges = [];
   for (let i = odd ? 1 : 0; i < n; i += 2) {
@@ -122,7 +122,7 @@ function pieces(count, n, odd) {
   return ranges;
 }
 
-/** Fills the told ranges of an array, whose length is final, with those of another. */
+/** Fills ranges of an array, whose length is final, from another array. */
 function copied(target, source, columns, ranges) {
   const values = target.length === source.length ? target : new source.constructor(source.length);
   for (const [from, to] of ranges) {
@@ -131,7 +131,7 @@ function copied(target, source, columns, ranges) {
   return values;
 }
 
-/** Takes a drafted layer to the one it is a draft of, in steps that are told as ranges. */
+/** Turns a draft of a layer into the layer, in steps with their ranges. */
 function finish(renderer, layer, wanted) {
   const update = (delta) => renderer.updateLayer(layer, delta);
   const all = (values, columns) => [[0, values.length / columns]];
@@ -155,7 +155,7 @@ function finish(renderer, layer, wanted) {
   }
 }
 
-/** The picture by updates of drafts; how many bytes differ from a fresh one, before and after. */
+/** Updates drafts to the picture. Returns how many bytes differ from a new one, before and after. */
 export function byUpdates(stage) {
   const expected = reference(stage);
   const layers = stage.picture.layers.map(draft);
@@ -167,7 +167,7 @@ export function byUpdates(stage) {
   return { before, after };
 }
 
-/** Other stacks, then the picture's: bytes that differ, and textures made for layers it kept. */
+/** Shows other stacks, then the picture's. Returns differing bytes, and textures made for layers that it kept. */
 export function byStacks(stage) {
   const { picture, texels, live } = stage;
   const expected = reference(stage);
@@ -192,7 +192,7 @@ export function byStacks(stage) {
   return { states, bareMiss };
 }
 
-/** What lives on the GPU after the first frames, after many changes, and after the end. */
+/** Returns the GPU objects after the first frames, after many changes, and after the end. */
 export function manyChanges(stage) {
   const { picture, texels, live, frame } = stage;
   const begin = { ...live };

@@ -1,9 +1,9 @@
-// The page of `sfumato watch`: what it shows while a drawing changes, and how it looks.
+// The page of `sfumato watch`: its content while a drawing changes, and its appearance.
 import { spawn } from "node:child_process";
 import { writeFileSync } from "node:fs";
 import { PATIENCE, check, checkNear, shortName } from "./harness.mjs";
 
-/** A disc of a colour on white. */
+/** Returns a disc of a colour on white. */
 const drawing = (color) =>
   `<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1" viewBox="0 0 64 48"
      sf:version="1">
@@ -15,7 +15,7 @@ const drawing = (color) =>
 const RED = [255, 0, 0];
 const BLUE = [0, 0, 255];
 
-/** The command at work on a file of its own, from `start` to `stop`. */
+/** The running command on its own file, from `start` to `stop`. */
 class Watch {
   constructor(command, name) {
     this.program = command.program;
@@ -45,7 +45,7 @@ class Watch {
   }
 }
 
-/** A file that is watched and a page that has shown its first picture. */
+/** Watches a file with a page that has shown its first picture. */
 async function watched({ command, pages }, name, options, body) {
   const watch = new Watch(command, name);
   watch.draw(drawing("red"));
@@ -63,7 +63,7 @@ async function watched({ command, pages }, name, options, body) {
 const says = (page, words) =>
   page.waitForFunction((text) => document.getElementById("status").textContent.includes(text), words);
 
-/** The colour in the middle of the picture as it is seen. */
+/** Returns the visible colour in the middle of the picture. */
 async function seenColor({ PNG }, page) {
   const { x, y, width, height } = await page.locator("#picture").boundingBox();
   const clip = { x: Math.floor(x + width / 2), y: Math.floor(y + height / 2), width: 1, height: 1 };
@@ -71,7 +71,7 @@ async function seenColor({ PNG }, page) {
   return [...data.subarray(0, 3)];
 }
 
-/** Waits until the middle of the picture has a colour: it comes a moment after the words. */
+/** Waits until the middle of the picture has a colour, which comes a moment after the text. */
 async function shows(tools, page, color) {
   let seen = [];
   for (const end = performance.now() + PATIENCE; performance.now() < end; await page.waitForTimeout(20)) {
@@ -81,7 +81,7 @@ async function shows(tools, page, color) {
   throw new Error(`the picture is ${seen}, expected ${color}`);
 }
 
-/** The picture lies in the stage, and nothing has to be scrolled. */
+/** Expects that the picture fits into the stage without scrolling. */
 async function checkFits(page) {
   const rest = await page.evaluate(() => {
     const { scrollWidth, scrollHeight, clientWidth, clientHeight } =
@@ -114,7 +114,7 @@ async function testChanges(tap, tools) {
       watch.draw(drawing("nonsense"));
       await says(page, "not drawn: the last good picture is shown");
       const messages = await page.textContent("#messages");
-      check(/:4:5: error: .*"nonsense" is no colour/.test(messages), `it says ${messages}`);
+      check(/:4:5: error: .*"nonsense" is not a colour/.test(messages), `it says ${messages}`);
       check((await page.title()).startsWith("✗"), "its title does not say so");
       await shows(tools, page, RED);
       await checkFits(page);
@@ -156,7 +156,7 @@ async function testChanges(tap, tools) {
   );
 }
 
-/** The contrast of the words of an element with the page's ground (WCAG 2.2, 1.4.3). */
+/** Returns the contrast of an element's text with the page's ground (WCAG 2.2, 1.4.3). */
 const contrastOf = (page, selector) =>
   page.evaluate((of) => {
     const canvas = document.createElement("canvas");
@@ -184,7 +184,7 @@ const contrastOf = (page, selector) =>
 
 const LEAST_CONTRAST = 4.5;
 
-/** Screenshots stay in the tests' folder, to be looked at. */
+/** Keeps screenshots in the tests' folder, for people to look at. */
 async function testLooks(tap, tools) {
   const { command } = tools;
   for (const size of [

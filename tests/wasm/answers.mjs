@@ -1,4 +1,4 @@
-// What the module computes is what the native library computes, bit for bit.
+// The module computes the same as the native library, bit for bit.
 import { existsSync, readFileSync } from "node:fs";
 import { basename } from "node:path";
 import { Table } from "../../web/wasm/sfumato.mjs";
@@ -8,7 +8,7 @@ const EVENING = "examples/evening.xml";
 const CONTROLS = "tests/wasm/controls.svg";
 const scene = (name) => `../shared/scenes/${name}.xml`;
 
-/** What given.svg shows. */
+/** The pixels of given.svg. */
 const GIVEN = [250, 200, 0, 255, 0, 90, 200, 255, 255, 255, 255, 0, 20, 20, 20, 128];
 
 /** question, document, options */
@@ -46,7 +46,7 @@ const CASES = [
   ["lint", "examples/fish.svg", "verbose"],
 ];
 
-/** Those of the quick picture after the first curves have moved. */
+/** Returns the tables of the quick picture after the first curves have moved. */
 function tablesOfMoved(context, document, options, curves) {
   const picture = context.solve(document, options);
   for (let curve = 0; curve < curves; ++curve) {
@@ -57,7 +57,7 @@ function tablesOfMoved(context, document, options, curves) {
   return tablesOf(picture, Table);
 }
 
-/** How native_answers makes the same. */
+/** The arguments of native_answers for the same. */
 const ANSWERS = {
   tables: (context, document, options) =>
     tablesOf(context.solve(document, options), Table),

@@ -1,4 +1,4 @@
-// What sfumato.mjs makes of good and of bad input.
+// The results of sfumato.mjs for good and for bad input.
 import {
   Attribute,
   Kind,
@@ -13,7 +13,7 @@ import { check, refusal, same, textOf } from "./harness.mjs";
 
 const CONTROLS = "tests/wasm/controls.svg";
 
-/** A line across the artboard, red above and blue below. */
+/** Returns a line across the artboard, red above and blue below. */
 function twoHalves(context) {
   const document = context.newDocument({ artboard: "0,0,64,64" });
   document.insertCurve(0, null, [-8, 32, 16, 32, 48, 32, 72, 32]);
@@ -199,7 +199,7 @@ async function testCallbacks(tap, sfumato) {
   });
 }
 
-/** Red in the middle of blue. */
+/** Returns red in the middle of blue. */
 function photoOf(side) {
   const data = new Uint8ClampedArray(4 * side * side);
   for (let i = 0; i < side * side; ++i) {

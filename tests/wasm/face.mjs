@@ -1,7 +1,7 @@
-// What the module gives to its host and asks of it.
+// The exports and imports of the module.
 import { same, textOf } from "./harness.mjs";
 
-/** What JavaScript needs besides the C interface. */
+/** Exports for JavaScript besides the C interface. */
 const OWN = [
   "memory",
   "_initialize",

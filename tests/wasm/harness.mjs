@@ -10,7 +10,7 @@ export const textOf = (relative) => readFileSync(pathOf(relative));
 export class Tap {
   failures = 0;
 
-  /** One test: what body() throws, or complains of by a string that is not empty, fails it. */
+  /** Runs one test; it fails if body() throws or returns a text that is not empty. */
   async test(name, body) {
     let problem;
     try {
@@ -35,7 +35,7 @@ export function same(actual, expected, what) {
   check(actual === expected, `${what} is ${JSON.stringify(actual)}, not ${JSON.stringify(expected)}`);
 }
 
-/** The error that body() throws, whose code has to be this. */
+/** Returns the error that body() throws, which must have this code. */
 export function refusal(code, body) {
   try {
     body();
@@ -46,12 +46,12 @@ export function refusal(code, body) {
   throw new Error("it was not refused");
 }
 
-/** What the native library answers: bytes. */
+/** Returns the native library's answer as bytes. */
 export function nativeAnswer(program, question, path, options = "") {
   return execFileSync(program, [question, path, options], { maxBuffer: 1 << 30 });
 }
 
-/** What differs between bytes; empty where nothing does. */
+/** Returns the difference between bytes; empty if there is none. */
 export function difference(actual, expected) {
   if (expected.length === 0) return "the native library gave nothing";
   if (actual.length !== expected.length) return `${actual.length} bytes, not ${expected.length}`;
@@ -64,7 +64,7 @@ export function bytesOf(array) {
   return new Uint8Array(array.buffer, array.byteOffset, array.byteLength);
 }
 
-/** Every table of a picture, row behind row, as native_answers prints them. */
+/** Returns every table of a picture, row after row, in the form of native_answers. */
 export function tablesOf(picture, tables) {
   const parts = [];
   for (let layer = 0; layer < picture.layerCount; ++layer) {

@@ -1,4 +1,4 @@
-// What the native library answers, for tests/wasm/run.mjs to hold the module's answers against:
+// Prints the native library's answer, for tests/wasm/run.mjs to compare with the module's:
 // native_answers QUESTION IN [OPTIONS] writes the answer's bytes to standard output.
 #include <cstdio>
 #include <cstring>
@@ -12,7 +12,7 @@
 
 namespace {
 
-/// A document that was read, and solved where that is asked for.
+/// A document that was read, and solved if requested.
 struct Work {
   sfumato_context* context = sfumato_context_new("");
   sfumato_document* document = nullptr;
@@ -24,7 +24,7 @@ void put(const void* bytes, std::size_t count) {
   if (count > 0) std::fwrite(bytes, 1, count, stdout);
 }
 
-/// False where there are none.
+/// Returns false if there are no bytes.
 bool put_and_free(sfumato_bytes* bytes) {
   put(sfumato_bytes_data(bytes), sfumato_bytes_size(bytes));
   sfumato_bytes_free(bytes);
@@ -35,7 +35,7 @@ bool solve(Work& work) {
   return !sfumato_solve(work.context, work.document, work.options.c_str(), &work.picture);
 }
 
-/// Every table of every layer, row behind row.
+/// Writes every table of every layer, row after row.
 bool put_tables(const sfumato_picture* picture) {
   for (std::uint32_t layer = 0; layer < sfumato_picture_layer_count(picture); ++layer) {
     for (std::uint32_t table = SFUMATO_VERTICES; table <= SFUMATO_OPACITY_VALUES; ++table) {
@@ -47,7 +47,7 @@ bool put_tables(const sfumato_picture* picture) {
   return true;
 }
 
-/// By 2 to the right and 1 down, in the first layer.
+/// Moves a curve of the first layer by 2 to the right and 1 down.
 bool move_curve(Work& work, std::uint32_t curve) {
   sfumato_view view;
   if (sfumato_curve_points(work.document, 0, curve, &view)) return false;
@@ -57,7 +57,7 @@ bool move_curve(Work& work, std::uint32_t curve) {
   return !sfumato_set_curve_points(work.context, work.document, 0, curve, xy.data(), view.rows);
 }
 
-/// The quick picture after the first curves have moved.
+/// Writes the quick picture after the first curves have moved.
 bool put_moved(Work& work, std::uint32_t curves) {
   if (!solve(work)) return false;
   for (std::uint32_t curve = 0; curve < curves; ++curve) {
@@ -67,7 +67,7 @@ bool put_moved(Work& work, std::uint32_t curves) {
          put_tables(work.picture);
 }
 
-/// The first layer's colours at 16 by 16 points within the artboard.
+/// Writes the first layer's colours at 16 by 16 points inside the artboard.
 bool put_colors(Work& work) {
   constexpr int kSide = 16;
   double box[4];
@@ -87,7 +87,7 @@ bool put_colors(Work& work) {
   return !failed;
 }
 
-/// 64 by 64 pixels.
+/// Writes 64 by 64 pixels.
 bool put_pixels(Work& work) {
   constexpr int kSide = 64;
   std::vector<std::uint8_t> pixels(4 * kSide * kSide);
@@ -97,7 +97,7 @@ bool put_pixels(Work& work) {
   return true;
 }
 
-/// A trace of 64 by 64 pixels of the drawing, as SVG.
+/// Writes a trace of 64 by 64 pixels of the drawing, as SVG.
 bool put_traced(Work& work) {
   constexpr int kSide = 64;
   std::vector<std::uint8_t> pixels(4 * kSide * kSide);
@@ -114,7 +114,7 @@ bool put_traced(Work& work) {
 }
 
 bool answer(const std::string& question, Work& work) {
-  sfumato_bytes* bytes = nullptr;  // stays null where a call fails
+  sfumato_bytes* bytes = nullptr;  // stays null if a call fails
   if (question == "tables") return solve(work) && put_tables(work.picture);
   if (question == "dragged") return put_moved(work, 1);
   if (question == "rough") return put_moved(work, 2);
@@ -154,7 +154,7 @@ int main(int argc, char** argv) {
   const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   Work work;
   if (argc > 3) work.options = argv[3];
-  // What given.svg shows.
+  // The pixels of given.svg.
   std::uint8_t pixels[] = {250, 200, 0, 255, 0, 90, 200, 255, 255, 255, 255, 0, 20, 20, 20, 128};
   const sfumato_image given{pixels, 8, 2, 2, SFUMATO_RGBA8};
   const bool is_answered =

@@ -1,5 +1,5 @@
-// Holds the WebAssembly module against the native library and against its documents:
-// node run.mjs sfumato.wasm native_answers. Prints TAP.
+// Compares the WebAssembly module with the native library and with its documents: node run.mjs sfumato.wasm
+// native_answers. Prints TAP.
 import { readFileSync } from "node:fs";
 import { loadSfumato } from "../../web/wasm/sfumato.mjs";
 import { testAnswers } from "./answers.mjs";

@@ -1,10 +1,14 @@
 import { fileURLToPath } from "node:url";
 import type { Plugin } from "vite";
 import { defineConfig } from "vitest/config";
+import { licencesPlugin } from "./tools/licences.mjs";
 import { shaderTextPlugin } from "./tools/shader-text.mjs";
 import { viewerPagePlugin } from "./tools/viewer-page.mjs";
 
 const path = (relative: string) => fileURLToPath(new URL(relative, import.meta.url));
+
+/** The module that `make wasm` builds; SFUMATO_WASM names another. */
+const module = process.env.SFUMATO_WASM ?? path("../../build-wasm/sfumato.wasm");
 
 /** Tests lie outside of this folder, and name its packages all the same. */
 const packagesForTests: Plugin = {
@@ -19,10 +23,9 @@ const packagesForTests: Plugin = {
 export default defineConfig({
   root: path("."),
   base: "./",
-  plugins: [viewerPagePlugin(), shaderTextPlugin(), packagesForTests],
-  // What `make wasm` makes; SFUMATO_WASM names another.
+  plugins: [viewerPagePlugin(), shaderTextPlugin(), licencesPlugin(module), packagesForTests],
   resolve: {
-    alias: [{ find: /^sfumato-module(?=\?)/, replacement: process.env.SFUMATO_WASM ?? path("../../build-wasm/sfumato.wasm") }],
+    alias: [{ find: /^sfumato-module(?=\?)/, replacement: module }],
   },
   server: { fs: { allow: [path("../..")] } },
   build: {
@@ -33,12 +36,12 @@ export default defineConfig({
     modulePreload: { polyfill: false },
     assetsInlineLimit: 0,
   },
-  worker: { format: "es" },
+  worker: { format: "es", plugins: () => [licencesPlugin(module)] },
   oxc: { jsx: { runtime: "automatic", importSource: "preact" } },
   test: {
     include: [path("../../tests/editor/unit/**/*.test.ts")],
     environment: "node",
-    // Property tests on a machine that does other things besides.
+    // Property tests on a machine that runs other programs too.
     testTimeout: 60000,
   },
 });

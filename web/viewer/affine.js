@@ -3,7 +3,7 @@
 /** @typedef {readonly number[]} Affine */
 
 /**
- * First `inner`, then `outer`.
+ * Returns the map that applies `inner` first, then `outer`.
  * @param {Affine} outer
  * @param {Affine} inner
  * @returns {Affine}
@@ -51,7 +51,7 @@ export function mapped(map, x, y) {
 }
 
 /**
- * The box around the image of a box; boxes are minimum x, y, maximum x, y.
+ * Returns the box around the image of a box; boxes are minimum x, y, maximum x, y.
  * @param {Affine} map
  * @param {readonly number[]} box
  * @returns {[number, number, number, number]}
@@ -69,7 +69,7 @@ export function mappedBox(map, [x0, y0, x1, y1]) {
 }
 
 /**
- * The two rows that shaders take.
+ * Returns the map as the two rows that shaders take.
  * @param {Affine} map
  */
 export function rowsOf([a, b, c, d, e, f]) {

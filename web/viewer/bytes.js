@@ -1,9 +1,9 @@
-// Reading the payload's bytes (docs/viewer.md, "Payload").
+// Reads the payload's bytes (docs/viewer.md, "Payload").
 
-/** What is wrong with the file, in words for who looks at it. */
+/** The payload is damaged; the message tells the reader of the page how. */
 export class PayloadError extends Error {}
 
-/** Reads numbers one after another and never past the end. */
+/** Reads numbers one after another, never beyond the end. */
 export class ByteReader {
   /** @param {Uint8Array} bytes */
   constructor(bytes) {
@@ -13,7 +13,7 @@ export class ByteReader {
   }
 
   /**
-   * The next `count` bytes, as a view.
+   * Returns the next `count` bytes, as a view.
    * @param {number} count
    */
   take(count) {
@@ -22,7 +22,7 @@ export class ByteReader {
     return this.bytes.subarray(this.at - count, this.at);
   }
 
-  /** All bytes that are left, as a view. */
+  /** Returns all remaining bytes, as a view. */
   rest() {
     return this.take(this.bytes.length - this.at);
   }
@@ -41,7 +41,7 @@ export class ByteReader {
     return this.view.getFloat64(this.at - 8, true);
   }
 
-  /** Seven bits a byte, the lowest first; at most 2^53 - 1. */
+  /** Reads a number of seven bits a byte, the lowest first; at most 2^53 - 1. */
   varint() {
     let value = 0;
     for (let factor = 1; ; factor *= 128) {
@@ -53,7 +53,7 @@ export class ByteReader {
   }
 
   /**
-   * A number of things that take at least `bytes` bytes each.
+   * Reads a count of elements that take at least `bytes` bytes each.
    * @param {number} bytes
    */
   count(bytes) {
@@ -62,13 +62,13 @@ export class ByteReader {
     return count;
   }
 
-  /** Bytes after their number. */
+  /** Reads a byte count, then so many bytes. */
   counted() {
     return this.take(this.varint());
   }
 
   /**
-   * Numbers by planes of their bytes, the lowest plane first.
+   * Reads numbers by planes of their bytes, the lowest plane first.
    * @param {number} count
    * @param {number} byteCount of each number, 1 to 4
    */
@@ -82,14 +82,14 @@ export class ByteReader {
   }
 
   /**
-   * Single precision numbers by planes.
+   * Reads single precision numbers by planes.
    * @param {number} count
    */
   floatPlanes(count) {
     return new Float32Array(this.planes(count, 4).buffer);
   }
 
-  /** A finite number. */
+  /** Reads a finite number. */
   finite() {
     const value = this.f64();
     if (!Number.isFinite(value)) throw new PayloadError("a number in it is not finite");
@@ -98,7 +98,7 @@ export class ByteReader {
 }
 
 /**
- * 0, -1, 1, -2, … of 0, 1, 2, 3, …
+ * Returns 0, -1, 1, -2, … for 0, 1, 2, 3, …
  * @param {number} code
  */
 export function unzigzag(code) {

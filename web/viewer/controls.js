@@ -1,4 +1,4 @@
-// Buttons, words and what else of the page is not the picture.
+// The buttons, the messages and the other parts of the page around the picture.
 
 import { EMBEDDED } from "./view.js";
 import { KEY_ZOOM } from "./input.js";
@@ -6,7 +6,7 @@ import { KEY_ZOOM } from "./input.js";
 /** @import { Commands } from "./input.js" */
 
 /**
- * An element of the page, of a class.
+ * Returns an element of the page, which must be of a class.
  * @template {Element} T
  * @param {string} id
  * @param {new () => T} type
@@ -18,7 +18,7 @@ function element(id, type) {
   return found;
 }
 
-/** Beyond, the zoom is a factor. */
+/** Above this percentage, the zoom is shown as a factor. */
 const MOST_PERCENT = 10000;
 
 export class Controls {
@@ -36,13 +36,13 @@ export class Controls {
     this.fallback = document.getElementById("fallback");
     this.note = element("still", HTMLParagraphElement);
     this.live = element("live", HTMLButtonElement);
-    /** Whether the picture stands in a text, without tools of its own. */
+    /** Whether the picture is embedded in a text and has no tools of its own. */
     this.isEmbedded = false;
     this.followAddress();
-    /** Whether the page stands in another one, which scrolls. */
+    /** Whether the page is in the frame of another page, which scrolls. */
     this.isFramed = window.parent !== window;
     document.documentElement.classList.toggle("framed", this.isFramed);
-    /** Whether the still picture stands over the canvas. */
+    /** Whether the still picture covers the canvas. */
     this.isStill = false;
     this.full.hidden = !document.fullscreenEnabled;
     this.message.hidden = false;
@@ -66,7 +66,7 @@ export class Controls {
     });
   }
 
-  /** "#embed" leaves the buttons out. @returns {boolean} whether that has changed */
+  /** Hides the buttons for "#embed" in the address. @returns {boolean} whether that has changed */
   followAddress() {
     const before = this.isEmbedded;
     this.isEmbedded = EMBEDDED.test(location.hash);
@@ -74,7 +74,7 @@ export class Controls {
     return before !== this.isEmbedded;
   }
 
-  /** The canvas may be drawn on; the still picture, if any, covers it until that is done. */
+  /** Shows the canvas, ready for drawing; the still picture, if any, covers it until a frame is done. */
   openCanvas() {
     this.canvas.hidden = false;
     this.tools.hidden = false;
@@ -83,7 +83,7 @@ export class Controls {
   }
 
   /**
-   * The still picture over the canvas, which still takes pointers and keys, or the canvas alone.
+   * Shows the still picture over the canvas, which still receives pointers and keys, or only the canvas.
    * @param {boolean} isStill
    */
   setStill(isStill) {
@@ -94,7 +94,7 @@ export class Controls {
   }
 
   /**
-   * Where the still picture lies: left, top, width, height.
+   * Places the still picture: left, top, width, height.
    * @param {number[]} box CSS pixels of the window
    */
   placeStill(box) {
@@ -104,7 +104,7 @@ export class Controls {
   }
 
   /**
-   * The still picture is there to stay; a button leads back to drawing.
+   * Keeps the still picture; a button starts drawing again.
    * @param {() => void} goOn
    */
   keepStill(goOn) {
@@ -114,7 +114,7 @@ export class Controls {
   }
 
   /**
-   * Says something instead of drawing; the still picture is shown if there is one.
+   * Shows a message instead of drawing, with the still picture if there is one.
    * @param {string} text
    */
   say(text) {
@@ -143,7 +143,7 @@ export class Controls {
   }
 
   /**
-   * Says how it stands with exact pixels: a word for the button, and a sentence.
+   * Shows the state of exact pixels: a word for the button, and a sentence.
    * @param {{isOn: boolean, isPossible: boolean, word: string, sentence: string}} state
    */
   showExact({ isOn, isPossible, word, sentence }) {
@@ -153,18 +153,18 @@ export class Controls {
     exact.setAttribute("aria-disabled", String(!isPossible));
     exact.title = `Exact pixels (E): ${sentence}`;
     exactState.textContent = word;
-    // Who listens is told what has come about, not every step.
+    // Screen readers announce only the result, not every step.
     if (!word.includes("%")) this.exactWords.textContent = `Exact pixels: ${sentence}`;
   }
 
   toggleFull() {
-    // Refused where the page is in a frame that may not; nothing is lost then.
+    // A frame may lack the permission; the error is harmless.
     const ignore = () => {};
     if (document.fullscreenElement) document.exitFullscreen().catch(ignore);
     else document.documentElement.requestFullscreen().catch(ignore);
   }
 
-  /** Red, green and blue of what lies around the page, from 0 to 1. */
+  /** Returns red, green and blue of the area around the page, from 0 to 1. */
   deskColor() {
     const text = getComputedStyle(document.body).backgroundColor;
     return (text.match(/[\d.]+/g) ?? []).slice(0, 3).map((value) => Number(value) / 255);

@@ -17,19 +17,19 @@ import { intersected, isEmptyRect, Target } from "./targets.js";
 
 /** kPointNegligible of src/gather/kernels. */
 const NEGLIGIBLE = 1e-5;
-/** Triangles that one pixel may walk through; beyond, the patches' pixel stays. */
+/** Limit for the triangles that one pixel walks through; above it, the pixel of the patches remains. */
 const STEP_LIMIT = 1 << 15;
-/** Of a pixel that a curve cuts, where its chords are finer than those of the patches. */
+/** Samples in a pixel that a curve cuts, where the curve's chords are finer than the patches' chords. */
 const CUT_SAMPLES = 16;
-/** Bytes that the pictures may take, and of a pixel in them. */
+/** Limit for the memory of all exact images, and the size of one pixel in them, bytes. */
 const MOST_BYTES = 1 << 28;
 const PIXEL_BYTES = 8;
 
-/** Drivers that draw in software. */
+/** Matches drivers that draw in software. */
 const SOFTWARE = /swiftshader|llvmpipe|softpipe|software|basic render|apple software/i;
 
 /**
- * Whether the driver is one that draws in software.
+ * Returns whether the driver draws in software.
  * @param {WebGL2RenderingContext} gl
  */
 export function isSoftware(gl) {
@@ -38,7 +38,7 @@ export function isSoftware(gl) {
 }
 
 /**
- * Layers as rays meet them, or why there can be no exact pixels.
+ * Returns the layers as rays meet them, or the reason why exact pixels are impossible.
  * @param {WebGL2RenderingContext} gl
  * @param {Picture} picture
  * @param {(ExactLayer | null)[] | null} known null: they are in the payload
@@ -57,7 +57,7 @@ function layersOrReason(gl, picture, known) {
 }
 
 /**
- * Layers, or which lack curves.
+ * Returns the layers, or a message about the layers that lack curves.
  * @param {Picture} picture
  * @param {(ExactLayer | null)[]} layers
  */
@@ -70,7 +70,7 @@ function wholeOrReason(picture, layers) {
   return isWhole ? layers : "a layer has image-domain shaders";
 }
 
-/** What was gathered of one instance. */
+/** The gathered pixels of one instance. */
 class ExactImage {
   /**
    * @param {ExactScene} scene
@@ -107,15 +107,15 @@ export class ExactPixels {
     this.scenes = new Map();
     /** @type {Map<Instance, ExactImage>} */
     this.images = new Map();
-    /** Where triangles lie in the tile at hand. @type {Target | null} */
+    /** Where triangles lie in the present tile. @type {Target | null} */
     this.places = null;
     /** @type {Rect} */
     this.tile = [0, 0, 0, 0];
-    /** Whether what was gathered is what is to be seen. */
+    /** Whether the gathered pixels belong to the present view. */
     this.isShown = false;
     /** @type {WebGLSync | null} */
     this.fence = null;
-    /** Why there are none; empty: there can be. */
+    /** Why exact pixels are impossible; empty if they are possible. */
     this.reason = "";
     const layers = layersOrReason(gl, picture, known);
     if (typeof layers === "string") {
@@ -127,19 +127,19 @@ export class ExactPixels {
     });
   }
 
-  /** Nothing that was gathered is shown any more; it is kept for a view that differs by a shift. */
+  /** Stops showing the gathered pixels, but keeps them for a view that differs only by a shift. */
   leave() {
     this.isShown = false;
   }
 
-  /** Whether the reason is one of the view: another one may have exact pixels. */
+  /** Whether the reason depends on the view, so that another view may have exact pixels. */
   isTooLarge = false;
 
   /**
-   * From now on pixels of this view are gathered.
+   * Starts gathering the pixels of a view.
    * @param {number[]} size of the target, pixels
    * @param {Affine} pixelFromArtboard
-   * @param {(instance: Instance) => Rect} touched what an instance can touch
+   * @param {(instance: Instance) => Rect} touched returns the area that an instance can touch
    */
   begin(size, pixelFromArtboard, touched) {
     const seen = this.seen(size, touched);
@@ -160,7 +160,7 @@ export class ExactPixels {
   }
 
   /**
-   * The instances that can touch the window, and where.
+   * Returns the instances that can touch the window, and where.
    * @param {number[]} size
    * @param {(instance: Instance) => Rect} touched
    */
@@ -174,7 +174,7 @@ export class ExactPixels {
   }
 
   /**
-   * An image of what is to be seen, with what another one has of it.
+   * Returns an image for the visible part of an instance, with all usable pixels of an earlier image.
    * @param {ExactScene} scene
    * @param {ExactImage | undefined} before
    * @param {number[]} size
@@ -213,7 +213,7 @@ export class ExactPixels {
     gl.copyTexSubImage2D(gl.TEXTURE_2D, 0, x, y, x - dx, y - dy, width, height);
   }
 
-  /** What is shown of an instance, or null. @param {Instance} instance */
+  /** Returns the exact pixels to show for an instance, or null. @param {Instance} instance */
   shownOf(instance) {
     const image = this.isShown ? this.images.get(instance) : undefined;
     return image?.hasAny ? image : null;
@@ -223,7 +223,7 @@ export class ExactPixels {
     return [...this.images.values()].every(({ work }) => work.isDone);
   }
 
-  /** The share that is gathered, from 0 to 1. */
+  /** The share of the pixels that are gathered, from 0 to 1. */
   get progress() {
     let all = 0,
       left = 0;
@@ -234,7 +234,7 @@ export class ExactPixels {
     return all > 0 ? 1 - left / all : 1;
   }
 
-  /** Whether pixels that curves cut are gathered too, at several points. */
+  /** Whether pixels that curves cut are gathered as well, at several points. */
   get hasCuts() {
     return [...this.images.values()].every(({ scene }) => scene.isRefined);
   }
@@ -259,7 +259,7 @@ export class ExactPixels {
   }
 
   /**
-   * Looks again and again whether the GPU is done, to learn how long it takes.
+   * Polls the GPU until it is done, to measure the time.
    * @param {number} start
    */
   wait(start) {
@@ -278,8 +278,8 @@ export class ExactPixels {
   /**
    * Gathers a part of an image.
    * @param {ExactImage} image
-   * @param {number} most pixels
-   * @returns {number} how many
+   * @param {number} most limit for the pixels
+   * @returns {number} how many were gathered
    */
   gather(image, most) {
     const { scene } = image;
@@ -294,7 +294,7 @@ export class ExactPixels {
   }
 
   /**
-   * Finds in which triangles the pixels of a tile lie, and which are cut.
+   * Finds the triangle of each pixel of a tile, and the pixels that curves cut.
    * @param {ExactScene} scene
    * @param {Rect} tile
    * @param {Affine} pixelFromScene
@@ -322,7 +322,7 @@ export class ExactPixels {
 
   /**
    * @param {ExactImage} image
-   * @param {Rect} rect in the tile at hand
+   * @param {Rect} rect in the present tile
    * @param {Affine} pixelFromScene
    */
   walk({ scene, target }, rect, pixelFromScene) {
@@ -360,8 +360,8 @@ export class ExactPixels {
 }
 
 /**
- * For Renderer.setExact().
- * @param {(ExactLayer | null)[] | null} known the layers as rays meet them; null: in the payload
+ * Returns a factory for Renderer.setExact().
+ * @param {(ExactLayer | null)[] | null} known the layers as rays meet them; null: read the payload
  * @returns {(renderer: Renderer) => ExactPixels}
  */
 export function exactPixels(known = null) {

@@ -1,5 +1,5 @@
-// The exact fields of a payload, its last part (docs/viewer.md, "Exact fields"): curves as rays meet
-// them. Read when they are first wanted, not before the picture is shown.
+// Reads the exact fields of a payload, its last part (docs/viewer.md, "Exact fields"): curves as rays meet them.
+// They are read when they are first needed, after the picture is shown.
 
 import { ByteReader, PayloadError, unzigzag } from "./bytes.js";
 import { GRID_MIDDLE, NO_MATE, readCurves, readGridFrame, readTopology } from "./mesh.js";
@@ -7,23 +7,23 @@ import { GRID_MIDDLE, NO_MATE, readCurves, readGridFrame, readTopology } from ".
 /** @import { Topology } from "./mesh.js" */
 
 const EXACT_VERSION = 1;
-/** What follows of a layer: nothing, curves on the vertices of its patches, or on a grid of their own. */
+/** The codes before a layer: no curves, curves on the vertices of its patches, or on their own grid. */
 const NONE = 0;
 const WITH_PATCHES = 1;
 const ALONE = 2;
 
-/** The half-edge after h in its triangle. @param {number} h */
+/** Returns the half-edge after h in its triangle. @param {number} h */
 export const nextEdge = (h) => (h % 3 === 2 ? h - 2 : h + 1);
 
-/** The half-edge before h in its triangle. @param {number} h */
+/** Returns the half-edge before h in its triangle. @param {number} h */
 export const previousEdge = (h) => (h % 3 === 0 ? h + 2 : h - 1);
 
-/** As the writer's. */
+/** The same limit as in the writer. */
 const EDGES_LOOKED_AT = 64;
 const LARGEST_NUMBER = 2 ** 28;
 const SMALL_MISS = 3;
 
-/** What rays meet at a half-edge: RayEdge of picture.hpp. */
+/** The kinds of half-edges for rays: RayEdge of picture.hpp. */
 export const OPEN = 0;
 export const STOP = 1;
 export const SIDE = 2;
@@ -68,7 +68,7 @@ export const SIDE = 2;
 
 
 /**
- * Which half-edges lie on one edge.
+ * Returns the half-edge across each half-edge.
  * @param {Topology} topology
  */
 function twinsOf({ mate, cornerVertex }) {
@@ -96,18 +96,18 @@ function twinsOf({ mate, cornerVertex }) {
  */
 
 /**
- * What of a picture's layer is needed to read its curves.
+ * The part of a picture's layer that reading its curves needs.
  * @typedef {object} LayerOfCurves
  * @property {number[]} origin
  * @property {Float32Array} positions
  * @property {object | null} opacity
  */
 
-/** Triangles, and where curves run in them. */
+/** Reads triangles and the curves that run along their edges. */
 class CurveReader {
   /**
    * @param {ByteReader} reader
-   * @param {LayerOfCurves | null} layer null: they stand alone
+   * @param {LayerOfCurves | null} layer null: the curves stand alone
    */
   constructor(reader, layer) {
     this.reader = reader;
@@ -122,7 +122,7 @@ class CurveReader {
   }
 
   /**
-   * The edge where rays see what follows on h, or NO_MATE.
+   * Returns the edge that rays meet after h, in the order of `turn`, or NO_MATE.
    * @param {number} h
    * @param {(h: number) => number} turn
    */
@@ -136,7 +136,7 @@ class CurveReader {
     return isCurve[g] ? g : NO_MATE;
   }
 
-  /** Edges along the curves; those at which something begins come first. */
+  /** Sorts the edges along the curves; edges where a curve begins come first. */
   findOrder() {
     const { isCurve } = this;
     const isListed = new Uint8Array(isCurve.length);
@@ -155,7 +155,7 @@ class CurveReader {
     return order;
   }
 
-  /** Most vertices are those of patches. @param {LayerOfCurves | null} layer */
+  /** Reads positions; most vertices are vertices of patches. @param {LayerOfCurves | null} layer */
   readPositions(layer) {
     const { reader, corner, vertexCount } = this;
     const numbers = reader.planes(vertexCount, 4);
@@ -216,7 +216,7 @@ class FieldReader {
     this.channelCount = channelCount;
     this.edge = new Uint8Array(curves.corner.length);
     this.sideOf = new Uint32Array(curves.corner.length);
-    /** Sides, in the order of their numbers. @type {CurveEdge[]} */
+    /** The sides, in the order of their numbers. @type {CurveEdge[]} */
     this.sides = [];
     this.readKinds(curves);
   }
@@ -264,7 +264,8 @@ class FieldReader {
   }
 
   /**
-   * One number at both ends of each side: number `place` of `size`. It goes on as it was before.
+   * Reads one number at both ends of each side: number `place` of `size`. Each number is predicted to keep its
+   * former slope.
    * @param {number} step
    * @param {Float32Array} from
    * @param {Float32Array} to
@@ -295,7 +296,7 @@ class FieldReader {
   }
 
   /**
-   * By columns.
+   * Reads the free ends, column by column.
    * @param {number} step
    * @param {number} unit
    * @returns {ExactEnd[]}
@@ -332,7 +333,7 @@ class FieldReader {
 /**
  * @param {ByteReader} reader
  * @param {boolean} hasOpacity
- * @param {LayerOfCurves | null} layer null: they stand alone
+ * @param {LayerOfCurves | null} layer null: the curves stand alone
  * @returns {ExactLayer}
  */
 function readCurvesOf(reader, hasOpacity, layer) {
@@ -347,10 +348,10 @@ function readCurvesOf(reader, hasOpacity, layer) {
 }
 
 /**
- * The next layer, if it is one.
+ * Reads the next layer, or returns null if it has no curves.
  * @param {ByteReader} reader
  * @param {boolean} hasOpacity
- * @param {LayerOfCurves | null} layer null: it has no patches
+ * @param {LayerOfCurves | null} layer null: the layer has no patches
  */
 function readNext(reader, hasOpacity, layer) {
   const kind = reader.u8();
@@ -369,8 +370,8 @@ function readerOf(bytes) {
 }
 
 /**
- * Layers as rays meet them; null where one is not there. Throws PayloadError.
- * @param {Uint8Array} bytes of that part; may be empty
+ * Reads the layers as rays meet them; null for a layer that has none. Throws PayloadError.
+ * @param {Uint8Array} bytes of the last part; may be empty
  * @param {LayerOfCurves[]} layers of the picture
  * @returns {(ExactLayer | null)[]}
  */
@@ -381,10 +382,10 @@ export function readExactLayers(bytes, layers) {
 }
 
 /**
- * A layer as rays meet it, by itself: what sfumato_exact_layer makes. Throws PayloadError.
+ * Reads one layer as rays meet it, from the bytes of sfumato_exact_layer. Throws PayloadError.
  * @param {Uint8Array} bytes
  * @param {boolean} hasOpacity whether the layer has one
- * @returns {ExactLayer | null} null where it has no curves that rays meet
+ * @returns {ExactLayer | null} null if it has no curves that rays meet
  */
 export function readExactLayer(bytes, hasOpacity) {
   return readNext(readerOf(bytes), hasOpacity, null);

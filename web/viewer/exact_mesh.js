@@ -1,11 +1,11 @@
-// A layer's curves as rays meet them, in a triangulation that can be made finer where it is seen.
+// A layer's curves as rays meet them, in a triangulation that can be refined where it is visible.
 
 import { NO_MATE } from "./mesh.js";
 import { nextEdge, OPEN, previousEdge, SIDE } from "./exact_fields.js";
 
 /** @import { ExactField, ExactLayer } from "./exact_fields.js" */
 
-/** One attribute of an ExactMesh: the tables of an ExactField, of which parts can become longer. */
+/** One attribute of an ExactMesh: the tables of an ExactField, some of which can grow. */
 export class MeshField {
   /** @param {ExactField} field */
   constructor(field) {
@@ -25,7 +25,7 @@ export class MeshField {
   }
 
   /**
-   * Half-edge h becomes its first part, of share u, and `rest` the second.
+   * Splits half-edge h at share u: h becomes the first part, `rest` the second.
    * @param {number} h
    * @param {number} rest
    * @param {number} u
@@ -50,7 +50,7 @@ export class MeshField {
   }
 
   /**
-   * What was half-edge h is now `to`; between parts of a triangle nothing is met.
+   * Renames half-edge h to `to`. Rays meet nothing between the parts of a triangle.
    * @param {number} h
    * @param {number} to
    */
@@ -71,11 +71,11 @@ export class ExactMesh {
     this.vertex = Array.from(layer.triangleVertex);
     this.twin = Array.from(layer.twin);
     this.fields = layer.fields.map((field) => new MeshField(field));
-    /** Where half-edges are that had another place. @type {Map<number, number>} */
+    /** The new places of half-edges that were renamed. @type {Map<number, number>} */
     this.moved = new Map();
   }
 
-  /** The present place of what was half-edge h when the mesh was made. @param {number} h */
+  /** Returns the present place of a half-edge that was h when the mesh was made. @param {number} h */
   placeOf(h) {
     for (let next = this.moved.get(h); next !== undefined; next = this.moved.get(h)) h = next;
     return h;
@@ -95,16 +95,16 @@ export class ExactMesh {
     return this.vertex[previousEdge(h)];
   }
 
-  /** Whether something is met at h, in any field. @param {number} h */
+  /** Returns whether rays meet something at h, in any field. @param {number} h */
   isCurve(h) {
     return this.fields.some((field) => field.edge[h] !== OPEN);
   }
 
   /**
-   * Twice the area of a triangle, positive where it lies as all do.
+   * Returns twice the area of a triangle, positive for the orientation of all triangles.
    * @param {number} a vertex
    * @param {number} b vertex
-   * @param {number} x of the third corner
+   * @param {number} x x of the third corner
    * @param {number} y
    */
   area(a, b, x, y) {
@@ -113,7 +113,7 @@ export class ExactMesh {
   }
 
   /**
-   * Whether the triangle of h stays one when (x, y) stands between the ends of h.
+   * Returns whether the triangle of h keeps its orientation with (x, y) between the ends of h.
    * @param {number} h
    * @param {number} x
    * @param {number} y
@@ -127,8 +127,8 @@ export class ExactMesh {
   }
 
   /**
-   * Puts a vertex between the ends of h, where hasRoom() says that it fits, on both sides. Returns
-   * the second part of h.
+   * Puts a vertex between the ends of h, on both sides; hasRoom() must have allowed it. Returns the second part of
+   * h.
    * @param {number} h
    * @param {number} x
    * @param {number} y
@@ -148,7 +148,7 @@ export class ExactMesh {
   }
 
   /**
-   * Cuts the triangle of h in two; returns the second part of h.
+   * Cuts the triangle of h in two. Returns the second part of h.
    * @param {number} h
    * @param {number} middle vertex
    * @param {number} u

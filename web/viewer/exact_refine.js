@@ -1,20 +1,20 @@
-// Finer chords where they show: edges on smooth curves are split at points of a curve through their
-// vertices until they stray less than is seen.
+// Refines chords where that is visible: splits edges on smooth curves at points of a curve through their vertices,
+// until the error is too small to see.
 
 import { NO_MATE } from "./mesh.js";
 import { previousEdge } from "./exact_fields.js";
 
 /** @import { ExactMesh } from "./exact_mesh.js" */
 
-/** A chord may stray so far, pixels. */
+/** Limit for the distance between a chord and its curve, pixels. */
 export const MOST_STRAY = 0.15;
-/** How much farther than their tolerance chords of a smooth curve may stray. */
+/** How far chords of a smooth curve may stray, relative to their tolerance. */
 const SMOOTH_STRAY = 2.5;
 /** Cosine of the largest turn between chords of a smooth curve. */
 const LEAST_COSINE = 0.5;
-/** Curves that meet at a vertex and are looked at. */
+/** Limit for the curves at a vertex that are examined. */
 const MOST_AT_VERTEX = 64;
-/** Edges that are made at most. */
+/** Limit for the edges that refinement makes. */
 const MOST_SPLITS = 1 << 17;
 
 /** @typedef {number[]} Vector */
@@ -37,9 +37,9 @@ export class Refiner {
   }
 
   /**
-   * Makes edges finer that are seen.
-   * @param {number[]} box that is seen, relative to the mesh's origin
-   * @param {number} scale pixels to a layer unit, where it is largest
+   * Refines visible edges.
+   * @param {number[]} box the visible area, relative to the mesh's origin
+   * @param {number} scale pixels per layer unit, where it is largest
    */
   refine(box, scale) {
     const { mesh } = this;
@@ -51,7 +51,7 @@ export class Refiner {
       if (!isFirst || !mesh.isCurve(h) || !this.isSeen(h, box)) continue;
       const from = this.tangent(h),
         back = this.tangentBack(h);
-      // Where one end knows no way, the curve bends evenly.
+      // If only one end has a direction, the curve bends evenly.
       const start = from ?? (back && this.mirrored(h, back));
       const end = back ?? (from && this.mirrored(h, from));
       if (start && end) edges.push({ h, start, end });
@@ -69,7 +69,7 @@ export class Refiner {
   }
 
   /**
-   * Whether the edge, or its curve, may be in the box.
+   * Returns whether the edge, or its curve, may touch the box.
    * @param {number} h
    * @param {number[]} box
    */
@@ -87,7 +87,8 @@ export class Refiner {
   }
 
   /**
-   * Where the curve of h goes at its origin, if it goes on there; a unit vector along h.
+   * Returns the tangent of the curve of h at its origin, as a unit vector along h; null unless the curve continues
+   * there smoothly.
    * @param {number} h
    * @returns {Vector | null}
    */
@@ -102,18 +103,18 @@ export class Refiner {
       [vx, vy] = unit(back);
     const turn = Math.acos(Math.max(-1, Math.min(1, ux * vx + uy * vy)));
     const isSmooth = (Math.max(near, far) * turn) / 8 <= SMOOTH_STRAY * this.tolerance;
-    // That of the circle through the three points.
+    // The tangent of the circle through the three points.
     return isSmooth ? unit([ux * far + vx * near, uy * far + vy * near]) : null;
   }
 
-  /** The same at its target. @param {number} h @returns {Vector | null} */
+  /** Returns the same at the target of h. @param {number} h @returns {Vector | null} */
   tangentBack(h) {
     const found = this.tangentFrom(h);
     return found && [-found[0], -found[1]];
   }
 
   /**
-   * As tangent() of the edge turned around.
+   * Returns tangent() of the edge turned around.
    * @param {number} h
    */
   tangentFrom(h) {
@@ -122,7 +123,7 @@ export class Refiner {
   }
 
   /**
-   * Of the edges on curves that leave the origin of h the one that goes on most straight behind it.
+   * Returns, among the curve edges that leave the origin of h, the one that continues h most straight backwards.
    * @param {number} h
    * @returns {number | null}
    */
@@ -146,7 +147,7 @@ export class Refiner {
   }
 
   /**
-   * A direction at the other end of an arc.
+   * Returns a direction mirrored to the other end of an arc.
    * @param {number} h
    * @param {Vector} direction
    */
@@ -160,7 +161,7 @@ export class Refiner {
   /**
    * @param {number} h
    * @param {Vector} start direction of the curve at its origin
-   * @param {Vector} end and at its target
+   * @param {Vector} end the same at its target
    * @param {number} stray
    * @param {number[]} box
    */

@@ -1,4 +1,4 @@
-// A layer's curves on the GPU, as the walk reads them for what is seen of the layer.
+// The curves of a layer on the GPU, as the walk reads them for the visible part of the layer.
 
 import { inverted, mapped, mappedBox } from "./affine.js";
 import { END, exactTables } from "./exact_tables.js";
@@ -11,11 +11,11 @@ import { arraySource, DataTable } from "./tables.js";
 /** @import { ExactLayer } from "./exact_fields.js" */
 /** @import { ExactTables } from "./exact_tables.js" */
 
-/** So many windows away from the origin single precision still holds a hundredth of a pixel. */
+/** Within this many windows of the origin, single precision resolves a hundredth of a pixel. */
 const MOST_WINDOWS = 32;
-/** Chords are made finer in so much around the window, of its extent, for views near to this one. */
+/** Margin around the window in which chords are refined, for nearby views; a share of the window's extent. */
 const ROOM_AROUND = 0.5;
-/** And so much finer than they need be. */
+/** Extra refinement of the chords. */
 const FINER = 1.5;
 
 const NAMES = /** @type {const} */ (["beyond", "hit", "blend", "triangle"]);
@@ -35,15 +35,15 @@ export class ExactScene {
     this.ends = new DataTable(gl, "vector");
     /** @type {ExactTables | null} */
     this.made = null;
-    /** Where chords are fine enough for a scale; none: everywhere. @type {number[]} */
+    /** Where chords are fine enough for a scale; empty: everywhere. @type {number[]} */
     this.fineBox = [];
     this.fineScale = 0;
   }
 
   /**
-   * Makes the tables right for a view.
+   * Updates the tables for a view.
    * @param {Affine} pixelFromLayer
-   * @param {number[]} size pixels of the window
+   * @param {number[]} size of the window, pixels
    */
   look(pixelFromLayer, size) {
     const seen = mappedBox(inverted(pixelFromLayer), [0, 0, ...size]);
@@ -61,7 +61,7 @@ export class ExactScene {
   }
 
   /**
-   * Whether chords are fine enough, and not much too fine.
+   * Returns whether chords are fine enough, and not much too fine.
    * @param {number[]} box
    * @param {number} scale
    */
@@ -73,20 +73,20 @@ export class ExactScene {
     return isInside && scale <= fineScale && scale > fineScale / 8;
   }
 
-  /** Whether chords are fine enough as they are. @param {number} scale */
+  /** Returns whether chords are fine enough without refinement. @param {number} scale */
   needsNone(scale) {
     return this.layer.tolerance * scale <= MOST_STRAY;
   }
 
-  /** Whether some chords are finer than those of the patches. */
+  /** Whether some chords are finer than the patches' chords. */
   get isRefined() {
     return this.fineScale > 0;
   }
 
   /**
    * @param {number[]} origin
-   * @param {number[]} box of what is seen, layer frame
-   * @param {number} scale pixels to a layer unit
+   * @param {number[]} box the visible part, layer frame
+   * @param {number} scale pixels per layer unit
    */
   make(origin, box, scale) {
     const mesh = new ExactMesh(this.layer);
@@ -102,7 +102,7 @@ export class ExactScene {
     this.made = made;
   }
 
-  /** What was made for the view. */
+  /** The tables for the present view. */
   get tablesMade() {
     if (!this.made) throw new Error("The tables of the layer are not there.");
     return this.made;
@@ -117,7 +117,7 @@ export class ExactScene {
   }
 
   /**
-   * Gives a program the tables.
+   * Binds the tables to a program.
    * @param {Program} program
    */
   bind(program) {
@@ -128,7 +128,7 @@ export class ExactScene {
   }
 
   /**
-   * The free ends that reach a box, for the program.
+   * Binds the free ends that reach a box to the program.
    * @param {Program} program
    * @param {number[]} box relative to the tables' origin
    */
@@ -155,7 +155,7 @@ export class ExactScene {
   }
 }
 
-/** Pixels to a layer unit, where that is most. @param {Affine} map */
+/** Returns pixels per layer unit, in the direction where that is most. @param {Affine} map */
 function largestScale([a, b, c, d]) {
   const squares = a * a + b * b + c * c + d * d,
     area = a * d - b * c;
@@ -163,7 +163,7 @@ function largestScale([a, b, c, d]) {
 }
 
 /**
- * Whether two maps are the same but for whole pixels; how many, then.
+ * Returns the shift between two maps if they differ only by whole pixels, else null.
  * @param {Affine} before
  * @param {Affine} now
  * @returns {number[] | null}

@@ -1,4 +1,4 @@
-// An ExactMesh as the tables that the walk reads: src/gather/kernels/scene_layout.hpp.
+// Converts an ExactMesh to the tables that the walk reads: src/gather/kernels/scene_layout.hpp.
 
 import { NO_MATE } from "./mesh.js";
 import { nextEdge, OPEN, previousEdge, SIDE } from "./exact_fields.js";
@@ -6,14 +6,14 @@ import { nextEdge, OPEN, previousEdge, SIDE } from "./exact_fields.js";
 /** @import { ExactMesh, MeshField } from "./exact_mesh.js" */
 
 const NO_PASSAGE = -1;
-/** Numbers of an EdgeBeyond, of a HitEdge and a HitBlend, of a SceneTriangle: four a texel. */
+/** Numbers in an EdgeBeyond, in a HitEdge with a HitBlend, and in a SceneTriangle; a texel holds four. */
 const BEYOND = 8;
 const HIT = 16;
 const TRIANGLE = 12;
 /** Numbers of a free end in the table of ends. */
 export const END = 20;
 
-/** Rows of numbers, of which some are integers. */
+/** Rows of numbers, some of them integers. */
 class Bits {
   /** @param {number} count */
   constructor(count) {
@@ -31,7 +31,7 @@ class Bits {
  */
 
 /**
- * All that the walk reads of a layer. Triangles of the opacity follow those of the colour.
+ * All tables of a layer that the walk reads. Triangles of the opacity follow the triangles of the colour.
  * @typedef {object} ExactTables
  * @property {number[]} origin what positions are relative to, layer frame
  * @property {number} triangleCount of one field
@@ -64,7 +64,7 @@ class TableWriter {
     this.hit = new Bits(HIT * sides);
     this.blend = new Bits(HIT * sides);
     this.triangle = new Bits(TRIANGLE * fields * mesh.triangleCount);
-    /** Codes of the half-edges of the field at hand. */
+    /** Codes of the half-edges of the present field. */
     this.code = new Int32Array(edges);
     this.passages = 0;
     this.hits = 0;
@@ -161,7 +161,7 @@ class TableWriter {
   }
 
   /**
-   * What a blur shows of the other side, if that has a value.
+   * Adds the share of the other side that a blur shows, if that side has a value.
    * @param {MeshField} field
    * @param {number} h
    * @param {number} at
@@ -226,7 +226,7 @@ class TableWriter {
 
 /**
  * @param {ExactMesh} mesh
- * @param {number[]} origin layer frame: near what is seen, for floats to be fine there
+ * @param {number[]} origin layer frame; near the visible part, where floats are then fine
  */
 export function exactTables(mesh, origin) {
   return new TableWriter(mesh, origin).run();

@@ -1,26 +1,25 @@
-// What is to be gathered of a picture that stands still, and how much of it at a time.
+// The pixels that are still to be gathered for a still picture, and how many to gather at a time.
 
 import { intersected, isEmptyRect } from "./targets.js";
 
 /** @import { Rect } from "./targets.js" */
 
-/** Side of the squares that are worked on one after another, pixels. */
+/** Side of the squares that are processed one after another, pixels. */
 export const TILE = 256;
 
 /**
- * Time of one frame's share that is aimed at, milliseconds; and where software draws, for which every
- * share takes some time, however small.
+ * Target time of one frame's share, milliseconds; larger for software, where even a small share takes a while.
  */
 const AIM = 6;
 const SOFTWARE_AIM = 60;
 const FIRST_SHARE = 256;
 const LEAST_SHARE = 64;
-/** There a pixel may take 10 ms. */
+/** In software one pixel may take 10 ms. */
 const SOFTWARE_FIRST = 16;
 const SOFTWARE_LEAST = 8;
 const MOST_SHARE = 1 << 22;
 
-/** Pixels that may be gathered in a frame, by how long those of the frames before took. */
+/** Chooses how many pixels to gather in a frame, from the times of earlier frames. */
 export class Pace {
   /** @param {boolean} isSoftware */
   constructor(isSoftware) {
@@ -29,7 +28,7 @@ export class Pace {
     this.pixels = isSoftware ? SOFTWARE_FIRST : FIRST_SHARE;
   }
 
-  /** @param {number} elapsed milliseconds that a share took */
+  /** @param {number} elapsed time of a share, milliseconds */
   learn(elapsed) {
     const { aim } = this;
     const factor = elapsed < 0.7 * aim ? 2 : elapsed > 1.3 * aim ? aim / elapsed : 1;
@@ -38,7 +37,7 @@ export class Pace {
   }
 }
 
-/** What is left of a rectangle, cut into tiles; the middle comes first. */
+/** The rest of some rectangles, cut into tiles; the middle comes first. */
 export class Work {
   /** @param {Rect[]} rects */
   constructor(rects) {
@@ -49,7 +48,7 @@ export class Work {
     const far = (/** @type {Rect} */ [x, y, width, height]) =>
       Math.hypot(x + width / 2 - middle[0], y + height / 2 - middle[1]);
     this.tiles.sort((a, b) => far(b) - far(a));
-    /** Parts of the tile at hand. @type {Rect[]} */
+    /** Parts of the present tile. @type {Rect[]} */
     this.parts = [];
     this.left = this.tiles.reduce((sum, [, , width, height]) => sum + width * height, 0);
   }
@@ -58,7 +57,7 @@ export class Work {
     return this.left === 0;
   }
 
-  /** The next tile, where nothing of the last one is left, else null. @returns {Rect | null} */
+  /** Returns the next tile, or null while the last one is not finished. @returns {Rect | null} */
   nextTile() {
     if (this.parts.length > 0) return null;
     const tile = this.tiles.pop() ?? null;
@@ -67,8 +66,8 @@ export class Work {
   }
 
   /**
-   * A part of the tile at hand.
-   * @param {number} most pixels, above 0
+   * Returns a part of the present tile.
+   * @param {number} most limit for the pixels, above 0
    * @returns {Rect}
    */
   take(most) {
@@ -95,7 +94,7 @@ function tilesOf(rect) {
 }
 
 /**
- * What of `whole` does not lie in `part`, as up to four rectangles.
+ * Returns the parts of `whole` outside `part`, as up to four rectangles.
  * @param {Rect} whole
  * @param {Rect} part
  * @returns {Rect[]}

@@ -1,12 +1,12 @@
-// The nodes of a layer's field, as src/export/html/viewer_field.cpp writes them: corners first, then
-// edges, then centres. Values are whole numbers of steps until the end.
+// Reads the nodes of a layer's field, as src/export/html/viewer_field.cpp writes them: corners first, then edges,
+// then centres. Values stay whole numbers of steps until the end.
 
 import { ByteReader, PayloadError, unzigzag } from "./bytes.js";
 import { NO_MATE } from "./mesh.js";
 
 /** @import { Topology } from "./mesh.js" */
 
-// Of a triangle; two of them on each edge, from EDGES on, and one at the centre.
+// Nodes of a triangle: its corners, two on each edge from EDGES on, and one at the centre.
 const NODES = 10;
 const EDGES = 3;
 const CENTER = 9;
@@ -54,7 +54,7 @@ class FieldDecoder {
     return this;
   }
 
-  /** The codes and residuals of the nodes of one kind, and room for these. */
+  /** Reads the codes and residuals of the nodes of one kind, and makes room for the nodes. */
   beginPass() {
     this.codes = new ByteReader(this.reader.counted());
     const count = this.reader.count(3 * this.channelCount);
@@ -82,7 +82,7 @@ class FieldDecoder {
   }
 
   /**
-   * A new node at a slot; guess(channel) foretells its value.
+   * Adds a node at a slot; guess(channel) predicts its value.
    * @param {number} slot of triangleNode
    * @param {(channel: number) => number} guess
    */
@@ -98,7 +98,7 @@ class FieldDecoder {
   }
 
   /**
-   * Puts the vertex's node at a place, from 1, of its list first there, and returns it.
+   * Moves the vertex's node at a place, from 1, of its list to the front, and returns it.
    * @param {number} vertex
    * @param {number} place
    */
@@ -186,7 +186,7 @@ class FieldDecoder {
 }
 
 /**
- * The shaders whose weights are a field's last channels.
+ * Reads the shaders whose weights are a field's last channels.
  * @param {ByteReader} reader
  * @param {number} shaderCount of the picture
  * @returns {number[]}
@@ -202,7 +202,7 @@ export function readShaders(reader, shaderCount) {
 /**
  * @param {ByteReader} reader
  * @param {Topology} topology
- * @param {number} ownChannels those that are no shader's weight
+ * @param {number} ownChannels channels that are not the weight of a shader
  * @param {number} shaderCount of the picture
  * @returns {Field}
  */

@@ -1,19 +1,19 @@
-// A thin layer over WebGL2: what a browser can do, and programs from shaders.
+// A thin layer over WebGL2: the abilities of a browser, and programs from shaders.
 
 import { rowsOf } from "./affine.js";
 
 /** @import { Affine } from "./affine.js" */
 
-/** Of antialiasing in one picture; all that have WebGL 2 have as many. */
+/** Samples of antialiasing in one picture; every WebGL 2 supports this many. */
 const SAMPLES = 4;
 
 /**
- * What the browser can do.
+ * The abilities of the browser.
  * @typedef {object} Abilities
- * @property {boolean} floatSums strokes may add up in single precision
- * @property {boolean} halfTargets targets may be in half precision
+ * @property {boolean} floatSums strokes may be summed in single precision
+ * @property {boolean} halfTargets targets may have half precision
  * @property {number} samples of antialiasing
- * @property {number} largestSide of a target, pixels
+ * @property {number} largestSide limit for the side of a target, pixels
  */
 
 /**
@@ -64,7 +64,7 @@ export class Program {
     this.units = new Map();
   }
 
-  /** What the compiler says where it refuses; empty where all is well. */
+  /** Returns the compiler's message if it rejects the program; else empty. */
   complaint() {
     const { gl } = this;
     if (gl.getProgramParameter(this.program, gl.LINK_STATUS) || gl.isContextLost()) return "";
@@ -120,7 +120,7 @@ export class Program {
   }
 
   /**
-   * A map, as two rows.
+   * Sets a map, as two rows.
    * @param {string} name
    * @param {Affine} map
    */
@@ -130,7 +130,7 @@ export class Program {
   }
 
   /**
-   * A texture, on a unit of its own.
+   * Binds a texture to a unit of its own.
    * @param {string} name
    * @param {WebGLTexture | null} texture
    */
@@ -146,11 +146,11 @@ export class Program {
   }
 }
 
-/** Programs by name and variant, made when they are first wanted. */
+/** Programs by name and variant, compiled when they are first needed. */
 export class Programs {
   /**
    * @param {WebGL2RenderingContext} gl
-   * @param {(name: string) => string} textOf a file of shaders/
+   * @param {(name: string) => string} textOf returns a file of shaders/
    */
   constructor(gl, textOf) {
     this.gl = gl;

@@ -1,6 +1,6 @@
 // Pointers, wheel and keys.
 
-/** Two taps within these are one double tap: milliseconds and CSS pixels. */
+/** Limits for two taps to be one double tap: milliseconds and CSS pixels. */
 const DOUBLE_TAP_TIME = 350;
 const DOUBLE_TAP_DISTANCE = 24;
 
@@ -9,7 +9,7 @@ const KEY_MOVE = 80;
 const DOUBLE_TAP_ZOOM = 2;
 
 /**
- * What input asks for.
+ * The commands that input gives.
  * @typedef {object} Commands
  * @property {(dx: number, dy: number, smooth: boolean) => void} move CSS pixels
  * @property {(factor: number, px: number, py: number, smooth: boolean) => void} zoom
@@ -23,13 +23,13 @@ const DOUBLE_TAP_ZOOM = 2;
  */
 
 /**
- * What is for the picture, and not for the page around it.
+ * Decides which input is for the picture and not for the page around it.
  * @typedef {object} Claims
- * @property {() => boolean} wheel a wheel without Ctrl
- * @property {() => boolean} finger a finger by itself
+ * @property {() => boolean} wheel a wheel event without Ctrl
+ * @property {() => boolean} finger a single finger
  */
 
-/** Drag, pinch and taps on the canvas. */
+/** Handles drag, pinch and taps on the canvas. */
 export class PointerInput {
   /**
    * @param {HTMLCanvasElement} canvas
@@ -49,7 +49,7 @@ export class PointerInput {
     canvas.addEventListener("pointerup", (event) => this.release(event, true));
     canvas.addEventListener("pointercancel", (event) => this.release(event, false));
     canvas.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
-    // Safari's own pinch would zoom the page.
+    // Prevent Safari's own pinch, which would zoom the page.
     canvas.addEventListener("gesturestart", (event) => event.preventDefault());
   }
 
@@ -64,13 +64,13 @@ export class PointerInput {
     if (event.pointerType === "mouse" && event.button !== 0 && event.button !== 1) return;
     event.preventDefault();
     this.canvas.focus({ preventScroll: true });
-    // A pointer that is gone again cannot be captured.
+    // A pointer that has already gone cannot be captured.
     if (event.isTrusted) this.canvas.setPointerCapture(event.pointerId);
     if (this.down.size === 0) this.travelled = 0;
     this.down.set(event.pointerId, this.at(event));
   }
 
-  /** Middle and spread of the two pointers that count. */
+  /** Returns middle and spread of the two pointers of a pinch. */
   pinch() {
     const [a, b] = [...this.down.values()];
     if (!b) return { x: a[0], y: a[1], spread: 0 };
@@ -99,7 +99,7 @@ export class PointerInput {
 
   /**
    * @param {PointerEvent} event
-   * @param {boolean} isUp and not cancelled
+   * @param {boolean} isUp released and not cancelled
    */
   release(event, isUp) {
     if (!this.down.delete(event.pointerId)) return;
@@ -121,12 +121,12 @@ export class PointerInput {
 
   /** @param {WheelEvent} event */
   wheel(event) {
-    // What is not taken scrolls the page around the frame.
+    // An event that is not taken scrolls the page around the frame.
     if (!event.ctrlKey && !event.metaKey && !this.claims.wheel()) return;
     event.preventDefault();
     const unit = [1, 18, 400][event.deltaMode] ?? 1;
     const delta = (event.deltaY || event.deltaX) * unit;
-    // A pinch on a touch pad comes as a wheel with Ctrl, in small steps; a wheel's are large.
+    // A pinch on a touch pad arrives as a wheel with Ctrl, in small steps; steps of a wheel are large.
     const [speed, most] = event.ctrlKey ? [0.01, 25] : [0.002, 300];
     const factor = Math.exp(-Math.max(-most, Math.min(most, delta)) * speed);
     const [x, y] = this.at(event);

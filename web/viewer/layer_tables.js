@@ -1,4 +1,4 @@
-// The tables of a layer on the GPU, which follow those that they were made of.
+// The GPU tables of a layer, which follow the tables in memory.
 
 import { arraySource, DataTable } from "./tables.js";
 
@@ -7,8 +7,8 @@ import { arraySource, DataTable } from "./tables.js";
 /** @import { Range, TableKind, TableSource } from "./tables.js" */
 
 /**
- * Rows of a layer's tables that are not as before, by the tables' names in web/wasm/sfumato.mjs; what
- * is missing has not changed. Where a table has grown, its new rows are among them.
+ * The changed rows of a layer's tables, by the tables' names in web/wasm/sfumato.mjs. A missing table has not
+ * changed. If a table has grown, its new rows are included.
  * @typedef {object} LayerDelta
  * @property {readonly Range[]} [vertices]
  * @property {readonly Range[]} [triangles]
@@ -20,12 +20,12 @@ import { arraySource, DataTable } from "./tables.js";
  */
 
 /**
- * Channels of a field's nodes, what is missing 0.
+ * Returns channels of a field's nodes; missing channels are 0.
  * @param {Field} field
  * @param {number} first channel
  * @param {number} count of channels
- * @param {number} texels a node
- * @param {number} size numbers a texel
+ * @param {number} texels per node
+ * @param {number} size numbers per texel
  * @returns {TableSource}
  */
 function channelSource(field, first, count, texels, size) {
@@ -47,7 +47,7 @@ function channelSource(field, first, count, texels, size) {
 }
 
 /**
- * What of a layer decides on the tables that it has, and on their texels.
+ * Returns the properties of a layer that decide which tables it has, and the size of their texels.
  * @param {Layer} layer
  */
 function shapeOf({ color, opacity }) {
@@ -64,7 +64,7 @@ export class LayerTables {
     this.layer = layer;
     /** @type {Map<string, DataTable>} */
     this.tables = new Map();
-    /** What shapeOf() said when all tables were written; empty where some are not. */
+    /** The shapeOf() at the time when all tables were written; empty if some are not written. */
     this.shape = "";
     try {
       this.update(null);
@@ -76,15 +76,15 @@ export class LayerTables {
 
   /**
    * @param {string} name
-   * @returns {WebGLTexture | null} where the layer has no such table
+   * @returns {WebGLTexture | null} null if the layer has no such table
    */
   texture(name) {
     return this.tables.get(name)?.texture ?? null;
   }
 
   /**
-   * Follows the layer. Throws where it is too large for the GPU; the next update then writes all.
-   * @param {LayerDelta | null} delta null: all may be new
+   * Updates the tables. Throws if the layer is too large for the GPU; then the next update writes everything.
+   * @param {LayerDelta | null} delta null: everything may have changed
    */
   update(delta) {
     const { layer } = this;
@@ -104,7 +104,7 @@ export class LayerTables {
     this.shape = shape;
   }
 
-  /** From now on there is a table of curve edges, which only the mesh needs. */
+  /** Adds a table of curve edges, which only the mesh overlay needs. */
   wantEdges() {
     if (!this.tables.has("edgeIsCurve")) this.writeEdges(null);
   }
@@ -137,7 +137,7 @@ export class LayerTables {
   }
 
   /**
-   * Four weights to a texel, as many texels to a node as it needs.
+   * Writes four weights to a texel, with as many texels per node as needed.
    * @param {string} name
    * @param {Field} field
    * @param {readonly Range[] | null} values
@@ -154,8 +154,8 @@ export class LayerTables {
    * @param {string} name
    * @param {TableKind} kind
    * @param {TableSource} source
-   * @param {readonly Range[] | null} rows that have changed; null: all
-   * @param {number} texels a row
+   * @param {readonly Range[] | null} rows changed rows; null: all
+   * @param {number} texels per row
    */
   write(name, kind, source, rows, texels) {
     let table = this.tables.get(name);

@@ -1,4 +1,4 @@
-// How an instance of a layer is drawn.
+// Draws an instance of a layer.
 
 import { composed, inverted, mappedBox, translation } from "./affine.js";
 import { arraySource, DataTable } from "./tables.js";
@@ -9,7 +9,7 @@ import { LayerTables } from "./layer_tables.js";
 /** @import { LayerDelta } from "./layer_tables.js" */
 /** @import { Instance, Layer, Picture } from "./payload.js" */
 
-/** Paints that the shader has room for: views in its uniform block, two vectors each. */
+/** Limit for the paints in the shader: views in its uniform block, two vectors each. */
 const MOST_PAINTS = 128;
 
 export class LayerDrawer {
@@ -17,7 +17,7 @@ export class LayerDrawer {
    * @param {WebGL2RenderingContext} gl
    * @param {Programs} programs
    * @param {Picture} picture
-   * @param {Uint16Array} texels of the paints
+   * @param {Uint16Array} texels texels of the paints
    */
   constructor(gl, programs, picture, texels) {
     this.gl = gl;
@@ -35,9 +35,9 @@ export class LayerDrawer {
   }
 
   /**
-   * Draws another picture from now on. Tables of layers that it has too stay as they are.
+   * Switches to another picture. Tables of layers that both pictures have are kept.
    * @param {Picture} picture
-   * @param {Uint16Array} texels of the paints
+   * @param {Uint16Array} texels texels of the paints
    */
   setPicture(picture, texels) {
     const before = this.picture;
@@ -50,8 +50,8 @@ export class LayerDrawer {
   }
 
   /**
-   * Gives layers tables, and frees those of others. Throws where one is too large; the others are
-   * then still there.
+   * Makes tables for layers, and frees the tables of other layers. Throws if a layer is too large; the other layers
+   * then still have their tables.
    * @param {Layer[]} layers
    */
   writeLayers(layers) {
@@ -67,9 +67,9 @@ export class LayerDrawer {
   }
 
   /**
-   * A layer of the picture has changed.
+   * Updates the tables of a layer that has changed.
    * @param {Layer} layer
-   * @param {LayerDelta | null} delta null: all of it may be new
+   * @param {LayerDelta | null} delta null: everything may have changed
    */
   update(layer, delta) {
     this.tablesOf(layer).update(delta);
@@ -91,7 +91,7 @@ export class LayerDrawer {
   }
 
   /**
-   * The layer's own frame, relative to the origin of its positions.
+   * Returns the map from the layer's own frame, relative to the origin of its positions.
    * @param {Instance} instance
    * @param {Affine} pixelFromArtboard
    */
@@ -102,7 +102,7 @@ export class LayerDrawer {
   }
 
   /**
-   * Draws an instance into the target that is bound, source over.
+   * Draws an instance into the bound target, source over.
    * @param {Instance} instance
    * @param {number} opacity
    * @param {Affine} pixelFromArtboard
@@ -175,7 +175,7 @@ export class LayerDrawer {
   }
 
   /**
-   * Draws the lines of the instance's triangles as ink.
+   * Draws the edges of the instance's triangles as ink.
    * @param {Instance} instance
    * @param {Affine} pixelFromArtboard
    * @param {number[]} size of the target
@@ -200,7 +200,7 @@ export class LayerDrawer {
   }
 
   /**
-   * What the instance can touch, artboard units.
+   * Returns the area that the instance can touch, artboard units.
    * @param {Instance} instance
    */
   bounds(instance) {

@@ -1,4 +1,4 @@
-// Begins, and gives the page its interface: window.sfumatoViewer (docs/viewer.md).
+// Starts the viewer, and gives the page its interface: window.sfumatoViewer (docs/viewer.md).
 
 import { PayloadError } from "./bytes.js";
 import { readPicture } from "./payload.js";
@@ -47,7 +47,7 @@ function commandsOf(viewer, controls) {
 }
 
 /**
- * The view stands in the address, so that a link or a reload shows it again.
+ * Keeps the view in the address, so that a link or a reload shows it again.
  * @param {Viewer} viewer
  */
 function followAddress(viewer) {
@@ -63,7 +63,7 @@ function followAddress(viewer) {
     const view = viewer.isFitted ? "" : hashOfState(state);
     const hash = viewer.controls.isEmbedded ? `#embed${view.replace("#", ",")}` : view;
     if (hash === location.hash) return;
-    // Pages in a frame without an address of their own may not.
+    // A page in a frame without an address of its own may not change it.
     try {
       history.replaceState(null, "", hash || location.pathname + location.search);
     } catch {
@@ -81,7 +81,7 @@ async function openViewer(controls) {
   await viewer.start();
   const commands = commandsOf(viewer, controls);
   new PointerInput(controls.canvas, commands, {
-    // In a frame a wheel is the page's, until somebody has begun to work with the picture.
+    // In a frame a wheel belongs to the page until somebody works with the picture.
     wheel: () => !controls.isEmbedded && (!controls.isFramed || document.hasFocus()),
     finger: () => !controls.isEmbedded,
   });
@@ -101,9 +101,9 @@ function main() {
   });
   ready.catch((error) => controls.say(inWords(error)));
   const api = {
-    /** Resolves when the picture is drawn; rejects where it cannot be. */
+    /** Resolves when the picture is drawn; rejects if that is not possible. */
     ready,
-    /** Artboard point in the middle of the window and CSS pixels to a user unit. */
+    /** The artboard point in the middle of the window, and CSS pixels per user unit. */
     get view() {
       return viewer ? { ...viewer.view.state } : null;
     },
@@ -124,7 +124,7 @@ function main() {
     set exact(isWanted) {
       viewer?.setExact(isWanted);
     },
-    /** How it stands with exact pixels, in words. */
+    /** The state of exact pixels, in words. */
     get exactState() {
       return viewer?.exactState.sentence ?? "";
     },
@@ -132,19 +132,19 @@ function main() {
     get page() {
       return viewer ? [...viewer.picture.viewport] : null;
     },
-    /** Whether the still picture stands there, since frames took too long. */
+    /** Whether the still picture is shown because frames took too long. */
     get still() {
       return viewer?.isStill ?? false;
     },
-    /** From now on frames are drawn however long they take. */
+    /** Draws frames from now on, however long they take. */
     goLive: () => viewer?.goLive(),
-    /** Frames drawn since the beginning. */
+    /** Number of frames drawn so far. */
     get frames() {
       return viewer?.frames ?? 0;
     },
     /** Shows the whole page. */
     fit: () => viewer?.fit(false),
-    /** Resolves when nothing moves and the last frame is as fine as it gets. */
+    /** Resolves when nothing moves and the last frame is as fine as possible. */
     settled: () => ready.then(() => viewer?.settled()),
   };
   Object.defineProperty(window, "sfumatoViewer", { value: Object.freeze(api) });

@@ -1,13 +1,13 @@
-// The triangles of a layer, from the codes that src/export/html/viewer_mesh.cpp writes: the walk over
-// them is the same here and there.
+// Reads the triangles of a layer from the codes that src/export/html/viewer_mesh.cpp writes. Writer and reader walk
+// over the triangles in the same way.
 
 import { ByteReader, PayloadError, unzigzag } from "./bytes.js";
 
 export const NO_MATE = 0xffffffff;
 
-/** What was last seen on the edges between two vertices: a table of half-edges. */
+/** The last half-edge on each edge between two vertices, as a hash table. */
 class EdgeTable {
-  /** @param {number} edgeCount at most */
+  /** @param {number} edgeCount the largest possible count */
   constructor(edgeCount) {
     let size = 16;
     while (size < 2 * edgeCount) size *= 2;
@@ -18,7 +18,7 @@ class EdgeTable {
   }
 
   /**
-   * The place of the edge from a to b.
+   * Returns the slot of the edge from a to b.
    * @param {number} a
    * @param {number} b
    */
@@ -34,11 +34,11 @@ class EdgeTable {
   }
 
   /**
-   * Puts a half-edge onto its edge; returns the one that was there, or NO_MATE.
+   * Puts a half-edge onto its edge; returns the previous one there, or NO_MATE.
    * @param {number} slot from `find`
    * @param {number} a
    * @param {number} b
-   * @param {number} halfEdge
+   * @param {number} halfEdge the half-edge to put there
    */
   put(slot, a, b, halfEdge) {
     const before = this.low[slot] === NO_MATE ? NO_MATE : this.halfEdge[slot];
@@ -50,13 +50,13 @@ class EdgeTable {
 }
 
 /**
- * Triangles as they come. Half-edge 3 t + k runs from corner k of triangle t to the next.
+ * Triangles in the order of the payload. Half-edge 3 t + k runs from corner k of triangle t to the next.
  * @typedef {object} Topology
  * @property {number} triangleCount
  * @property {number} vertexCount
  * @property {Uint32Array} cornerVertex 3 a triangle
- * @property {Uint32Array} mate per half-edge: the last before it on its edge, or NO_MATE
- * @property {Uint32Array} apex per vertex: the half-edge that it was seen across, or NO_MATE
+ * @property {Uint32Array} mate per half-edge: the previous one on its edge, or NO_MATE
+ * @property {Uint32Array} apex per vertex: the half-edge from which it was reached, or NO_MATE
  */
 
 class TopologyDecoder {
@@ -92,7 +92,7 @@ class TopologyDecoder {
   }
 
   /**
-   * @param {number} code 0 for a new vertex, else how many numbers ago it was
+   * @param {number} code 0 for a new vertex, else how many numbers back it was
    * @param {number} across
    */
   vertex(code, across) {
@@ -140,7 +140,7 @@ class TopologyDecoder {
 }
 
 /**
- * Triangles without positions.
+ * Reads triangles without positions.
  * @param {ByteReader} reader
  */
 export function readTopology(reader) {
@@ -149,11 +149,11 @@ export function readTopology(reader) {
   return new TopologyDecoder(reader.counted(), triangleCount, vertexCount).run();
 }
 
-/** The middle of the grid: single precision holds its steps exactly. */
+/** The middle of the grid; single precision represents its steps exactly. */
 export const GRID_MIDDLE = 2 ** 21;
 
 /**
- * Corner and steps of the grid on which vertices lie.
+ * Reads the corner and the step of the grid of the vertices.
  * @param {ByteReader} reader
  */
 export function readGridFrame(reader) {
@@ -163,7 +163,7 @@ export function readGridFrame(reader) {
 }
 
 /**
- * Which half-edges are curves.
+ * Reads which half-edges are curves.
  * @param {ByteReader} reader
  * @param {number} triangleCount
  */
@@ -177,7 +177,7 @@ export function readCurves(reader, triangleCount) {
 }
 
 /**
- * Where the vertices lie, in steps of a grid.
+ * Reads the positions of the vertices, in steps of a grid.
  * @param {ByteReader} reader
  * @param {Topology} topology
  */

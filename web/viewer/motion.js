@@ -1,11 +1,11 @@
-// The way from one view to another: smooth, and about the point that stays where it is.
+// Motion from one view to another: smooth, around the point that does not move.
 
 /** @import { View, ViewState } from "./view.js" */
 
-/** Time in which half of the way is gone, milliseconds. */
+/** Time for half of the way, milliseconds. */
 const HALF_TIME = 45;
 
-/** Part of the way at which it is called gone. */
+/** Share of the way that counts as all of it. */
 const ARRIVED = 0.999;
 
 export class Motion {
@@ -27,7 +27,7 @@ export class Motion {
   }
 
   /**
-   * Goes to a state: in time, or at once.
+   * Goes to a state, smoothly or at once.
    * @param {ViewState} state
    * @param {boolean} smooth
    */
@@ -56,8 +56,8 @@ export class Motion {
   between() {
     const { from, to, share } = this;
     const zoom = from.zoom * (to.zoom / from.zoom) ** share;
-    // Where a point of the window stays over its point of the picture, the middle is linear in the
-    // size of a pixel.
+    // Where a point of the window stays over its point of the picture, the middle of the window moves linearly in
+    // the size of a pixel.
     const isZoom = Math.abs(Math.log(to.zoom / from.zoom)) > 1e-9;
     const way = isZoom ? (1 / zoom - 1 / from.zoom) / (1 / to.zoom - 1 / from.zoom) : share;
     return { x: from.x + (to.x - from.x) * way, y: from.y + (to.y - from.y) * way, zoom };

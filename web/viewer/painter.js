@@ -1,5 +1,5 @@
-// The stack of a picture, bottom first: what is normal is drawn straight, other things by
-// themselves and then blended (docs/mathematics.md, "Pixels").
+// Paints the stack of a picture from the bottom: normal items are drawn directly, other items are drawn separately
+// and then blended (docs/mathematics.md, "Pixels").
 
 import { mappedBox } from "./affine.js";
 import { intersected, isEmptyRect, unitedRects } from "./targets.js";
@@ -15,9 +15,9 @@ import { intersected, isEmptyRect, unitedRects } from "./targets.js";
 const NORMAL = 0;
 
 /**
- * Groups that need a picture of their own: the others are as if they were not there.
+ * Returns the groups that need an image of their own. All other groups have no effect.
  * @param {Item[]} stack
- * @returns {Set<Item>} the beginnings and ends of those that do
+ * @returns {Set<Item>} the beginnings and ends of these groups
  */
 function realGroups(stack) {
   /** @type {Set<Item>} */
@@ -26,7 +26,7 @@ function realGroups(stack) {
   const open = [];
   for (const item of stack) {
     const isBlended = (item.kind === "instance" || item.kind === "begin") && item.blend !== NORMAL;
-    // What is blended sees nothing below its group.
+    // A blended item sees nothing below its group.
     if (isBlended && open.length > 0) open[open.length - 1].isReal = true;
     if (item.kind === "begin") open.push({ begin: item, isReal: isBlended || item.opacity < 1 });
     const group = item.kind === "end" ? open.pop() : undefined;
@@ -37,21 +37,21 @@ function realGroups(stack) {
 }
 
 /**
- * Strokes that are kept as one picture on the GPU.
+ * Strokes that the GPU keeps as one image.
  * @typedef {object} Run
- * @property {number} slot which of these pictures
+ * @property {number} slot index of the image
  * @property {number[]} items indices into the stack
  */
 
-/** Runs of strokes that are kept: each is a picture on the GPU. */
+/** Limit for the runs of strokes that are kept; each is an image on the GPU. */
 const MOST_RUNS = 4;
 
 /**
- * Strokes that follow on each other, by the first of them: painted by themselves onto nothing, then
- * composited as one, they look the same.
+ * Returns the runs of consecutive strokes. Painting a run onto a transparent image and compositing it once gives
+ * the same result.
  * @param {Item[]} stack
  * @param {Set<Item>} real groups
- * @returns {Map<number, Run>} by the index of its first item
+ * @returns {Map<number, Run>} by the index of the first stroke
  */
 function strokeRuns(stack, real) {
   /** @type {number[][]} */
@@ -87,21 +87,21 @@ export class Painter {
     /** @type {Set<number>} */
     this.inRun = new Set();
     this.setPicture(picture);
-    /** Whether runs look as they did in the picture before. */
+    /** Whether runs look as in the previous frame. */
     this.runsAreKept = false;
     /** @type {Affine} */
     this.pixelFromArtboard = [1, 0, 0, 1, 0, 0];
     /** @type {Affine} */
     this.clipFromPixel = [1, 0, 0, 1, 0, 0];
     this.level = 0;
-    /** Exact pixels, which take the place of others. @type {ExactPixels | null} */
+    /** Exact pixels, which replace others. @type {ExactPixels | null} */
     this.exact = null;
-    /** Groups that are painted at present. @type {GroupBegin[]} */
+    /** Groups that are being painted. @type {GroupBegin[]} */
     this.open = [];
   }
 
   /**
-   * Paints another picture from now on, whose layers and strokes the drawers know.
+   * Switches to another picture, whose layers and strokes the drawers already have.
    * @param {Picture} picture
    */
   setPicture(picture) {
@@ -112,11 +112,11 @@ export class Painter {
   }
 
   /**
-   * Paints the picture onto level 0, which was cleared.
+   * Paints the picture onto level 0, which must be clear.
    * @param {Affine} pixelFromArtboard y down: pixel row 0 is the upper one
-   * @param {number[]} shift of edges, pixels; what is asked at pixels' centres stays
-   * @param {Rect} page what is painted of the target
-   * @param {boolean} isSameView as in the picture before
+   * @param {number[]} shift of edges, pixels; samples at pixel centres do not move
+   * @param {Rect} page the part of the target to paint
+   * @param {boolean} isSameView as in the previous frame
    */
   paint(pixelFromArtboard, shift, page, isSameView) {
     const [width, height] = this.targets.size;
@@ -142,7 +142,7 @@ export class Painter {
   }
 
   /**
-   * What each item can touch; a group, at its beginning and end: what stands in it.
+   * Returns the area that each item can touch; at the beginning and end of a group, the area of its content.
    * @param {Rect} page
    */
   itemRects(page) {
@@ -227,7 +227,7 @@ export class Painter {
   }
 
   /**
-   * In the place of what was drawn there.
+   * Replaces the pixels that were drawn there.
    * @param {{target: Target}} exact
    */
   putExact({ target }) {
@@ -269,7 +269,7 @@ export class Painter {
   }
 
   /**
-   * Composites what was drawn onto the present level.
+   * Composites an image onto the present level.
    * @param {Target} source
    * @param {number} opacity
    * @param {number} mode

@@ -1,5 +1,5 @@
-// Image-domain shaders: the table of paints comes as the GPU wants it (docs/gpu.md, "The table of
-// paints"); the texels of textures are made here from their files.
+// Image-domain shaders: reads the table of paints in the form of the GPU (docs/gpu.md, "The table of paints"), and
+// makes the texels of textures from their files.
 
 import { PayloadError } from "./bytes.js";
 import { TABLE_WIDTH } from "./tables.js";
@@ -27,10 +27,10 @@ import { TABLE_WIDTH } from "./tables.js";
 
 const FILE_TYPES = ["image/png", "image/jpeg"];
 
-/** What a paint's first number says of a texture. */
+/** The first number of a paint that is a texture. */
 const TEXTURE_KIND = 2;
 
-/** Levels that the largest texture can have, and texels of all textures. */
+/** Limits: levels of the largest texture, and texels of all textures. */
 const MOST_LEVELS = 64;
 const MOST_TEXELS = 64e6;
 
@@ -67,7 +67,7 @@ function readPaint(reader, table) {
 }
 
 /**
- * A level of a texture, as the table has it.
+ * A level of a texture, as in the table.
  * @typedef {object} TextureLevel
  * @property {number} width
  * @property {number} height
@@ -76,7 +76,7 @@ function readPaint(reader, table) {
  */
 
 /**
- * The levels of a texture, checked.
+ * Returns the levels of a texture after checking them.
  * @param {Paints} paints
  * @param {number} first texel of the paint in the table
  * @param {TextureFile} file
@@ -104,7 +104,7 @@ function textureLevels({ table, texelCount }, first, file) {
 }
 
 /**
- * The texels of a file, red, green, blue, alpha; not premultiplied, not converted.
+ * Returns the texels of a file: red, green, blue, alpha; not premultiplied, not converted.
  * @param {WebGL2RenderingContext} gl
  * @param {TextureFile} file
  */
@@ -140,7 +140,7 @@ async function decodedTexels(gl, file) {
 }
 
 /**
- * By way of a texture: a 2D canvas would multiply by alpha.
+ * Reads pixels through a texture, because a 2D canvas would multiply by alpha.
  * @param {WebGL2RenderingContext} gl
  * @param {ImageBitmap} bitmap
  */
@@ -160,9 +160,8 @@ function texelsOf(gl, bitmap) {
 }
 
 /**
- * Parts of the texels of the level before that each texel of a level covers along one axis, in
- * shares that add up to 1. Texels of the first level end at whole numbers, those of the others
- * divide the extent evenly.
+ * Returns, along one axis, the texels of the previous level under each texel of a level, with shares that add up to
+ * 1. Texels of the first level end at whole numbers; texels of the other levels divide the extent evenly.
  * @param {number} sourceCount
  * @param {boolean} sourceEven
  * @param {number} count
@@ -194,12 +193,12 @@ function overlapsOf(sourceCount, sourceEven, count, extent) {
 }
 
 /**
- * A level as the area mean of the one before.
+ * Fills a level with the area mean of the previous level.
  * @param {Uint16Array} texels of all levels
  * @param {TextureLevel} source
  * @param {TextureLevel} level
  * @param {number[]} extent of the texture, texels
- * @param {boolean} even whether the source's texels are
+ * @param {boolean} even whether the source's texels divide the extent evenly
  */
 function fillLevel(texels, source, level, extent, even) {
   const columns = overlapsOf(source.width, even, level.width, extent[0]);
@@ -220,12 +219,12 @@ function fillLevel(texels, source, level, extent, even) {
 }
 
 /**
- * All texels of all textures: 16 bits, colour times alpha, and alpha.
+ * Returns all texels of all textures: 16 bits, colour times alpha, and alpha.
  * @param {WebGL2RenderingContext} gl
  * @param {Paints} paints
  */
 export async function makeTexels(gl, paints) {
-  // Levels add a third, those of a large period little more.
+  // Levels add a third, and levels of a large period little more.
   if (paints.texelCount > 2 * MOST_TEXELS) throw new PayloadError("its textures are too large");
   const texels = new Uint16Array(4 * paints.texelCount);
   for (const { first, file } of paints.paint) {

@@ -1,4 +1,4 @@
-// What is printed: the whole page of the picture, whatever part of it the window shows.
+// Prints the whole page of the picture, whatever part of it the window shows.
 
 /** @import { Frame, Renderer } from "./renderer.js" */
 
@@ -6,10 +6,10 @@
 const PAPER_SIDE = 2400;
 
 /**
- * Draws the whole page as fine as it gets. What the canvas held is gone afterwards.
+ * Draws the whole page as fine as possible. The previous content of the canvas is lost.
  * @param {Renderer} renderer
- * @param {HTMLCanvasElement | OffscreenCanvas} canvas the renderer's
- * @param {Frame} shown in the window
+ * @param {HTMLCanvasElement | OffscreenCanvas} canvas the renderer's canvas
+ * @param {Frame} shown the frame in the window
  * @param {number} most the longer side, pixels
  */
 export function drawPage(renderer, canvas, shown, most) {
@@ -25,16 +25,16 @@ export function drawPage(renderer, canvas, shown, most) {
 }
 
 /**
- * Draws the page and puts it beside the canvas as an image that paper alone shows. What the canvas
- * held is gone afterwards.
+ * Draws the page and adds it beside the canvas as an image that only paper shows. The previous content of the
+ * canvas is lost.
  * @param {Renderer} renderer
- * @param {HTMLCanvasElement} canvas the renderer's
- * @param {Frame} shown in the window
+ * @param {HTMLCanvasElement} canvas the renderer's canvas
+ * @param {Frame} shown the frame in the window
  */
 export function layOnPaper(renderer, canvas, shown) {
   drawPage(renderer, canvas, { ...shown, desk: [1, 1, 1] }, PAPER_SIDE);
-  // Chromium prints a canvas that was drawn in this event up to 6 % too small; an image whose bytes
-  // stand in its address is there at once.
+  // Chromium prints a canvas that is drawn in this event up to 6 % too small. An image with a data: address is
+  // available at once.
   const paper = document.createElement("img");
   paper.id = "paper";
   paper.alt = canvas.getAttribute("aria-label") ?? "";

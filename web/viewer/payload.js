@@ -1,4 +1,4 @@
-// The picture out of the page: base64, inflate, then the tables (docs/viewer.md, "Payload").
+// Reads the picture from the page: base64, inflate, then the tables (docs/viewer.md, "Payload").
 
 import { ByteReader, PayloadError } from "./bytes.js";
 import { readMesh } from "./mesh.js";
@@ -13,17 +13,17 @@ import { readSegments } from "./segments.js";
 
 const MAGIC = "SFUMATO";
 const VERSION = 1;
-/** Added to the version where layers have no tables. */
+/** Added to the version if layers have no tables. */
 const WITHOUT_TABLES = 128;
 const MOST_GROUPS = 16;
 const MOST_BLEND = 15;
 
 /**
- * A layer as it is drawn. Its tables are those of sfumato_picture_table(), but for positions.
+ * A layer ready for drawing. Its tables are as from sfumato_picture_table(), except the positions.
  * @typedef {object} Layer
  * @property {number} order 0 linear, 1 quadratic, 2 cubic
- * @property {number[]} origin what positions are relative to, layer frame
- * @property {number[]} bounds minimum x, y, maximum x, y of what it can touch; layer frame
+ * @property {number[]} origin layer frame; positions are relative to it
+ * @property {number[]} bounds minimum x, y, maximum x, y of the area that it can touch; layer frame
  * @property {Float32Array} positions 2 a vertex, layer frame, relative to the origin
  * @property {Uint32Array} triangleVertex 3 a triangle
  * @property {Uint8Array} edgeIsCurve 3 a triangle
@@ -41,7 +41,7 @@ const MOST_BLEND = 15;
  */
 
 /**
- * A local curve as segments for the shaders; frame: the stroke's, relative to `origin`.
+ * A local curve as segments for the shaders. Frame: the stroke's, relative to `origin`.
  * @typedef {object} Stroke
  * @property {"stroke"} kind
  * @property {Affine} artboardFromStroke
@@ -56,7 +56,7 @@ const MOST_BLEND = 15;
 /** @typedef {Instance | Stroke | GroupBegin | GroupEnd} Item */
 
 /**
- * What of a layer is in no table.
+ * The properties of a layer that are not in its tables.
  * @typedef {object} BareLayer
  * @property {number} order 0 linear, 1 quadratic, 2 cubic
  * @property {number[]} colorShaders indices of the picture's shaders, the last channels of its colour
@@ -64,7 +64,7 @@ const MOST_BLEND = 15;
  */
 
 /**
- * A picture, of layers as they are at hand.
+ * A picture with layers of type L.
  * @template L
  * @typedef {object} PictureOf
  * @property {number[]} artboard
@@ -77,13 +77,13 @@ const MOST_BLEND = 15;
  */
 
 /**
- * With layers as rays meet them, which readExactLayers() of exact_fields.js reads.
+ * A picture with the bytes of its layers as rays meet them, for readExactLayers() of exact_fields.js.
  * @typedef {PictureOf<Layer> & {exact?: Uint8Array}} Picture
  */
 /** @typedef {PictureOf<BareLayer>} Stack */
 
 /**
- * The bytes of base64 text.
+ * Returns the bytes of base64 text.
  * @param {string} text
  */
 function bytesOfBase64(text) {
@@ -114,7 +114,7 @@ async function inflated(bytes) {
 }
 
 /**
- * Texts by their names, out of base64 of a zlib stream in which a zero byte ends each of both.
+ * Returns texts by name, from base64 of a zlib stream; a zero byte ends each name and each text.
  * @param {string} base64
  * @returns {Promise<Map<string, string>>}
  */
@@ -125,7 +125,7 @@ export async function readTexts(base64) {
   return new Map(names.map((name, i) => [name, parts[2 * i + 1]]));
 }
 
-/** Reads a picture as far as it is the same with layers' tables and without. */
+/** Reads the parts of a picture that are the same with layers' tables and without. */
 class StackReader {
   /** @param {Uint8Array} bytes */
   constructor(bytes) {
@@ -256,7 +256,7 @@ export class PictureReader extends StackReader {
 }
 
 /**
- * A picture whose layers have no tables, as sfumato_picture_stack() makes it; throws PayloadError.
+ * Reads a picture whose layers have no tables, from sfumato_picture_stack(). Throws PayloadError.
  * @param {Uint8Array} bytes
  * @returns {Stack}
  */

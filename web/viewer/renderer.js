@@ -1,4 +1,4 @@
-// A frame: the picture on its page, the mesh on top, and, when nothing moves, finer edges.
+// Draws a frame: the picture on its page, the mesh on top, and, when nothing moves, finer edges.
 
 import { mappedBox } from "./affine.js";
 import { abilitiesOf, Programs } from "./gl.js";
@@ -13,9 +13,9 @@ import { Painter } from "./painter.js";
 /** @import { Layer, Picture } from "./payload.js" */
 
 /**
- * Where edges lie in the pictures that are added up to a finer one, pixels. The four samples of a
- * pixel usually stand an eighth, and three, to both sides of its centre, in x and in y: so shifted,
- * all sixteen are evenly spread over the pixel and do not leave it.
+ * Shifts of edges in the images that are averaged to a finer one, pixels. The four samples of a pixel usually lie
+ * an eighth, and three eighths, to both sides of its centre, in x and in y. With these shifts all sixteen are
+ * evenly spread over the pixel and stay inside it.
  */
 const SHIFTS = [
   [-3, -1],
@@ -24,18 +24,18 @@ const SHIFTS = [
   [3, 1],
 ].map((shift) => shift.map((v) => v / 32));
 
-/** So often what was gathered is shown, milliseconds. */
+/** Interval between updates of the gathered pixels on the screen, milliseconds. */
 const SHOWN_EVERY = 400;
 
 /**
- * What a frame shows.
+ * The content of a frame.
  * @typedef {object} Frame
  * @property {number[]} size device pixels
  * @property {Affine} pixelFromArtboard
  * @property {number[]} desk colour around the page
  * @property {boolean} mesh
- * @property {number} lineScale device pixels to a line's unit
- * @property {boolean} [isClear] without a background, for what lies below the canvas
+ * @property {number} lineScale device pixels per unit of line width
+ * @property {boolean} [isClear] without a background, so that the page below the canvas shows
  */
 
 export class Renderer {
@@ -43,8 +43,8 @@ export class Renderer {
    * @param {WebGL2RenderingContext} gl
    * @param {(name: string) => string} shaderText
    * @param {Picture} picture
-   * @param {Uint16Array} texels of the paints
-   * @param {Programs | null} shared programs of this context, which stay with whoever made them
+   * @param {Uint16Array} texels texels of the paints
+   * @param {Programs | null} shared programs of this context, owned by the caller
    */
   constructor(gl, shaderText, picture, texels, shared = null) {
     this.gl = gl;
@@ -67,24 +67,24 @@ export class Renderer {
     this.exact = null;
     /** @type {((renderer: Renderer) => ExactPixels) | null} */
     this.makeExact = null;
-    /** Pictures added up so far; all where no frame was drawn of what is to be seen now. */
+    /** Number of images summed so far; the full number if no frame of the present view was drawn. */
     this.added = SHIFTS.length;
-    /** Whether exact pixels of the frame drawn last were begun. */
+    /** Whether gathering exact pixels of the last frame has begun. */
     this.isGathering = false;
-    /** Whether some of them are not shown yet. */
+    /** Whether some gathered pixels are not shown yet. */
     this.hasUnshown = false;
-    /** When what was gathered was shown last, as performance.now() has it. */
+    /** When gathered pixels were last shown, on the clock of performance.now(). */
     this.shownAt = 0;
     /** @type {WebGLSync | null} */
     this.fence = null;
   }
 
   /**
-   * Draws another picture from now on. Tables of its layers are made, and those of layers that are
-   * not in it any more go; layers that are in both, the same objects, keep theirs. Throws where a
-   * layer is too large for the GPU; it draws the picture before then.
+   * Switches to another picture: makes tables for new layers and frees the tables of layers that it does not have.
+   * Layers in both pictures, as the same objects, keep their tables. Throws if a layer is too large for the GPU;
+   * the renderer then still draws the previous picture.
    * @param {Picture} picture
-   * @param {Uint16Array} texels of the paints; the same array where these have not changed
+   * @param {Uint16Array} texels texels of the paints; the same array if they have not changed
    */
   setPicture(picture, texels) {
     const makeExact = this.makeExact;
@@ -98,9 +98,9 @@ export class Renderer {
   }
 
   /**
-   * Follows a layer of the picture whose tables have changed.
+   * Updates a layer of the picture after its tables have changed.
    * @param {Layer} layer
-   * @param {LayerDelta | null} delta null: all of it may be new
+   * @param {LayerDelta | null} delta null: everything may have changed
    */
   updateLayer(layer, delta) {
     this.layers.update(layer, delta);
@@ -108,8 +108,8 @@ export class Renderer {
   }
 
   /**
-   * Whether pixels are made exact when nothing moves: gatherMore().
-   * @param {((renderer: Renderer) => ExactPixels) | null} make exactPixels() of exact.js; null: they are not
+   * Turns exact pixels on or off; gatherMore() gathers them when nothing moves.
+   * @param {((renderer: Renderer) => ExactPixels) | null} make exactPixels() of exact.js; null: turn off
    */
   setExact(make) {
     this.makeExact = make;
@@ -120,7 +120,7 @@ export class Renderer {
     this.isGathering = false;
   }
 
-  /** Whether gatherMore() has more to do for the frame drawn last. */
+  /** Whether gatherMore() has more to do for the last frame. */
   get canGather() {
     const { exact } = this;
     if (!exact || (exact.reason && !exact.isTooLarge)) return false;
@@ -128,7 +128,7 @@ export class Renderer {
   }
 
   /**
-   * Gathers exact pixels of the frame drawn last. They are shown by refine(), when they are wanted.
+   * Gathers exact pixels of the last frame. When they are due, refine() shows them.
    * @param {Frame} frame
    */
   gatherMore(frame) {
@@ -144,7 +144,7 @@ export class Renderer {
     if (!exact.isDone) exact.step();
   }
 
-  /** What was gathered is shown by refine(), two or three times a second and at the end. */
+  /** Lets refine() show gathered pixels, two or three times a second and at the end. */
   showGathered() {
     const now = performance.now();
     const isDue = !this.canGather || now - this.shownAt > SHOWN_EVERY;
@@ -154,7 +154,7 @@ export class Renderer {
     this.added = 0;
   }
 
-  /** Gives back all that it has on the GPU; nothing may be called afterwards. */
+  /** Frees everything on the GPU. No function may be called afterwards. */
   free() {
     const { gl } = this;
     this.exact?.free();
@@ -169,7 +169,7 @@ export class Renderer {
     this.fence = null;
   }
 
-  /** Whether the GPU still works on what it was given. */
+  /** Whether the GPU is still working. */
   get isBusy() {
     const { gl, fence } = this;
     if (!fence || gl.getSyncParameter(fence, gl.SYNC_STATUS) === gl.UNSIGNALED)
@@ -179,7 +179,7 @@ export class Renderer {
     return false;
   }
 
-  /** From now on the GPU is busy until it is done with what was asked for. */
+  /** Marks the GPU as busy until it has finished the requested work. */
   markWork() {
     if (this.fence) this.gl.deleteSync(this.fence);
     this.fence = this.gl.fenceSync(this.gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
@@ -200,13 +200,13 @@ export class Renderer {
     this.markWork();
   }
 
-  /** Whether `refine` has more to do for the frame drawn last, if nothing has changed since. */
+  /** Whether `refine` has more to do for the last frame, if nothing has changed since. */
   get canRefine() {
     return this.abilities.halfTargets && this.added < SHIFTS.length;
   }
 
   /**
-   * One more picture of the same frame towards a finer one; the last one shows it.
+   * Adds one more image of the same frame towards a finer one; the last one shows it.
    * @param {Frame} frame
    */
   refine(frame) {
@@ -235,7 +235,7 @@ export class Renderer {
   /**
    * @param {Frame} frame
    * @param {number[]} shift
-   * @param {boolean} isSameView as in the picture before
+   * @param {boolean} isSameView as in the previous frame
    */
   paint(frame, shift, isSameView) {
     const { targets } = this;
@@ -248,7 +248,7 @@ export class Renderer {
   }
 
   /**
-   * The pixels whose centres lie on the page.
+   * Returns the pixels whose centres lie on the page.
    * @param {Frame} frame
    * @param {number[]} shift
    */

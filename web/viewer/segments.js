@@ -1,5 +1,5 @@
-// The segments of local curves, as src/export/html/viewer_stroke.cpp writes them, and the nodes that
-// they get for a zoom.
+// Reads the segments of local curves, as src/export/html/viewer_stroke.cpp writes them, and computes the nodes that
+// they need for a zoom.
 
 import { PayloadError } from "./bytes.js";
 
@@ -7,28 +7,30 @@ import { PayloadError } from "./bytes.js";
 /** @import { Stroke } from "./payload.js" */
 
 /**
- * Segments of a curve, in walking order; arrays of columns. Frame: the stroke's, relative to its
- * origin.
+ * Segments of a curve in walking order, as arrays of columns. Frame: the stroke's, relative to its origin.
  * @typedef {object} Segments
  * @property {number} count
- * @property {Uint32Array} nodeCount for 4 nodes to an influence radius
+ * @property {Uint32Array} nodeCount nodes at a density of 4 per influence radius
  * @property {Float32Array[]} coefficient 6: x, y of start + u (c0 + u (c1 + u c2))
  * @property {Float32Array[]} start 2: x, y
  * @property {Float32Array[]} attribute 16: start and end of influence radius, blur radius, left
  *   red, green, blue, right red, green, blue
  */
 
-/** Nodes to an influence radius that `nodeCount` stands for. */
+/** Nodes per influence radius in `nodeCount`. */
 const CODED_NODES = 4;
 
-/** Those that are drawn: where sides are alike or thin, where they differ, where sharply. */
+/**
+ * Nodes per influence radius when drawing: for similar sides or thin curves, different sides, sharply different
+ * sides.
+ */
 const NODES_PLAIN = 6;
 const NODES_TWO_SIDED = 8;
 const NODES_SHARP = 12;
-/** A blur radius below it is sharp, pixels. */
+/** A blur radius below this is sharp, pixels. */
 const SHARP_BLUR = 5;
 
-/** Nodes of a segment in the table, at most, and its numbers there; docs/gpu.md. */
+/** Limit for the nodes of a segment in the table, and its numbers there; docs/gpu.md. */
 export const NODES_PER_SEGMENT = 16;
 const SEGMENT_FLOATS = 28;
 
@@ -41,7 +43,7 @@ const FLOATS_A_SEGMENT = 24;
 export function readSegments(reader) {
   const count = reader.count(1 + 4 * FLOATS_A_SEGMENT);
   const nodeCount = reader.planes(count, 1);
-  /** Numbers whose bits differ from a guess by those that are read. */
+  /** Reads numbers whose bits differ from a guess by the stored bits. */
   const column = (/** @type {(i: number, bits: Uint32Array) => number} */ guess) => {
     const bits = reader.planes(count, 4);
     for (let i = 0; i < count; ++i) bits[i] ^= guess(i, bits);
@@ -68,8 +70,8 @@ export function readSegments(reader) {
 }
 
 /**
- * The column of an attribute at the segments' starts, and at their ends. Each depends on the other:
- * a start is expected to be the end before it, an end the same as its start.
+ * Reads the column of an attribute at the segments' starts and at their ends. The predictions depend on each other:
+ * a start is predicted as the end before it, an end as the start of the same segment.
  * @param {ByteReader} reader
  * @param {number} count
  */
@@ -84,7 +86,7 @@ function readAttribute(reader, count) {
 }
 
 /**
- * Nodes that a segment needs where a pixel is as large as `pixel`.
+ * Returns the number of nodes that a segment needs at a pixel size of `pixel`.
  * @param {Segments} segments
  * @param {number} i
  * @param {boolean} twoSided
@@ -94,14 +96,14 @@ function nodesNeeded({ nodeCount, attribute }, i, twoSided, pixel) {
   const radius = Math.min(attribute[0][i], attribute[1][i]);
   const blur = Math.min(attribute[2][i], attribute[3][i]);
   let density = NODES_PLAIN;
-  // Below two pixels there are no sides to be seen.
+  // Below two pixels the sides are not visible.
   if (twoSided && radius > 2 * pixel)
     density = blur < SHARP_BLUR * pixel ? NODES_SHARP : NODES_TWO_SIDED;
   const shrink = radius / Math.max(radius, pixel);
   return Math.max(1, Math.ceil((nodeCount[i] * density * shrink) / CODED_NODES));
 }
 
-/** Puts parts of segments into the table that the shader reads. */
+/** Writes parts of segments into the table that the shader reads. */
 export class SegmentTable {
   constructor() {
     /** @type {number[]} */
@@ -113,7 +115,7 @@ export class SegmentTable {
   }
 
   /**
-   * All segments of a stroke, each in as many parts as it has nodes for.
+   * Adds all segments of a stroke, each in as many parts as its nodes need.
    * @param {Stroke} stroke
    * @param {number} pixel frame of the segments
    */
@@ -128,7 +130,7 @@ export class SegmentTable {
   }
 
   /**
-   * The part of a segment between u and v, with its own parameter from 0 to 1.
+   * Adds the part of a segment between u and v, with its own parameter from 0 to 1.
    * @param {Segments} segments
    * @param {number} i
    * @param {number} u
@@ -184,7 +186,7 @@ export class SegmentTable {
 }
 
 /**
- * What a node's speed has to be multiplied by, that the nodes' lengths add up to the part's.
+ * Returns the factor for the nodes' speeds that makes the nodes' lengths add up to the part's length.
  * @param {number[]} first
  * @param {number[]} second
  * @param {number[]} third

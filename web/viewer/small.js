@@ -1,4 +1,4 @@
-// Parts of a picture drawn small and by themselves, with what a renderer has on the GPU.
+// Draws parts of a picture separately and small, with the tables that a renderer has on the GPU.
 
 import { Painter } from "./painter.js";
 import { StrokeDrawer } from "./strokes.js";
@@ -12,16 +12,16 @@ import { Targets } from "./targets.js";
 const byteOf = (value) => Math.round(255 * Math.max(0, Math.min(1, value)));
 
 export class SmallPictures {
-  /** @param {Renderer} renderer whose picture the items are of */
+  /** @param {Renderer} renderer the renderer of the picture that contains the items */
   constructor(renderer) {
     this.renderer = renderer;
     this.targets = new Targets(renderer.gl, renderer.abilities);
   }
 
   /**
-   * Draws items of the renderer's picture onto nothing. The frame that it shows stays. It waits for
-   * the GPU: for what is small, while nothing moves.
-   * @param {Item[]} items whose groups nest
+   * Draws items of the renderer's picture onto a transparent image. The renderer's frame is not affected. The call
+   * waits for the GPU: use it for small images while nothing moves.
+   * @param {Item[]} items properly nested
    * @param {number[]} size pixels
    * @param {Affine} pixelFromArtboard
    * @returns {Uint8ClampedArray<ArrayBuffer>} red, green, blue, alpha, not premultiplied; the upper
@@ -33,7 +33,7 @@ export class SmallPictures {
     targets.resize(size);
     targets.level(0).clear(targets.whole, [0, 0, 0, 0]);
     const part = { ...picture, stack: items };
-    // The renderer's have the nodes that its own zoom needs.
+    // The renderer's strokes have the nodes for its own zoom.
     const strokes = new StrokeDrawer(gl, programs, part);
     const painter = new Painter(gl, programs, targets, part, layers, strokes);
     painter.paint(pixelFromArtboard, [0, 0], targets.whole, false);

@@ -1,4 +1,4 @@
-// Local curves on the GPU: the nodes of their segments are added up, then shown.
+// Draws local curves on the GPU: sums the nodes of their segments, then shows the sums.
 
 import { composed, inverted, mappedBox, translation } from "./affine.js";
 import { arraySource, DataTable } from "./tables.js";
@@ -8,14 +8,14 @@ import { NODES_PER_SEGMENT, SegmentTable } from "./segments.js";
 /** @import { Programs } from "./gl.js" */
 /** @import { Picture, Stroke } from "./payload.js" */
 
-/** Segments drawn by one call. */
+/** Segments per draw call. */
 const SEGMENTS_PER_DRAW = 65536;
 
-/** Of a quad's six vertices those that are not there twice, as a strip. */
+/** The corners of a quad as a strip; two of its six vertices are repeated. */
 const QUAD = new Uint8Array([0, 1, 2, 4]);
 
 /**
- * What a stroke can reach, without what is added to radii below a pixel; its own frame.
+ * Returns the area that a stroke can reach without the widening of radii below a pixel; its own frame.
  * @param {Stroke} stroke
  */
 function strokeBounds({ segments, origin }) {
@@ -44,7 +44,7 @@ export class StrokeDrawer {
     this.gl = gl;
     this.programs = programs;
     this.table = new DataTable(gl, "vector");
-    /** Powers of two that the table was made for: device pixels to a user unit. */
+    /** Logarithm, base 2, of the table's device pixels per user unit. */
     this.octave = NaN;
     this.quad = gl.createBuffer();
     gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.quad);
@@ -54,13 +54,13 @@ export class StrokeDrawer {
     this.strokes = [];
     /** @type {Map<Stroke, number[]>} */
     this.boundsOf = new Map();
-    /** First segment in the table and their number. @type {Map<Stroke, number[]>} */
+    /** First segment in the table, and their count. @type {Map<Stroke, number[]>} */
     this.places = new Map();
     this.setPicture(picture);
   }
 
   /**
-   * Draws the strokes of another picture from now on.
+   * Switches to the strokes of another picture.
    * @param {Picture} picture
    */
   setPicture({ interpolation, stack }) {
@@ -75,7 +75,7 @@ export class StrokeDrawer {
   }
 
   /**
-   * Gives the segments as many nodes as a zoom needs; does nothing within an octave.
+   * Gives the segments as many nodes as a zoom needs. Does nothing within an octave.
    * @param {Affine} pixelFromArtboard
    */
   prepare([a, b, c, d]) {
@@ -93,7 +93,7 @@ export class StrokeDrawer {
   }
 
   /**
-   * What the stroke can touch, artboard units; empty where there is nothing.
+   * Returns the area that the stroke can touch, artboard units; empty if there is none.
    * @param {Stroke} stroke
    */
   bounds(stroke) {
@@ -102,7 +102,7 @@ export class StrokeDrawer {
   }
 
   /**
-   * Adds the stroke up in the target that is bound, which was cleared.
+   * Sums the stroke's nodes in the bound target, which must be clear.
    * @param {Stroke} stroke
    * @param {Affine} pixelFromArtboard
    * @param {number[]} size of the target
@@ -137,7 +137,7 @@ export class StrokeDrawer {
   }
 
   /**
-   * Shows sums on the target that is bound, source over.
+   * Shows sums on the bound target, source over.
    * @param {Stroke} stroke
    * @param {WebGLTexture} sums
    */

@@ -1,12 +1,12 @@
-// Arrays as textures, in which shaders look things up.
+// Arrays as textures for lookups in shaders.
 
 export const TABLE_WIDTH = 2048;
 
-/** How much longer than its array the texture of an array that grows is made. */
+/** Spare length of the texture of a growing array, as a factor. */
 const ROOM = 1.3;
 
 /**
- * How the texels of a data texture look: format, layout, type and numbers a texel.
+ * Returns the formats of data textures: format, layout, type and numbers per texel.
  * @param {WebGL2RenderingContext} gl
  */
 function tableFormats(gl) {
@@ -24,19 +24,19 @@ function tableFormats(gl) {
 /** @typedef {keyof ReturnType<typeof tableFormats>} TableKind */
 /** @typedef {Float32Array | Int32Array | Uint32Array | Uint16Array | Uint8Array} TableValues */
 
-/** Entries of an array: from, up to. @typedef {readonly [number, number] | number[]} Range */
+/** A range of entries of an array: from, up to. @typedef {readonly [number, number] | number[]} Range */
 
 /**
- * What a table holds. Parts are made when they are uploaded.
+ * The content of a table. Parts are computed when they are uploaded.
  * @typedef {object} TableSource
  * @property {number} count texels
- * @property {(first: number, count: number) => TableValues} part of these texels
+ * @property {(first: number, count: number) => TableValues} part returns these texels
  */
 
 /**
- * An array as it stands.
+ * Returns a source for an existing array.
  * @param {TableValues} values
- * @param {number} size numbers a texel
+ * @param {number} size numbers per texel
  * @returns {TableSource}
  */
 export function arraySource(values, size) {
@@ -47,9 +47,9 @@ export function arraySource(values, size) {
 }
 
 /**
- * Rows of a texture that hold texels, ascending and apart.
+ * Returns the rows of a texture that hold some texels, as separate ascending ranges.
  * @param {readonly Range[]} ranges of texels
- * @param {number} count texels that there are
+ * @param {number} count of all texels
  */
 function touchedRows(ranges, count) {
   const rows = ranges
@@ -80,15 +80,15 @@ export class DataTable {
     this.layout = tableFormats(gl)[kind];
     /** @type {WebGLTexture | null} */
     this.texture = null;
-    /** Rows that the texture has. */
+    /** Number of rows in the texture. */
     this.rows = 0;
   }
 
   /**
-   * Makes the texture hold what the source has now. It is made anew, with room to grow, where it
-   * has become too short.
+   * Updates the texture to the present content of the source. A texture that is too short is replaced by one with
+   * room to grow.
    * @param {TableSource} source
-   * @param {readonly Range[] | null} changes texels that are not as before; null: all
+   * @param {readonly Range[] | null} changes changed texels; null: all
    * @returns {this}
    */
   write(source, changes = null) {
@@ -103,12 +103,12 @@ export class DataTable {
     return this;
   }
 
-  /** @param {number} rows at least */
+  /** @param {number} rows the smallest number of rows */
   make(rows) {
     const { gl } = this;
     const most = gl.getParameter(gl.MAX_TEXTURE_SIZE);
     if (rows > most) throw new Error("The picture is too large for this device's graphics.");
-    // What never changes gets no room.
+    // Static arrays get no spare room.
     this.rows = this.texture ? Math.min(most, Math.ceil(ROOM * rows)) : rows;
     gl.deleteTexture(this.texture);
     this.texture = gl.createTexture();

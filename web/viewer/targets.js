@@ -1,4 +1,4 @@
-// Pictures on the GPU that are drawn into and read again.
+// Images on the GPU, for drawing and reading.
 
 /** @import { Abilities } from "./gl.js" */
 
@@ -18,7 +18,7 @@ export function intersected(a, b) {
 }
 
 /**
- * The smallest rectangle that holds both; one without pixels does not count.
+ * Returns the smallest rectangle that holds both; an empty rectangle does not count.
  * @param {Rect} a
  * @param {Rect} b
  * @returns {Rect}
@@ -39,15 +39,15 @@ export function isEmptyRect(rect) {
 }
 
 /**
- * What is cleared and resolved around what is used, pixels: along the border of such a rectangle
- * some drivers (Mesa's llvmpipe) leave out samples.
+ * Width of the border that is also cleared and resolved, pixels. Along the border of such a rectangle some drivers
+ * (Mesa's llvmpipe) leave out samples.
  */
 const BORDER = 4;
 
 /**
- * A rectangle with its border.
+ * Returns a rectangle with its border.
  * @param {Rect} rect
- * @param {Rect} whole what it stays in
+ * @param {Rect} whole the limit of the result
  */
 function bordered([x, y, width, height], whole) {
   const grown = [x - BORDER, y - BORDER, width + 2 * BORDER, height + 2 * BORDER];
@@ -55,7 +55,7 @@ function bordered([x, y, width, height], whole) {
 }
 
 /**
- * A texture to draw into and, where it is multisampled, the buffer that is drawn into before.
+ * A texture to draw into; if it is multisampled, with the buffer that receives the drawing first.
  */
 export class Target {
   /**
@@ -96,7 +96,7 @@ export class Target {
   }
 
   /**
-   * From now on things are drawn here, within a rectangle.
+   * Directs drawing to this target, within a rectangle.
    * @param {Rect} rect
    */
   bind(rect) {
@@ -108,7 +108,7 @@ export class Target {
   }
 
   /**
-   * Makes a rectangle, with its border, transparent, and draws within it from now on.
+   * Clears a rectangle and its border to transparent, and directs drawing into it.
    * @param {Rect} rect
    */
   begin(rect) {
@@ -127,7 +127,7 @@ export class Target {
   }
 
   /**
-   * Makes the texture show what was drawn.
+   * Copies the drawing into the texture.
    * @param {Rect} rect
    */
   resolve(rect) {
@@ -151,11 +151,11 @@ export class Target {
   }
 }
 
-/** Names of targets, the largest ones. */
+/** Names of the largest targets. */
 const SUMS = "sums";
 const MEAN = "mean";
 
-/** Targets of one size, made when they are first wanted. */
+/** Targets of one size, made when they are first needed. */
 export class Targets {
   /**
    * @param {WebGL2RenderingContext} gl
@@ -181,7 +181,7 @@ export class Targets {
     this.made.clear();
   }
 
-  /** Gives back what only work needs: nothing of it is kept from frame to frame. */
+  /** Frees targets whose content is not kept between frames. */
   rest() {
     for (const name of [SUMS, MEAN]) {
       this.made.get(name)?.free();
@@ -209,7 +209,7 @@ export class Targets {
   }
 
   /**
-   * The picture (0) or a group within groups, or what is blended onto one ("source").
+   * Returns the image (0), the image of a nested group, or an image to blend ("source").
    * @param {number | "source"} level
    */
   level(level) {
@@ -220,26 +220,26 @@ export class Targets {
     return this.abilities.halfTargets ? this.gl.RGBA16F : this.gl.RGBA8;
   }
 
-  /** Where local curves are added up. */
+  /** Returns the target for summing local curves. */
   sums() {
     return this.get(SUMS, this.abilities.floatSums ? this.gl.RGBA32F : this.format, 0);
   }
 
   /**
-   * What a run of strokes shows.
+   * Returns the image of a run of strokes.
    * @param {number} slot
    */
   run(slot) {
     return this.get(`run ${slot}`, this.format, 0);
   }
 
-  /** Where pictures are added up to a finer one. */
+  /** Returns the target for averaging images to a finer one. */
   mean() {
     const { gl, abilities } = this;
     return this.get(MEAN, abilities.floatSums ? gl.RGBA32F : gl.RGBA16F, 0);
   }
 
-  /** The lines of the mesh. */
+  /** Returns the target for the lines of the mesh. */
   ink() {
     return this.get("ink", this.gl.RG8, 0);
   }

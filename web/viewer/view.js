@@ -1,4 +1,4 @@
-// Which part of the picture is seen, and how large.
+// The visible part of the picture, and its scale.
 
 /** @import { Affine } from "./affine.js" */
 
@@ -6,23 +6,23 @@
  * @typedef {object} ViewState
  * @property {number} x artboard point in the middle of the window, user units
  * @property {number} y
- * @property {number} zoom CSS pixels to a user unit
+ * @property {number} zoom CSS pixels per user unit
  */
 
-/** Room around a picture that is fitted into the window, CSS pixels. */
+/** Margin around a fitted picture, CSS pixels. */
 const FIT_MARGIN = 12;
-/** And below it, for the buttons. */
+/** Room below it for the buttons. */
 const FIT_TOOLS = 74;
 
-/** Device pixels across the page at the closest: positions are 22 bits. */
+/** Device pixels across the page at the largest zoom: positions have 22 bits. */
 const CLOSEST_PAGE = 2 ** 21;
-/** CSS pixels across the page at the farthest, if it is not larger when fitted. */
+/** CSS pixels across the page at the smallest zoom, unless the fitted page is even smaller. */
 const FARTHEST_PAGE = 16;
 
 export class View {
   /**
-   * @param {number[]} page the part of the artboard that is shown
-   * @param {() => boolean} hasTools whether room is left for the buttons
+   * @param {number[]} page the visible part of the artboard
+   * @param {() => boolean} hasTools whether to leave room for the buttons
    */
   constructor(page, hasTools) {
     this.page = page;
@@ -34,12 +34,12 @@ export class View {
     this.state = { x: (page[0] + page[2]) / 2, y: (page[1] + page[3]) / 2, zoom: 1 };
   }
 
-  /** The longer side of the page; not 0. */
+  /** The longer side of the page; never 0. */
   get extent() {
     return Math.max(this.page[2] - this.page[0], this.page[3] - this.page[1]) || 1;
   }
 
-  /** The state that shows all of the page. @returns {ViewState} */
+  /** Returns the state that shows the whole page. @returns {ViewState} */
   fitted() {
     const [x0, y0, x1, y1] = this.page;
     const small = !this.hasTools() || this.width < 240 || this.height < 240;
@@ -52,8 +52,8 @@ export class View {
   }
 
   /**
-   * The nearest state that is allowed: the page stays under the middle of the window. What is no
-   * number stays as it is.
+   * Returns the nearest allowed state: the page stays under the middle of the window. A value that is not a number
+   * is ignored.
    * @param {ViewState} state
    * @returns {ViewState}
    */
@@ -74,7 +74,7 @@ export class View {
   }
 
   /**
-   * The state after zooming about a point of the window.
+   * Returns the state after zooming around a point of the window.
    * @param {ViewState} from
    * @param {number} factor
    * @param {number} px CSS pixels
@@ -92,7 +92,7 @@ export class View {
   }
 
   /**
-   * The state after the picture was moved by CSS pixels.
+   * Returns the state after moving the picture by CSS pixels.
    * @param {ViewState} from
    * @param {number} dx
    * @param {number} dy
@@ -101,7 +101,7 @@ export class View {
     return this.limited({ x: x - dx / zoom, y: y - dy / zoom, zoom });
   }
 
-  /** Where the page lies in the window: left, top, width, height, CSS pixels. */
+  /** Returns the page's place in the window: left, top, width, height, CSS pixels. */
   pageBox() {
     const [x0, y0, x1, y1] = this.page;
     const { x, y, zoom } = this.state;
@@ -130,11 +130,11 @@ export class View {
   }
 }
 
-/** How an address ends that has the viewer stand in a text: no buttons. */
+/** The end of an address that embeds the viewer in a text, without buttons. */
 export const EMBEDDED = /^#embed(,|$)/;
 
 /**
- * "#x,y,zoom" or "#embed,x,y,zoom" as a state, or null where it is none.
+ * Returns the state of "#x,y,zoom" or "#embed,x,y,zoom", or null for another text.
  * @param {string} hash
  * @returns {ViewState | null}
  */

@@ -1,4 +1,4 @@
-// The viewer: draws when something has changed, then makes it finer, then rests.
+// The viewer: draws after a change, then refines the frame, then rests.
 
 import { exactPixels, isSoftware } from "./exact.js";
 import { makeTexels } from "./paints.js";
@@ -13,17 +13,17 @@ import { layOnPaper, takeFromPaper } from "./paper.js";
 /** @import { ViewState } from "./view.js" */
 /** @import { Controls } from "./controls.js" */
 
-/** Time after which a lost context is spoken of, milliseconds. */
+/** Time until a lost context is reported, milliseconds. */
 const PATIENCE = 1000;
 
-/** Longer than this a frame must not take, milliseconds: then the picture stands still. */
+/** Limit for the time of a frame, milliseconds. If frames take longer, the still picture is shown. */
 const SLOWEST_FRAME = 1000;
 
-/** What is said of exact pixels: those that a curve cuts are the patches', or gathered. */
+/** The message if exact pixels leave out pixels that a curve cuts. */
 const BUT_CUTS = "exact but where a curve cuts a pixel";
 const CUTS_TOO = "exact; where a curve cuts a pixel, at 16 points";
 
-/** Frames that were too slow, one after another, before it does; the first compiles shaders. */
+/** Slow frames in a row until the still picture is shown; the first frame compiles shaders. */
 const SLOW_FRAMES = 2;
 
 export class Viewer {
@@ -40,27 +40,27 @@ export class Viewer {
     this.mesh = false;
     /** Whether pixels are made exact when nothing moves. */
     this.exact = false;
-    /** Frames that were shown, and those of them that were made finer. */
+    /** Number of frames shown, and how many of them were refined. */
     this.frames = 0;
     this.size = [1, 1];
     this.isDirty = true;
     this.isScheduled = false;
-    /** Whether it is drawn however long a frame takes. */
+    /** Whether frames are drawn however long they take. */
     this.isLive = controls.fallback === null;
-    /** Whether the still picture stands there, since frames took too long. */
+    /** Whether the still picture is shown because frames took too long. */
     this.isStill = false;
     this.slowFrames = 0;
-    /** When the GPU was last given work; null: that work is done. @type {number | null} */
+    /** When the GPU last received work; null: the work is done. @type {number | null} */
     this.workSince = null;
-    /** Whether the whole page is to stay in the window when its size changes. */
+    /** Whether the whole page stays in the window when the window's size changes. */
     this.isFitted = true;
     /** @type {Renderer | null} */
     this.renderer = null;
-    /** Who waits for the next frame, and for the last. @type {(() => void)[]} */
+    /** Callers that wait for the next frame, and for the last. @type {(() => void)[]} */
     this.waitingForFrame = [];
     /** @type {(() => void)[]} */
     this.waiting = [];
-    /** By their names. @type {Map<string, string>} */
+    /** The texts of shaders by name. @type {Map<string, string>} */
     this.shaders = new Map();
     /** @type {Uint16Array | null} */
     this.texels = null;
@@ -70,7 +70,7 @@ export class Viewer {
     this.onError = () => {};
   }
 
-  /** Gets hold of the GPU; throws where it cannot be had. */
+  /** Opens the GPU; throws if that is not possible. */
   async start() {
     const gl = this.canvas.getContext("webgl2", {
       alpha: false,
@@ -83,7 +83,7 @@ export class Viewer {
     this.gl = gl;
     this.shaders = await readTexts(document.getElementById("shaders")?.textContent ?? "");
     this.texels = await makeTexels(gl, this.picture.paints);
-    // Software takes a minute for what a GPU does in a second.
+    // Software needs a minute for the work that a GPU does in a second.
     this.exact = !isSoftware(gl);
     this.build();
     this.canvas.addEventListener("webglcontextlost", (event) => this.lose(event));
@@ -93,7 +93,7 @@ export class Viewer {
     window
       .matchMedia("(prefers-color-scheme: dark)")
       .addEventListener("change", () => this.change());
-    // A frame that waited while nobody looked was not slow.
+    // A frame that waited while the page was hidden was not slow.
     document.addEventListener("visibilitychange", () => (this.workSince = null));
     window.addEventListener("beforeprint", () => this.attempt(() => this.print()));
     window.addEventListener("afterprint", takeFromPaper);
@@ -143,7 +143,7 @@ export class Viewer {
       observer.observe(this.canvas, { box: "device-pixel-content-box" });
     } catch {
       observer.observe(this.canvas);
-      // The ratio changes without the size where a window goes to another screen.
+      // On another screen the pixel ratio may change without the size.
       window.addEventListener("resize", () => this.resize(null));
     }
     this.resize(null);
@@ -155,7 +155,7 @@ export class Viewer {
     const ratio = window.devicePixelRatio || 1;
     const exact = entry?.devicePixelContentBoxSize?.[0];
     let size = [Math.round(clientWidth * ratio), Math.round(clientHeight * ratio)];
-    // Where a ratio is only pretended, the exact box does not know it.
+    // An emulated ratio does not affect the exact box.
     if (exact && Math.abs(exact.inlineSize - size[0]) <= 1)
       size = [exact.inlineSize, exact.blockSize];
     const most = this.renderer?.abilities.largestSide ?? Infinity;
@@ -196,13 +196,13 @@ export class Viewer {
   /** @param {boolean} isWanted */
   setExact(isWanted) {
     this.exact = Boolean(isWanted);
-    // What is not wanted leaves at once.
+    // Removes exact pixels at once when they are turned off.
     if (!this.exact) this.renderer?.setExact(null);
     this.change();
     this.showExact();
   }
 
-  /** How it stands with exact pixels. */
+  /** The state of exact pixels, in words. */
   get exactState() {
     const { exact } = this.renderer ?? {};
     const isPossible = !exact?.reason || exact.isTooLarge;
@@ -221,7 +221,7 @@ export class Viewer {
     this.controls.showExact(this.exactState);
   }
 
-  /** Something is to be seen that was not drawn yet. */
+  /** Requests a frame after a visible change. */
   change() {
     this.isDirty = true;
     this.schedule();
@@ -256,7 +256,7 @@ export class Viewer {
       this.isDirty = true;
     }
     if (this.controls.isStill) this.controls.placeStill(this.view.pageBox());
-    // What the GPU has not done yet would only pile up.
+    // Do not queue more work on a busy GPU.
     if (renderer.isBusy) return this.schedule();
     this.measure(now);
     if (this.isStill) {
@@ -275,7 +275,7 @@ export class Viewer {
     else this.settle();
   }
 
-  /** Whether exact pixels of what is seen are still to come. */
+  /** Whether more exact pixels of the view are to come. */
   get isGathering() {
     const { renderer } = this;
     if (!this.exact || !renderer || this.isStill) return false;
@@ -283,7 +283,7 @@ export class Viewer {
   }
 
   /**
-   * Nothing moves, and the last frame is as fine as patches get.
+   * Gathers exact pixels after nothing moves and the last frame is as fine as patches get.
    * @param {Renderer} renderer
    */
   gather(renderer) {
@@ -293,7 +293,7 @@ export class Viewer {
   }
 
   /**
-   * The GPU is done: what it has drawn is shown, or the still picture where that took too long.
+   * Called when the GPU is done: shows the frame, or the still picture if the frame took too long.
    * @param {number} now milliseconds
    */
   measure(now) {
@@ -306,7 +306,7 @@ export class Viewer {
     else if (this.controls.isStill) this.controls.setStill(false);
   }
 
-  /** From now on it is drawn, however slowly. */
+  /** Draws from now on, however slowly. */
   goLive() {
     this.isLive = true;
     if (this.isStill) this.controls.setStill(true);
@@ -314,7 +314,7 @@ export class Viewer {
     this.change();
   }
 
-  /** Paper gets the page as fine as it gets, or the still picture where drawing takes too long. */
+  /** Prints the page as fine as possible, or the still picture if drawing takes too long. */
   print() {
     if (!this.renderer || this.isStill) return;
     layOnPaper(this.renderer, this.canvas, this.frame());
@@ -339,7 +339,7 @@ export class Viewer {
     for (const resolve of this.waiting.splice(0)) resolve();
   }
 
-  /** When the next frame is drawn. @returns {Promise<void>} */
+  /** Resolves at the next frame. @returns {Promise<void>} */
   drawn() {
     return new Promise((resolve) => {
       this.waitingForFrame.push(resolve);
@@ -347,7 +347,7 @@ export class Viewer {
     });
   }
 
-  /** When all is drawn as fine as it gets. @returns {Promise<void>} */
+  /** Resolves when everything is drawn as fine as possible. @returns {Promise<void>} */
   settled() {
     return new Promise((resolve) => {
       this.waiting.push(resolve);

@@ -1,4 +1,4 @@
-// Contexts of the library: sfumato.mjs has all of it.
+// Contexts of the library; sfumato.mjs has the overview.
 import { SfumatoDocument } from "./document.mjs";
 import { addressOf, expectIndices, Handle } from "./handle.mjs";
 import { optionText, SfumatoError, Status } from "./library.mjs";
@@ -11,7 +11,7 @@ import { SfumatoField, SfumatoPicture } from "./picture.mjs";
  */
 
 /**
- * What a trace has reached: decibels to the picture, seconds since the beginning, and how much there is.
+ * The progress of a trace: decibels against the picture, seconds since the start, and counts.
  * @typedef {{psnr: number, seconds: number, round: number, roundCount: number, curves: number,
  *   controlPoints: number, stops: number}} TraceState
  */
@@ -24,16 +24,16 @@ function expectBytes(given) {
   throw new TypeError("expected bytes: a Uint8Array or, of pixels, a Uint8ClampedArray");
 }
 
-/** Bounds on memory and time; reads, solves and draws. */
+/** Limits on memory and time, and the functions that read, solve and draw. */
 export class SfumatoContext extends Handle {
-  /** Called with a word and a fraction from 0 to 1 while a call works; it may call cancel(). */
+  /** Called while a call works, with the name of a stage and a fraction from 0 to 1. It may call cancel(). */
   onProgress = null;
   #callbacks;
   #freed;
   #loader = null;
   #onRound = null;
 
-  /** For Sfumato.context(). */
+  /** Used by Sfumato.context(). */
   constructor(library, options, callbacks, freed) {
     const create = (text) => library.call("sfumato_context_new", text);
     super(library, "context", library.withString(options, create));
@@ -53,12 +53,26 @@ export class SfumatoContext extends Handle {
   }
 
   /**
-   * Reads SVG or Orzan's XML; not gzip (DecompressionStream unpacks it before).
+   * Reads SVG or the XML of Orzan et al. It does not read gzip: use DecompressionStream first.
    * @param {string | Uint8Array} text
-   * @param {{name?: string, load?: ((href: string) => Uint8Array | null) | null}} from `name` is for
-   *   messages; `load` brings the files that the document names, and gives null where it will not
+   * @param {{name?: string, load?: ((href: string) => Uint8Array | null) | null}} from `name` is for messages;
+   *   `load` returns the files that the document names, or null if there is no such file
    */
-  read(text, { name = "", load = null } = {}) {
+  read(text, from = {}) {
+    return this.#readBy("sfumato_read", text, from);
+  }
+
+  /**
+   * Converts an ordinary SVG to a drawing, with curves along the boundaries of its fills and strokes. `warnings`
+   * names the content that was left out. The parameters are as for read().
+   * @param {string | Uint8Array} text
+   * @param {{name?: string, load?: ((href: string) => Uint8Array | null) | null}} from
+   */
+  importSvg(text, from = {}) {
+    return this.#readBy("sfumato_import_svg", text, from);
+  }
+
+  #readBy(reader, text, { name = "", load = null }) {
     const { library } = this;
     const bytes = typeof text === "string" ? new TextEncoder().encode(text) : expectBytes(text);
     if (typeof name !== "string") throw new TypeError("expected a name that is a string");
@@ -67,7 +81,7 @@ export class SfumatoContext extends Handle {
       return library.withBytes(bytes, (address, count) =>
         library.withString(name, (label) =>
           this.#withLoader((loader) => {
-            const call = ["sfumato_read", address, count, label, loader];
+            const call = [reader, address, count, label, loader];
             return new SfumatoDocument(this, this.make(...call));
           }),
         ),
@@ -78,11 +92,11 @@ export class SfumatoContext extends Handle {
   }
 
   /**
-   * Hands in the pixels of an image file that a document read later may name or hold: the module
-   * decodes none.
+   * Adds the pixels of an image file that a document read later may name or contain. The module has no image
+   * decoders.
    * @param {Uint8Array} file its bytes
    * @param {{width: number, height: number, data: Uint8Array | Uint8ClampedArray} | null} image
-   *   RGBA, not premultiplied, as ImageData has it; null forgets it
+   *   RGBA, not premultiplied, in the layout of ImageData; null removes the pixels
    */
   addImage(file, image) {
     const { library } = this;
@@ -92,7 +106,7 @@ export class SfumatoContext extends Handle {
     });
   }
 
-  /** Runs body() with a sfumato_image of RGBA as ImageData has it. */
+  /** Calls body() with a sfumato_image of RGBA pixels in the layout of ImageData. */
   #withImage({ width, height, data }, body) {
     const { library } = this;
     if (expectBytes(data).length !== 4 * width * height) {
@@ -104,14 +118,14 @@ export class SfumatoContext extends Handle {
     });
   }
 
-  /** A sfumato_loader that calls this context's; 0 where there is none. */
+  /** Calls body() with a sfumato_loader for this context's load function; with 0 if there is none. */
   #withLoader(body) {
     if (!this.#loader) return body(0);
     const struct = new Uint32Array([this.#callbacks.load, this.#callbacks.number]);
     return this.library.withBytes(struct, body);
   }
 
-  /** Warnings of the last read(). */
+  /** The warnings of the last read() or importSvg(). */
   get warnings() {
     const found = [];
     for (;;) {
@@ -121,7 +135,7 @@ export class SfumatoContext extends Handle {
     }
   }
 
-  /** @param {Options} options artboard (to be given), interpolation, background */
+  /** Creates a document. @param {Options} options artboard (required), interpolation, background */
   newDocument(options) {
     return this.#withOptions(options, (text) => {
       return new SfumatoDocument(this, this.make("sfumato_document_new", text));
@@ -129,12 +143,12 @@ export class SfumatoContext extends Handle {
   }
 
   /**
-   * Makes a drawing of a picture: curves along its edges, whose colours and blur are fitted.
-   * @param {{width: number, height: number, data: Uint8Array | Uint8ClampedArray}} image RGBA, not
-   *   premultiplied, as ImageData has it
+   * Traces a picture: makes a drawing with curves along its edges and with fitted colours and blur.
+   * @param {{width: number, height: number, data: Uint8Array | Uint8ClampedArray}} image RGBA, not premultiplied,
+   *   in the layout of ImageData
    * @param {Options} options of sfumato_trace: points or detail, smooth, stops, blur, …
-   * @param {((state: TraceState, drawing: SfumatoDocument) => void) | null} onRound told after each
-   *   round what was reached; the drawing is there until it returns; it may call cancel()
+   * @param {((state: TraceState, drawing: SfumatoDocument) => void) | null} onRound called after each round with
+   *   the progress and with the drawing, which is valid until it returns; it may call cancel()
    */
   trace(image, options = null, onRound = null) {
     this.#onRound = onRound;
@@ -152,9 +166,9 @@ export class SfumatoContext extends Handle {
   }
 
   /**
-   * A copy of a document whose curves have the colours of a picture over its artboard.
+   * Returns a copy of a document with the colours of a picture that covers its artboard.
    * @param {SfumatoDocument} document
-   * @param {{width: number, height: number, data: Uint8Array | Uint8ClampedArray}} image as of trace()
+   * @param {{width: number, height: number, data: Uint8Array | Uint8ClampedArray}} image as for trace()
    * @param {Options} options of sfumato_fit_colors
    */
   fitColors(document, image, options = null) {
@@ -166,14 +180,14 @@ export class SfumatoContext extends Handle {
     );
   }
 
-  /** A sfumato_trace_watch that tells this context's; 0 where there is none. */
+  /** Calls body() with a sfumato_trace_watch that reports to this context; with 0 if nobody listens. */
   #withWatch(body) {
     if (!this.#onRound) return body(0);
     const struct = new Uint32Array([this.#callbacks.traced, this.#callbacks.number]);
     return this.library.withBytes(struct, (watch) => body(watch));
   }
 
-  /** @param {Options} options of sfumato_solve: max-error, width, drags (for pictures of an editor), … */
+  /** Solves. @param {Options} options of sfumato_solve: max-error, width, drags (for pictures of an editor), … */
   solve(document, options = null) {
     return this.#withOptions(options, (text) => {
       return new SfumatoPicture(this, this.make("sfumato_solve", this.#documentOf(document), text));
@@ -181,11 +195,12 @@ export class SfumatoContext extends Handle {
   }
 
   /**
-   * Makes a picture that of a document.
+   * Updates a picture to the present state of a document.
    * @param {SfumatoDocument} document
    * @param {SfumatoPicture} picture
-   * @param {{quick?: boolean, seconds?: number | undefined}} way quick: to look at while curves
-   *   move, rough where it is not one alone; seconds: so, and once they are over, values wait (picture.statistics.waitingNodes)
+   * @param {{quick?: boolean, seconds?: number | undefined}} way quick: a preview while curves move, rough if more
+   *   than one curve moves; seconds: a preview with a deadline, after which the remaining values wait
+   *   (picture.statistics.waitingNodes)
    */
   solveAgain(document, picture, { quick = false, seconds = undefined } = {}) {
     const [drawn, solved] = [this.#documentOf(document), this.#pictureOf(picture)];
@@ -194,26 +209,26 @@ export class SfumatoContext extends Handle {
   }
 
   /**
-   * Makes a picture that of the next frame of a film: of one that was solved with `coherent`.
-   * picture.statistics says how its layers were made: keptLayers, continuedLayers, begunLayers.
+   * Turns a picture, solved with `coherent`, into the next frame of a film. picture.statistics counts the layers by
+   * how they were made: keptLayers, continuedLayers, begunLayers.
    */
   solveNext(document, picture) {
     this.run("sfumato_solve_next", this.#documentOf(document), this.#pictureOf(picture));
   }
 
   /**
-   * Prepares a picture of a document as it is for quick ones in which this curve moves: the first of
-   * them comes as soon as the others.
+   * Prepares a picture for quick updates while this curve moves. The first update then takes no longer than the
+   * next ones. The picture must show the present document.
    */
   expectDrag(picture, layer, curve) {
     this.run("sfumato_expect_drag", this.#pictureOf(picture), layer, curve);
   }
 
   /**
-   * Draws a picture.
+   * Renders a picture.
    * @param {SfumatoPicture} picture
-   * @param {{width: number, height: number, format?: string}} image format: rgb8, rgba8 (that of
-   *   ImageData), rgb16 or rgba16
+   * @param {{width: number, height: number, format?: string}} image format: rgb8, rgba8 (as in ImageData), rgb16 or
+   *   rgba16
    * @param {Options} options of sfumato_raster
    * @returns {Uint8ClampedArray | Uint16Array} rows from the top, alpha not premultiplied
    */
@@ -244,14 +259,13 @@ export class SfumatoContext extends Handle {
     }
   }
 
-  /** A picture as a file, exactly: `sfumato render` reads it, too (docs/picture-file.md). */
+  /** Returns a picture as an exact file, which `sfumato render` also reads (docs/picture-file.md). */
   writePicture(picture) {
     return this.library.takeBytes(this.make("sfumato_picture_write", this.#pictureOf(picture)));
   }
 
   /**
-   * A picture from the bytes of such a file. It draws what the other one does, and follows no
-   * document.
+   * Reads a picture from the bytes of such a file. It draws the same as the original and belongs to no document.
    */
   readPicture(bytes) {
     return this.library.withBytes(
@@ -262,7 +276,7 @@ export class SfumatoContext extends Handle {
   }
 
   /**
-   * A picture as a file. Only a module with exporters makes them (docs/npm.md); the others throw
+   * Returns a picture as a file. Only modules with exporters have this (docs/npm.md); the others throw
    * Status.unavailable.
    * @param {SfumatoPicture} picture
    * @param {string} format png, svg, pdf, eps, glb, html, npz, ply or json
@@ -278,7 +292,7 @@ export class SfumatoContext extends Handle {
     );
   }
 
-  /** What web/viewer's PictureReader reads. @param {Options} options background */
+  /** Returns the data for PictureReader of web/viewer. @param {Options} options background */
   viewerPayload(picture, options = null) {
     return this.#withOptions(options, (text) =>
       this.library.takeBytes(this.make("sfumato_viewer_payload", this.#pictureOf(picture), text)),
@@ -286,8 +300,8 @@ export class SfumatoContext extends Handle {
   }
 
   /**
-   * What web/viewer's readStack() reads: a picture whose layers have no tables; these are the
-   * picture's table(). @param options background
+   * Returns the data for readStack() of web/viewer: a picture whose layers have no tables. The tables are available
+   * from picture.table(). @param options background
    */
   pictureStack(picture, options = null) {
     return this.#withOptions(options, (text) =>
@@ -296,8 +310,8 @@ export class SfumatoContext extends Handle {
   }
 
   /**
-   * What web/viewer's readExactLayer() reads: a layer's curves as rays meet them. Of a picture that was
-   * solved, not read.
+   * Returns the data for readExactLayer() of web/viewer: a layer's curves as rays meet them. The picture must come
+   * from a solve, not from a file.
    */
   exactLayer(picture, layer) {
     expectIndices(layer);
@@ -305,7 +319,7 @@ export class SfumatoContext extends Handle {
   }
 
   /**
-   * Looks for probable mistakes: {file, hints, hint_count}, as `sfumato lint --json` prints it.
+   * Returns probable mistakes: {file, hints, hint_count}, in the form of `sfumato lint --json`.
    * @param {Options} options verbose
    */
   lint(document, options = null) {
@@ -315,7 +329,7 @@ export class SfumatoContext extends Handle {
     });
   }
 
-  /** A layer's exact colours at points. @param {Options} options of sfumato_field_new */
+  /** Returns a layer's exact colours at points. @param {Options} options of sfumato_field_new */
   field(document, layer, options = null) {
     return this.#withOptions(options, (text) => {
       const field = this.make("sfumato_field_new", this.#documentOf(document), layer, text);
@@ -324,8 +338,8 @@ export class SfumatoContext extends Handle {
   }
 
   /**
-   * Within onProgress: ends the call that runs, and later ones until resume(), with
-   * Status.cancelled. From elsewhere nothing reaches a module that works: end its worker.
+   * Call it within onProgress: ends the running call, and later ones until resume(), with Status.cancelled. From
+   * outside, a module that works cannot be reached: end its worker.
    */
   cancel() {
     this.library.call("sfumato_cancel", this.address);
@@ -347,7 +361,7 @@ export class SfumatoContext extends Handle {
     return this.library.withString(optionText(options), body);
   }
 
-  /** For the files here: a call with this context, whose code becomes an error. */
+  /** For this folder: makes a call with this context and throws if its code is an error. */
   run(name, ...values) {
     const { library } = this;
     const code = library.call(name, this.address, ...values);
@@ -360,14 +374,14 @@ export class SfumatoContext extends Handle {
     throw new SfumatoError(code, reason, { file, line, column });
   }
 
-  /** For the files here: the same with a last parameter that receives a handle. */
+  /** For this folder: the same for a call whose last parameter receives a handle. */
   make(name, ...values) {
     const out = this.library.scratch();
     this.run(name, ...values, out);
     return this.library.u32(out);
   }
 
-  /** For Sfumato: the module reports. What onProgress throws ends the call, and is its error. */
+  /** For Sfumato: the module reports progress. An exception of onProgress ends the call, which throws it. */
   progressed(stage, fraction) {
     try {
       this.onProgress?.(stage, fraction);
@@ -377,7 +391,7 @@ export class SfumatoContext extends Handle {
     }
   }
 
-  /** For Sfumato: a trace tells of a round. What is thrown ends the trace, and is its error. */
+  /** For Sfumato: a trace reports a round. An exception of onRound ends the trace, which throws it. */
   traced(state, address) {
     const data = this.library.data();
     const told = {

@@ -1,18 +1,18 @@
-// Documents of the library: sfumato.mjs has all of it.
+// Documents of the library; sfumato.mjs has the overview.
 import { box, expect, expectIndices, Handle } from "./handle.mjs";
 import { SfumatoError, Status } from "./library.mjs";
 
-/** Sides of a curve, what they bear, what they are to it, and what offsets count. */
+/** Sides of a curve, kinds of a side, attributes, and units of stop offsets. */
 export const Side = Object.freeze({ left: 0, right: 1 });
 export const Attribute = Object.freeze({ color: 0, opacity: 1, blur: 2 });
 export const Kind = Object.freeze({ open: 0, barrier: 1, stops: 2, paint: 3 });
 export const Space = Object.freeze({ arcLength: 0, parameter: 1 });
 
-/** Diffusion curves as their author drew them. It is changed through the context that made it. */
+/** Diffusion curves as their author drew them. Changes go through the context that made the document. */
 export class SfumatoDocument extends Handle {
   #context;
 
-  /** For SfumatoContext. */
+  /** Used by SfumatoContext. */
   constructor(context, address, isOwn = true) {
     super(context.library, "document", address, isOwn);
     this.#context = context;
@@ -25,12 +25,12 @@ export class SfumatoDocument extends Handle {
     );
   }
 
-  /** SfumatoContext.solve(), by the context that made it. */
+  /** Calls SfumatoContext.solve() of the context that made the document. */
   solve(options = null) {
     return this.#context.solve(this, options);
   }
 
-  /** The document as SVG. */
+  /** Returns the document as SVG. */
   write() {
     const bytes = this.#context.make("sfumato_document_write", this.address);
     return new TextDecoder().decode(this.library.takeBytes(bytes));
@@ -50,21 +50,21 @@ export class SfumatoDocument extends Handle {
     return this.library.call("sfumato_curve_count", this.address, layer);
   }
 
-  /** Perhaps ""; null where there is no such layer. */
+  /** Returns the id of a layer, which may be ""; null if there is no such layer. */
   layerId(layer) {
     expectIndices(layer);
     return this.library.string(this.library.call("sfumato_layer_id", this.address, layer));
   }
 
-  /** Perhaps ""; null where there is no such curve. */
+  /** Returns the id of a curve, which may be ""; null if there is no such curve. */
   curveId(layer, curve) {
     expectIndices(layer, curve);
     return this.library.string(this.library.call("sfumato_curve_id", this.address, layer, curve));
   }
 
   /**
-   * Where a curve stands in the text that was read: {byteOffset, subpath}, the place of its
-   * element's `<` in UTF-8, and which of the element's subpaths it is; null where that is not known.
+   * Returns the place of a curve in the text that was read: {byteOffset, subpath}, which are the position of its
+   * element's `<` in UTF-8 and the index of the subpath; null if unknown.
    */
   curveSource(layer, curve) {
     expectIndices(layer, curve);
@@ -78,7 +78,7 @@ export class SfumatoDocument extends Handle {
     return byteOffset === 0 ? null : { byteOffset, subpath };
   }
 
-  /** 3 n + 1 control points, x and y in turn. */
+  /** Returns the 3 n + 1 control points of a curve with n pieces, as alternating x and y. */
   points(layer, curve) {
     expectIndices(layer, curve);
     const view = this.library.scratch();
@@ -89,7 +89,7 @@ export class SfumatoDocument extends Handle {
     return this.library.table(view).data.slice();
   }
 
-  /** @param {ArrayLike<number>} xy as points() gives them */
+  /** Moves a curve. @param {ArrayLike<number>} xy as from points() */
   setPoints(layer, curve, xy) {
     expectIndices(layer, curve);
     this.#withPoints(xy, (...points) =>
@@ -97,7 +97,7 @@ export class SfumatoDocument extends Handle {
     );
   }
 
-  /** Adds a curve whose sides bear nothing, before curve `at` or, with null, as the last. */
+  /** Adds a curve with two open sides before curve `at`; with null, as the last curve. */
   insertCurve(layer, at, xy) {
     expectIndices(layer, at ?? 0);
     this.#withPoints(xy, (...points) =>
@@ -110,7 +110,7 @@ export class SfumatoDocument extends Handle {
     this.#context.run("sfumato_remove_curve", this.address, layer, curve);
   }
 
-  /** How strongly a curve counts beside others; 1 for one without a weight. */
+  /** Returns a curve's weight relative to other curves; 1 for a curve without a weight. */
   weight(layer, curve) {
     expectIndices(layer, curve);
     const weight = this.library.number("sfumato_curve_weight", this.address, layer, curve);
@@ -123,7 +123,7 @@ export class SfumatoDocument extends Handle {
   }
 
   /**
-   * What a side bears: {kind, space, rows}; a row is [offset, red, green, blue] or [offset, value].
+   * Returns the stops of a side: {kind, space, rows}. A row is [offset, red, green, blue] or [offset, value].
    * @param {number} side of Side
    * @param {number} attribute of Attribute
    */
@@ -146,7 +146,7 @@ export class SfumatoDocument extends Handle {
   }
 
   /**
-   * Sets what stops() gives: Kind.stops with rows, or Kind.open or Kind.barrier without.
+   * Sets stops as from stops(): Kind.stops with rows, or Kind.open or Kind.barrier without rows.
    * @param {number} layer
    * @param {number} curve
    * @param {number} side of Side

@@ -1,14 +1,14 @@
-// What the library's objects have in common: sfumato.mjs has all of them.
+// The common base of the library's objects; sfumato.mjs has the overview.
 import { SfumatoError, Status } from "./library.mjs";
 
-/** Gives back what nobody holds any more. */
+/** Releases objects that were garbage collected. */
 const forgotten = new FinalizationRegistry(({ library, kind, address }) => {
   if (!library.isBroken) library.call(`sfumato_${kind}_free`, address);
 });
 
 /**
- * A handle of the library's, which free() gives back, or some time after nobody holds it the collector;
- * a second time does nothing.
+ * A handle of an object of the library. free() releases the object; otherwise garbage collection releases it later.
+ * A second free() does nothing.
  */
 export class Handle {
   #library;
@@ -16,7 +16,7 @@ export class Handle {
   #kind;
   #isOwn;
 
-  /** @param isOwn false: the library's own, which free() only forgets */
+  /** @param isOwn false: the library owns the object, and free() only drops the handle */
   constructor(library, kind, address, isOwn = true) {
     this.#library = library;
     this.#kind = kind;
@@ -29,7 +29,7 @@ export class Handle {
     return this.#library;
   }
 
-  /** @throws SfumatoError where it was freed */
+  /** @throws SfumatoError after free() */
   get address() {
     if (this.#address === 0) throw new SfumatoError(Status.badUsage, `a freed ${this.#kind}`);
     return this.#address;
@@ -43,7 +43,7 @@ export class Handle {
   }
 }
 
-// `using picture = ...` where the language has it.
+// For `using picture = ...`, in languages that have it.
 if (Symbol.dispose) {
   Handle.prototype[Symbol.dispose] = function () {
     this.free();
@@ -51,8 +51,8 @@ if (Symbol.dispose) {
 }
 
 /**
- * The address of what a caller gives; anything else would be taken for an address all the same.
- * @throws TypeError where it is no Kind, or one of another instance of the module
+ * Returns the address of a handle. Without this check any other value would be taken for an address.
+ * @throws TypeError if `given` is not a Kind, or belongs to another instance of the module
  */
 export function addressOf(given, Kind, library) {
   if (!(given instanceof Kind)) throw new TypeError(`expected a ${Kind.name}`);
@@ -62,18 +62,18 @@ export function addressOf(given, Kind, library) {
   return given.address;
 }
 
-/** @throws TypeError where one of the values is no whole number from 0 */
+/** @throws TypeError if a value is not a whole number from 0 */
 export function expectIndices(...values) {
   if (values.every((value) => Number.isInteger(value) && value >= 0 && value < 2 ** 32)) return;
   throw new TypeError("expected whole numbers from 0");
 }
 
-/** @throws SfumatoError where a code is not Status.ok */
+/** @throws SfumatoError if a code is not Status.ok */
 export function expect(code, complaint) {
   if (code !== Status.ok) throw new SfumatoError(code, complaint);
 }
 
-/** Four numbers that the library writes. */
+/** Returns four numbers that the library writes. */
 export function box(library, name, address) {
   const place = library.scratch();
   library.call(name, address, place);

@@ -1,7 +1,7 @@
-// What Debian's C++ library says before it ends a program would bring printf, and nobody is there
-// to read it. These stand in the place of its own.
+// Debian's C++ library prints a message before it ends a program, which would pull in printf, and
+// nobody reads it. These functions replace its own.
 #include <cstdlib>
-#include <vector>  // declares the first, as all containers do
+#include <vector>  // declares the first function, as all containers do
 
 void std::__libcpp_verbose_abort(const char* /*format*/, ...) {
   std::abort();

@@ -1,7 +1,6 @@
-// The module's memory, strings and functions: what sfumato.mjs stands on. Runs in browsers, workers
-// and node alike.
+// The module's memory, strings and functions, which sfumato.mjs builds on. Runs in browsers, workers and Node.
 
-/** Codes of errors, as `enum sfumato_status_code` of sfumato.h has them. */
+/** Error codes, as in `enum sfumato_status_code` of sfumato.h. */
 export const Status = Object.freeze({
   ok: 0,
   badInput: 1,
@@ -14,7 +13,7 @@ export const Status = Object.freeze({
   badUsage: 8,
 });
 
-/** Why a call failed. `message` is the whole of it, `reason` the library's words without the place. */
+/** Explains why a call failed. `message` is the full text; `reason` is the library's text without the place. */
 export class SfumatoError extends Error {
   /**
    * @param {number} code of Status
@@ -35,7 +34,7 @@ export class SfumatoError extends Error {
 const refused = 52; // WASI's ENOSYS
 const scratchBytes = 64;
 
-/** What the module's C library asks of its host: a clock. Everything else is refused. */
+/** Returns the functions that the module's C library needs from its host: a clock. Everything else is refused. */
 function hostOf(module, memoryOf) {
   const host = {
     clock_time_get(clock, precision, address) {
@@ -53,8 +52,8 @@ function hostOf(module, memoryOf) {
 }
 
 /**
- * A function of JavaScript as one of WebAssembly, which alone can stand in a table: a module of 40
- * bytes that imports it and exports it again.
+ * Returns a JavaScript function as a WebAssembly function, because a table holds only such functions. A module of
+ * 40 bytes imports the function and exports it again.
  * @param {string} signature parameters, ">" and results; i: i32, d: f64
  */
 function asWasmFunction(signature, body) {
@@ -94,7 +93,7 @@ export class Library {
     this.#scratch = this.allocate(scratchBytes);
   }
 
-  /** Whether a trap has ended it: every call throws. */
+  /** Whether a trap has ended the module; then every call throws. */
   get isBroken() {
     return this.#broken !== null;
   }
@@ -103,22 +102,22 @@ export class Library {
     return this.#exports.memory.buffer.byteLength;
   }
 
-  /** A zeroed place of 64 bytes for what a call writes; the next use takes it again. */
+  /** Returns 64 zeroed bytes for the result of a call. The next use overwrites them. */
   scratch() {
     this.bytes(this.#scratch, scratchBytes).fill(0);
     return this.#scratch;
   }
 
   /**
-   * Calls a function of the C interface. What a function of JavaScript threw below it is thrown
-   * here: it could not pass through the module. A trap, in which exhausted memory and a stack that
-   * overflows end, leaves the instance useless.
+   * Calls a function of the C interface. An exception of a JavaScript function that it called could not pass
+   * through the module; this call throws it instead. A trap, for example for lack of memory or a stack overflow,
+   * makes the instance unusable.
    */
   call(name, ...values) {
-    return this.number(name, ...values) >>> 0; // addresses beyond 2 GiB are no less
+    return this.number(name, ...values) >>> 0; // addresses above 2 GiB are not negative
   }
 
-  /** The same of a function that returns a double. */
+  /** The same for a function that returns a double. */
   number(name, ...values) {
     if (this.#broken) throw this.#end(this.#broken);
     if (!this.#exports[name]) {
@@ -148,8 +147,8 @@ export class Library {
   }
 
   /**
-   * Puts a function into the module's table. What it throws waits for the end of the call.
-   * @returns {number} the address that C knows it by
+   * Adds a function to the module's table. An exception that it throws is kept until the end of the call.
+   * @returns {number} the address of the function in C
    */
   addFunction(signature, instead, body) {
     const table = this.#exports.__indirect_function_table;
@@ -166,21 +165,21 @@ export class Library {
     return index;
   }
 
-  /** Calls a function of C by its address. */
+  /** Calls a C function by its address. */
   callAddress(address, ...values) {
     return this.#exports.__indirect_function_table.get(address)(...values);
   }
 
-  /** Memory that call("sfumato_free", address) gives back. */
+  /** Returns memory, which call("sfumato_free", address) releases. */
   allocate(byteCount) {
-    // A number that 32 bits do not hold would be cut down to one that they do.
+    // A number above 32 bits would be truncated.
     if (!(byteCount < 2 ** 32)) throw new SfumatoError(Status.outOfMemory, "out of memory");
     const address = this.#exports.sfumato_allocate(Math.max(byteCount, 1)) >>> 0;
     if (address === 0) throw new SfumatoError(Status.outOfMemory, "out of memory");
     return address;
   }
 
-  /** Runs body(address, byteCount) with a copy of `bytes` in the module's memory. */
+  /** Calls body(address, byteCount) with a copy of `bytes` in the module's memory. */
   withBytes(bytes, body) {
     const address = this.allocate(bytes.byteLength);
     try {
@@ -193,13 +192,13 @@ export class Library {
     }
   }
 
-  /** The same with a string, UTF-8 that ends with 0; the address of null is 0. */
+  /** The same with a string: UTF-8 that ends with 0. The address of null is 0. */
   withString(text, body) {
     if (text === null) return body(0);
     return this.withBytes(new TextEncoder().encode(`${text}\0`), (address) => body(address));
   }
 
-  /** A view of the memory, good until the next call. */
+  /** Returns a view of the memory, valid until the next call. */
   bytes(address, byteCount) {
     return new Uint8Array(this.#exports.memory.buffer, address, byteCount);
   }
@@ -208,7 +207,7 @@ export class Library {
     return new DataView(this.#exports.memory.buffer);
   }
 
-  /** The string at an address; null at 0. */
+  /** Returns the string at an address; null at address 0. */
   string(address) {
     if (address === 0) return null;
     const begin = address >>> 0;
@@ -220,12 +219,12 @@ export class Library {
     return this.data().getUint32(address, true);
   }
 
-  /** `count` doubles at an address, copied. */
+  /** Returns a copy of `count` doubles at an address. */
   doubles(address, count) {
     return new Float64Array(this.bytes(address, 8 * count).slice().buffer);
   }
 
-  /** The content of a sfumato_bytes, which is given back. */
+  /** Returns the content of a sfumato_bytes and releases it. */
   takeBytes(handle) {
     const count = this.call("sfumato_bytes_size", handle);
     const copy = this.bytes(this.call("sfumato_bytes_data", handle), count).slice();
@@ -234,8 +233,7 @@ export class Library {
   }
 
   /**
-   * The table that a sfumato_view at `address` describes, as a view of the memory that lasts until
-   * the next call.
+   * Returns the table of the sfumato_view at `address`, as a view of the memory that is valid until the next call.
    */
   table(address) {
     const data = this.data();
@@ -248,9 +246,9 @@ export class Library {
 }
 
 /**
- * Options as the C interface takes them: a string as it is, or an object whose keys are the long
- * options of the command, or the same in camel case (maxError). `true` gives a flag, `false`, null and
- * undefined leave one out.
+ * Returns options in the form of the C interface. A string stays as it is. The keys of an object are the long
+ * options of the command, or the same in camel case (maxError). `true` sets a flag; `false`, null and undefined
+ * leave an option out.
  */
 export function optionText(options) {
   if (options === null || options === undefined) return null;

@@ -1,4 +1,4 @@
-// Solved documents, and exact colours at points: sfumato.mjs has all of it.
+// Solved documents, and exact colours at points; sfumato.mjs has the overview.
 import { box, expect, expectIndices, Handle } from "./handle.mjs";
 
 /** Tables of a solved layer. */
@@ -12,7 +12,7 @@ export const Table = Object.freeze({
   opacityValues: 6,
 });
 
-/** What a picture counts of the last time that it was solved: the numbers of the C interface. */
+/** The counts and times of the last solve, in the order of the C interface. */
 const statistics = [
   "curves",
   "segments",
@@ -28,20 +28,21 @@ const statistics = [
   "begunLayers",
 ];
 
-/** A solved document, of no resolution. */
+/** A solved document, which has no resolution. */
 export class SfumatoPicture extends Handle {
   #context;
 
-  /** For SfumatoContext. */
+  /** Used by SfumatoContext. */
   constructor(context, address) {
     super(context.library, "picture", address);
     this.#context = context;
   }
 
   /**
-   * Pixels for ImageData, RGBA: of the width or the height that is given, else of a pixel to a unit.
+   * Returns RGBA pixels for ImageData. Give the width or the height, and the other one follows; without both, a
+   * user unit is one pixel.
    * @param {{width?: number, height?: number} & Record<string, string | number | boolean | undefined>}
-   *   options and those of sfumato_raster
+   *   options size, and options of sfumato_raster
    * @returns {{width: number, height: number, data: Uint8ClampedArray}}
    */
   raster({ width = undefined, height = undefined, ...options } = {}) {
@@ -55,12 +56,12 @@ export class SfumatoPicture extends Handle {
     return { ...size, data: this.#context.raster(this, size, options) };
   }
 
-  /** The picture as a file: SfumatoContext.export(). */
+  /** Returns the picture as a file: SfumatoContext.export(). */
   export(format, options = null) {
     return this.#context.export(this, format, options);
   }
 
-  /** What web/viewer's PictureReader reads. @param options background */
+  /** Returns the data for PictureReader of web/viewer. @param options background */
   viewerPayload(options = null) {
     return this.#context.viewerPayload(this, options);
   }
@@ -75,7 +76,7 @@ export class SfumatoPicture extends Handle {
   }
 
   /**
-   * {rows, columns, data}: a table of a layer, copied.
+   * Returns a copy of a layer's table: {rows, columns, data}.
    * @param {number} table of Table
    */
   table(layer, table) {
@@ -83,18 +84,21 @@ export class SfumatoPicture extends Handle {
     return { ...view, data: view.data.slice() };
   }
 
-  /** The same without a copy: `data` lasts until the next call of anything of this module. */
+  /** The same without a copy: `data` is valid until the next call of any function of this module. */
   tableView(layer, table) {
     return this.#look("sfumato_picture_table", layer, table);
   }
 
-  /** The rows that the last solveAgain() made anew: ranges [from, up to], ascending and apart. */
+  /** Returns the rows that the last solveAgain() computed again: separate ascending ranges [from, up to]. */
   changes(layer, table) {
     const { rows, data } = this.#look("sfumato_picture_changes", layer, table);
     return Array.from({ length: rows }, (_, i) => [data[2 * i], data[2 * i + 1]]);
   }
 
-  /** What the last solve() or solveAgain() did: { curves, nodes, gatherSeconds... }, waitingNodes, and how layers of a frame were made. */
+  /**
+   * Counts and times of the last solve() or solveAgain(): { curves, nodes, gatherSeconds... }, waitingNodes, and,
+   * for a frame, how its layers were made.
+   */
   get statistics() {
     const number = (i) => this.library.number("sfumato_picture_statistic", this.address, i);
     return Object.fromEntries(statistics.map((name, i) => [name, number(i)]));
@@ -115,7 +119,7 @@ export class SfumatoPicture extends Handle {
 export class SfumatoField extends Handle {
   #context;
 
-  /** For SfumatoContext. */
+  /** Used by SfumatoContext. */
   constructor(context, address) {
     super(context.library, "field", address);
     this.#context = context;

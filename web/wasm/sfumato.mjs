@@ -1,8 +1,8 @@
-// Sfumato for JavaScript: the C interface (include/sfumato/sfumato.h, docs/c-api.md) with strings,
-// typed arrays and exceptions in the place of pointers and codes. docs/wasm.md has a program.
+// Sfumato for JavaScript: the C interface (include/sfumato/sfumato.h, docs/c-api.md) with strings, typed arrays and
+// exceptions instead of pointers and codes. docs/wasm.md has an example.
 //
-// Whatever `load`, a context or a document hands out is given back by its own free(). All arrays
-// are copies, but for tableView(). What a call cannot do it throws as SfumatoError.
+// Each object from `load`, a context or a document is released by its own free(). All arrays
+// are copies, except the results of tableView(). A call that fails throws a SfumatoError.
 import { SfumatoContext } from "./context.mjs";
 import { Library, optionText, SfumatoError, Status } from "./library.mjs";
 
@@ -15,16 +15,16 @@ export { SfumatoError, Status };
 
 /**
  * Loads the module.
- * @param {BufferSource | WebAssembly.Module} source what sfumato.wasm holds
+ * @param {BufferSource | WebAssembly.Module} source the content of sfumato.wasm
  */
 export async function loadSfumato(source) {
   return new Sfumato(await Library.load(source));
 }
 
-/** The library. One instance computes one thing at a time; workers have instances of their own. */
+/** The library. One instance computes one task at a time; each worker has its own instance. */
 export class Sfumato {
   #library;
-  #contexts = new Map(); // by the number that callbacks get
+  #contexts = new Map(); // by the number that callbacks receive
   #next = 1;
   #progress;
   #load;
@@ -51,17 +51,17 @@ export class Sfumato {
     return this.#library.call("sfumato_abi");
   }
 
-  /** Whether a trap, likely out of memory, has ended the module: it is to be loaded anew. */
+  /** Whether a trap, usually for lack of memory, has ended the module. Then load it again. */
   get isBroken() {
     return this.#library.isBroken;
   }
 
-  /** Bytes of the module's memory, which grows and never shrinks. */
+  /** The module's memory in bytes; it grows and never shrinks. */
   get memoryBytes() {
     return this.#library.memoryBytes;
   }
 
-  /** @param {Options} options threads, max-memory, max-time, limit.NAME */
+  /** Creates a context. @param {Options} options threads, max-memory, max-time, limit.NAME */
   context(options = null) {
     const number = this.#next++;
     const callbacks = {

@@ -1,4 +1,4 @@
-// For a module whose pictures have no exact fields, in the place of export/html/viewer_exact.cpp.
+// Replaces export/html/viewer_exact.cpp in a module whose pictures have no exact fields.
 #include "export/html/viewer_exact.hpp"
 
 namespace sfumato::outputs {

@@ -1,9 +1,9 @@
-/** Which part of a picture is seen, and how large. */
+/** The visible part of a picture, and its scale. */
 export interface PictureView {
-  /** Point of the artboard in the middle. */
+  /** The artboard point in the middle. */
   x: number;
   y: number;
-  /** CSS pixels to a user unit. */
+  /** CSS pixels per user unit. */
   zoom: number;
 }
 
@@ -13,22 +13,22 @@ export interface PictureView {
  * the drawing is at fault) and `settled`. Parts: canvas, hint.
  */
 export class SfumatoPicture extends HTMLElement {
-  /** What hints say. */
+  /** The texts of hints. */
   static words: { wheel: () => string; touch: () => string };
-  /** Where worker.js lies, where a bundler does not bring it. */
+  /** Address of worker.js; needed if the bundler does not find it. */
   static workerUrl: string | URL | null;
-  /** Where sfumato-solver.wasm lies, where a bundler does not bring it. */
+  /** Address of sfumato-solver.wasm; needed if the bundler does not find it. */
   static wasmUrl: string | URL | null;
-  /** Resolves when the first frame is shown; rejects where there will be none. */
+  /** Resolves when the first frame is shown; rejects if none can be shown. */
   readonly ready: Promise<void>;
   src: string;
   alt: string;
   interactive: boolean;
   mesh: boolean;
-  /** null before the picture is there; to write in whole or in part. */
+  /** null until the picture is loaded. Assign a whole view or a part of one to change it. */
   get view(): PictureView | null;
   set view(state: Partial<PictureView> | null);
-  /** Frames shown so far. */
+  /** Number of frames shown so far. */
   readonly frames: number;
   /** Shows the whole page. */
   fit(): void;

@@ -1,5 +1,5 @@
 /**
- * A module by its address. Servers that do not know .wasm name another type, and nothing streams then.
+ * Loads a module from its address. It is compiled after the download if the server gives it a wrong MIME type.
  * @param {string | URL} address
  */
 export async function compiledFrom(address) {

@@ -1,4 +1,4 @@
-// Pictures that a drawing names or holds, decoded by the browser before it is read.
+// Decodes, in the browser, the pictures that a drawing names or contains, before the drawing is read.
 import { decodeImage, imagesOf } from "../../../web/editor/src/files/images.ts";
 
 /**
@@ -16,11 +16,11 @@ async function fetched(href, base) {
 }
 
 /**
- * Hands a context the pictures of a text. What is not there, or is no picture, the reader speaks of.
+ * Adds the pictures of a text to a context. The reader reports a picture that is missing or unreadable.
  * @param {import("../../../web/wasm/sfumato.mjs").SfumatoContext} context
  * @param {string | Uint8Array} text
- * @param {string | URL | undefined} base files beside the drawing are fetched where there is one
- * @returns {Promise<Map<string, Uint8Array>>} the files that came, by what the drawing calls them
+ * @param {string | URL | undefined} base address for fetching files beside the drawing; none: they are not fetched
+ * @returns {Promise<Map<string, Uint8Array>>} the fetched files, by their names in the drawing
  */
 export async function addImages(context, text, base) {
   const words = typeof text === "string" ? text : new TextDecoder().decode(text);

@@ -1,14 +1,14 @@
 /**
- * Sfumato: diffusion curves, exact and at any size. docs/npm.md of the repository is the guide.
+ * Sfumato: diffusion curves, exact and at any size. See docs/npm.md in the repository for the guide.
  *
- * Pictures, documents and contexts live in the module's memory: `free()` or `using` gives them back at once,
- * the collector at some time.
+ * Pictures, documents and contexts use memory of the WebAssembly module. `free()` or `using` releases it at once;
+ * otherwise garbage collection releases it later.
  */
 
-/** Options by the long names of the command, also in camel case: `{ maxError: 1 }`; or `"max-error=1"`. */
+/** Options by the long names of the command, also in camel case: `{ maxError: 1 }` or `"max-error=1"`. */
 export type Options = string | Readonly<Record<string, string | number | boolean | null | undefined>> | null;
 
-/** Codes of errors. */
+/** Error codes. */
 export const Status: Readonly<{
   ok: 0;
   badInput: 1;
@@ -21,7 +21,7 @@ export const Status: Readonly<{
   badUsage: 8;
 }>;
 
-/** Why a call failed; wrong types are a TypeError, sizes that are none a RangeError. */
+/** Explains why a call failed. Values of a wrong type throw a TypeError, invalid sizes a RangeError. */
 export class SfumatoError extends Error {
   constructor(
     code: number,
@@ -30,23 +30,23 @@ export class SfumatoError extends Error {
     options?: ErrorOptions,
   );
   name: "SfumatoError";
-  /** Of `Status`. */
+  /** One of `Status`. */
   code: number;
   /** The message without its place. */
   reason: string;
-  /** The name of the document; "" where unknown. */
+  /** The name of the document; "" if unknown. */
   file: string;
-  /** From 1; 0 where unknown. */
+  /** The line, counted from 1; 0 if unknown. */
   line: number;
-  /** From 1, in bytes; 0 where unknown. */
+  /** The column in bytes, counted from 1; 0 if unknown. */
   column: number;
 }
 
 export const Side: Readonly<{ left: 0; right: 1 }>;
 export const Attribute: Readonly<{ color: 0; opacity: 1; blur: 2 }>;
-/** What a side bears: nothing, nothing but an end, stops, or a paint. */
+/** The kinds of a side: open (rays pass), barrier (rays end and get no colour), colour stops, or a paint. */
 export const Kind: Readonly<{ open: 0; barrier: 1; stops: 2; paint: 3 }>;
-/** What offsets of stops count. */
+/** The unit of stop offsets: share of the arc length, or Bézier parameter. */
 export const Space: Readonly<{ arcLength: 0; parameter: 1 }>;
 /** Tables of a solved layer. */
 export const Table: Readonly<{
@@ -59,14 +59,14 @@ export const Table: Readonly<{
   opacityValues: 6;
 }>;
 
-/** Pixels as ImageData has them: rows from the top, red, green, blue, alpha, not premultiplied. */
+/** Pixels in the layout of ImageData: rows from the top; red, green, blue, alpha, not premultiplied. */
 export interface Pixels {
   readonly width: number;
   readonly height: number;
   readonly data: Uint8ClampedArray | Uint8Array;
 }
 
-/** What a side of a curve bears; a row is [offset, red, green, blue] or [offset, value]. */
+/** The stops of one side of a curve. A row is [offset, red, green, blue] or [offset, value]. */
 export interface Stops {
   kind: number;
   space?: number;
@@ -93,7 +93,7 @@ export interface Hint {
 }
 
 interface Handle {
-  /** Gives it back; a second time does nothing. Any other use afterwards is a SfumatoError. */
+  /** Releases the memory. A second call does nothing; any other use afterwards throws a SfumatoError. */
   free(): void;
 }
 
@@ -102,9 +102,9 @@ export class SfumatoDocument implements Handle {
   private constructor();
   free(): void;
   copy(): SfumatoDocument;
-  /** @param options width, scale, maxError, viewport, … */
+  /** Solves the drawing. @param options width, scale, maxError, viewport, … */
   solve(options?: Options): SfumatoPicture;
-  /** The document as SVG. */
+  /** Returns the document as SVG. */
   write(): string;
   /** x, y, width, height */
   readonly artboard: Box;
@@ -112,12 +112,12 @@ export class SfumatoDocument implements Handle {
   curveCount(layer: number): number;
   layerId(layer: number): string | null;
   curveId(layer: number, curve: number): string | null;
-  /** Where a curve stands in the text that was read. */
+  /** Returns the place of a curve in the text that was read; null if unknown. */
   curveSource(layer: number, curve: number): { byteOffset: number; subpath: number } | null;
-  /** 3 n + 1 control points, x and y in turn. */
+  /** Returns the 3 n + 1 control points of a curve with n pieces, as alternating x and y. */
   points(layer: number, curve: number): Float64Array;
   setPoints(layer: number, curve: number, xy: ArrayLike<number>): void;
-  /** Before curve `at` or, with null, as the last. */
+  /** Inserts a curve before curve `at`; with null, adds it as the last curve. */
   insertCurve(layer: number, at: number | null, xy: ArrayLike<number>): void;
   removeCurve(layer: number, curve: number): void;
   weight(layer: number, curve: number): number;
@@ -126,10 +126,10 @@ export class SfumatoDocument implements Handle {
   setStops(layer: number, curve: number, side: number, attribute: number, stops: Stops): void;
 }
 
-/** The formats that `export` makes without further codecs. */
+/** The formats that `export` writes without further codecs. */
 export type Format = "png" | "svg" | "pdf" | "eps" | "glb" | "html" | "sfv" | "npz" | "ply" | "json";
 
-/** A solved document, of no resolution. */
+/** A solved document, which has no resolution. */
 export class SfumatoPicture implements Handle {
   private constructor();
   free(): void;
@@ -137,20 +137,20 @@ export class SfumatoPicture implements Handle {
   readonly viewport: Box;
   readonly layerCount: number;
   /**
-   * Pixels of the width or the height that is given, the other to fit; of a pixel to a unit where none is.
-   * Other options are those of sfumato_raster: background, …
+   * Renders pixels. Give the width or the height, and the other one follows; without both, a user unit is one
+   * pixel. Other options are as for sfumato_raster: background, …
    */
   raster(options?: {
     width?: number | undefined;
     height?: number | undefined;
     [option: string]: string | number | boolean | undefined;
   }): { width: number; height: number; data: Uint8ClampedArray<ArrayBuffer> };
-  /** A file. @param options width, height, title, dpi, svgMode, … */
+  /** Returns a file. @param options width, height, title, dpi, svgMode, … */
   export(format: Format, options?: Options): Uint8Array<ArrayBuffer>;
-  /** What `<sfumato-picture>` shows without solving anything. */
+  /** Returns data that `<sfumato-picture>` shows without solving. */
   viewerPayload(options?: Options): Uint8Array<ArrayBuffer>;
   table(layer: number, table: number): DataTable;
-  /** The same without a copy: good until the next call of anything of the module. */
+  /** The same without a copy. The view is valid until the next call of any function of the module. */
   tableView(layer: number, table: number): DataTable;
   changes(layer: number, table: number): [number, number][];
   readonly statistics: Record<
@@ -174,33 +174,35 @@ export class SfumatoPicture implements Handle {
 export class SfumatoField implements Handle {
   private constructor();
   free(): void;
-  /** Red, green, blue, opacity of each point. @param xy pairs, in the frame of the layer */
+  /** Returns red, green, blue and opacity of each point. @param xy pairs, in the frame of the layer */
   colors(xy: ArrayLike<number>): Float32Array;
 }
 
-/** Brings the files that a document names; null: it does not. */
+/** Returns the bytes of a file that a document names; null if there is no such file. */
 export type Loader = (href: string) => Uint8Array | null;
 
-/** Bounds on memory and time; reads, solves and draws. */
+/** Limits on memory and time, and the functions that read, solve and draw. */
 export class SfumatoContext implements Handle {
   private constructor();
   free(): void;
-  /** Called with a word and a fraction from 0 to 1 while a call works; it may call cancel(). */
+  /** Called while a call works, with the name of a stage and a fraction from 0 to 1. It may call cancel(). */
   onProgress: ((stage: string, fraction: number) => void) | null;
-  /** Of the last read(). */
+  /** The warnings of the last read() or importSvg(). */
   readonly warnings: string[];
   read(text: string | Uint8Array, from?: { name?: string; load?: Loader | null }): SfumatoDocument;
+  /** Converts an ordinary SVG to a drawing. `warnings` then names the content that was left out. */
+  importSvg(text: string | Uint8Array, from?: { name?: string; load?: Loader | null }): SfumatoDocument;
   newDocument(options: Options): SfumatoDocument;
-  /** Hands in the pixels of an image file that a document names or holds; null forgets them. */
+  /** Adds the pixels of an image file that a document names or contains; null removes them. */
   addImage(file: Uint8Array, image: Pixels | null): void;
   solve(document: SfumatoDocument, options?: Options): SfumatoPicture;
-  /** Makes a picture that of a document which has changed. */
+  /** Updates a picture to the present state of a document. */
   solveAgain(
     document: SfumatoDocument,
     picture: SfumatoPicture,
     way?: { quick?: boolean; seconds?: number | undefined },
   ): void;
-  /** Makes a picture, solved with `coherent`, that of the next frame of a film: nothing flickers where nothing moves. */
+  /** Turns a picture, solved with `coherent`, into the next frame of a film; unchanged areas do not flicker. */
   solveNext(document: SfumatoDocument, picture: SfumatoPicture): void;
   expectDrag(picture: SfumatoPicture, layer: number, curve: number): void;
   raster(
@@ -214,51 +216,60 @@ export class SfumatoContext implements Handle {
     options?: Options,
   ): Uint16Array<ArrayBuffer>;
   export(picture: SfumatoPicture, format: Format, options?: Options): Uint8Array<ArrayBuffer>;
-  /** The picture itself as a file, which `sfumato render` draws, too. */
+  /** Returns the picture as a file, which `sfumato render` can also draw. */
   writePicture(picture: SfumatoPicture): Uint8Array<ArrayBuffer>;
-  /** A picture of such a file. It follows no document. */
+  /** Reads a picture from such a file. The picture belongs to no document. */
   readPicture(bytes: Uint8Array): SfumatoPicture;
   viewerPayload(picture: SfumatoPicture, options?: Options): Uint8Array<ArrayBuffer>;
   pictureStack(picture: SfumatoPicture, options?: Options): Uint8Array<ArrayBuffer>;
-  /** What exact pixels of a layer are gathered from, of a picture that was solved. */
+  /** Returns the data for exact pixels of a layer. The picture must come from a solve, not from a file. */
   exactLayer(picture: SfumatoPicture, layer: number): Uint8Array<ArrayBuffer>;
-  /** Probable mistakes. */
+  /** Returns probable mistakes. */
   lint(document: SfumatoDocument, options?: Options): { file: string; hints: Hint[]; hint_count: number };
   field(document: SfumatoDocument, layer: number, options?: Options): SfumatoField;
   cancel(): void;
   resume(): void;
 }
 
-/** The module. One instance computes one thing at a time. */
+/** The WebAssembly module. One instance computes one task at a time. */
 export class Sfumato {
   private constructor();
   readonly version: string;
   readonly abi: number;
-  /** Whether a trap, likely out of memory, has ended it; `load()` then loads another. */
+  /** Whether a trap, usually for lack of memory, has ended the module. `load()` then loads another one. */
   readonly isBroken: boolean;
-  /** Of the module, which grow and never shrink. */
+  /** The module's memory in bytes; it grows and never shrinks. */
   readonly memoryBytes: number;
-  /** @param options maxMemory (MiB), maxTime (seconds), … */
+  /** Creates a context. @param options maxMemory (MiB), maxTime (seconds), … */
   context(options?: Options): SfumatoContext;
 }
 
 /**
- * The module that `read` and `create` use, loaded once.
- * @param source bytes, a module or an address, where sfumato.wasm does not lie beside the script
+ * Loads the module that `read` and `create` use; later calls return the same one.
+ * @param source bytes, a module or an address; needed if sfumato.wasm is not beside the script
  */
 export function load(source?: BufferSource | WebAssembly.Module | string | URL): Promise<Sfumato>;
 
 /**
- * Reads SVG or Orzan's XML.
- * @param from `name` is for messages; `load` brings files that the drawing names. In pages `base` is its
- *   address: pictures that it names are fetched from there, and decoded, before it is read.
+ * Reads SVG or the XML of Orzan et al.
+ * @param from `name` is for messages. `load` returns the files that the drawing names. In pages, `base` is the
+ *   drawing's address: pictures that it names are fetched from there and decoded before the drawing is read.
  */
 export function read(
   text: string | Uint8Array,
   from?: { name?: string; load?: Loader | null; base?: string | URL | undefined },
 ): Promise<SfumatoDocument>;
 
-/** An empty document. @param options background, interpolation */
+/**
+ * Converts an ordinary SVG to a drawing, with curves along the boundaries of its fills and strokes. The warnings
+ * name the content that was left out. The parameters are as for `read`.
+ */
+export function importSvg(
+  text: string | Uint8Array,
+  from?: { name?: string; load?: Loader | null; base?: string | URL | undefined },
+): Promise<{ drawing: SfumatoDocument; warnings: string[] }>;
+
+/** Creates an empty document. @param options background, interpolation */
 export function create(
   width: number,
   height: number,

@@ -1,16 +1,16 @@
-// What the entries for node and for pages share: the library of web/wasm, loaded once.
+// Shared by the entry points for Node and for pages: the library of web/wasm, loaded once.
 import { loadSfumato } from "../../../web/wasm/sfumato.mjs";
 
 export * from "../../../web/wasm/sfumato.mjs";
 
 /**
- * The functions of the package over a module that is loaded when one of them is first called, and anew
- * where a trap has ended it.
- * @param {(source: unknown) => Promise<BufferSource | WebAssembly.Module>} bring the module, from where
- *   it lies if nobody has said
+ * Returns the functions of the package. The module is loaded at the first call of one of them, and loaded again
+ * after a trap has ended it.
+ * @param {(source: unknown) => Promise<BufferSource | WebAssembly.Module>} bring returns the module, from its
+ *   default place if no source is given
  * @param {(context: import("../../../web/wasm/sfumato.mjs").SfumatoContext, text: string | Uint8Array,
- *   base: string | URL | undefined) => Promise<Map<string, Uint8Array>>} prepare what a text needs before it is read:
- *   files that come back are those that it may name
+ *   base: string | URL | undefined) => Promise<Map<string, Uint8Array>>} prepare prepares the reading of a text;
+ *   returns the files that the text may name
  */
 export function packageOver(bring, prepare = async () => new Map()) {
   /** @type {Promise<{sfumato: import("../../../web/wasm/sfumato.mjs").Sfumato, context: any}> | null} */
@@ -27,17 +27,26 @@ export function packageOver(bring, prepare = async () => new Map()) {
     return loaded;
   }
 
+  async function prepared(text, { name = "", load = null, base = undefined }) {
+    if (typeof text !== "string" && !(text instanceof Uint8Array)) {
+      throw new TypeError("expected a drawing: a string or a Uint8Array");
+    }
+    const { context } = await instance();
+    const files = await prepare(context, text, base);
+    return { context, given: { name, load: load ?? ((href) => files.get(href) ?? null) } };
+  }
+
   return {
     async load(source) {
       return (await instance(source)).sfumato;
     },
-    async read(text, { name = "", load = null, base = undefined } = {}) {
-      if (typeof text !== "string" && !(text instanceof Uint8Array)) {
-        throw new TypeError("expected a drawing: a string or a Uint8Array");
-      }
-      const { context } = await instance();
-      const files = await prepare(context, text, base);
-      return context.read(text, { name, load: load ?? ((href) => files.get(href) ?? null) });
+    async read(text, from = {}) {
+      const { context, given } = await prepared(text, from);
+      return context.read(text, given);
+    },
+    async importSvg(text, from = {}) {
+      const { context, given } = await prepared(text, from);
+      return { drawing: context.importSvg(text, given), warnings: context.warnings };
     },
     async create(width, height, options = {}) {
       if (!(width > 0 && height > 0)) throw new TypeError("expected a width and a height above 0");

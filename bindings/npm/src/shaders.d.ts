@@ -1,4 +1,4 @@
-/** What build.mjs makes of web/viewer/shaders. */
+/** The shaders of web/viewer/shaders, as build.mjs bundles them. */
 declare module "sfumato-shaders" {
   export function shaderText(name: string): string;
 }

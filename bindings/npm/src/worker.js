@@ -1,4 +1,4 @@
-// The page's one worker: drawings become what the viewer's scripts draw, so that the page does not wait.
+// The page's only worker: turns drawings into data for the viewer's scripts, so that the page stays responsive.
 import { loadSfumato, Status } from "../../../web/wasm/sfumato.mjs";
 import { compiledFrom } from "./fetch-module.js";
 import { addImages } from "./images.js";
@@ -40,7 +40,7 @@ addEventListener("message", async ({ data: task }) => {
     postMessage({ id: task.id, payload }, { transfer: [payload.buffer] });
   } catch (error) {
     const { message, code = 0, reason = message, file = "", line = 0, column = 0 } = error;
-    // The memory of a module only grows: who could not have more is better off with another worker.
+    // A module's memory only grows. After it runs out of memory, a new worker works better.
     const isSpent = code === Status.outOfMemory;
     postMessage({ id: task.id, error: { message, code, reason, file, line, column }, isSpent });
   }

@@ -1,4 +1,4 @@
-// The project built by Vite, webpack and esbuild, and the pages that come of it.
+// Builds a project with Vite, webpack and esbuild, and checks the resulting pages.
 import { copyFileSync, mkdirSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { join } from "node:path";
@@ -14,7 +14,7 @@ const { chromium } = packageOf("playwright-core");
 
 export const launch = () => launchWith(chromium);
 
-/** As somebody would who has read Vite's first page and nothing of ours. */
+/** Builds as a user would who has read only Vite's first page. */
 async function buildByVite(project) {
   const { build } = await import(pathToFileURL(packageOf.resolve("vite")));
   const input = ["index.html", "many.html", "print.html"].map((name) => join(project, name));
@@ -35,7 +35,7 @@ async function buildByWebpack(project) {
   return out;
 }
 
-/** esbuild does not follow `new URL`: what docs/npm.md says to do. */
+/** Builds with esbuild, which does not follow `new URL`, by the instructions of docs/npm.md. */
 async function buildByEsbuild(project) {
   const { build } = packageOf("esbuild");
   const out = join(project, "esbuilt");
@@ -46,7 +46,7 @@ async function buildByEsbuild(project) {
   return out;
 }
 
-/** A page with one picture beside a bundle. */
+/** Adds a page with one picture beside a bundle. */
 function addPage(project, out) {
   mkdirSync(out, { recursive: true });
   copyFileSync(join(project, "public/halves.svg"), join(out, "halves.svg"));
@@ -56,7 +56,7 @@ function addPage(project, out) {
     <sfumato-picture id="first" src="halves.svg" alt="Red above blue"></sfumato-picture>`);
 }
 
-/** A pixel of an element's canvas: red, green, blue, alpha. x, y: parts of its size. */
+/** Returns a pixel of an element's canvas: red, green, blue, alpha. x, y: shares of its size. */
 export const pixelOf = (page, id, x, y) =>
   page.evaluate(([name, a, b]) => {
     const canvas = document.getElementById(name).shadowRoot.querySelector("canvas");
@@ -69,10 +69,10 @@ export async function checkPixel(page, id, [x, y], expected) {
   expected.forEach((value, i) => checkNear(found[i], value, 10, `channel ${i} of ${id} at ${x}, ${y} (${found})`));
 }
 
-/** What says nothing of the page: reading pixels back is slow. */
+/** A message of Chromium about slow reads of pixels; the page is not its cause. */
 const harmless = /GPU stall due to ReadPixels|Multiple readback operations/;
 
-/** Opens an address, and fails where the page complains of what is not in `expected`. */
+/** Opens an address, and fails if the page reports errors that are not in `expected`. */
 export const visit = (pages, address, { expected, ...options }, body) =>
   pages.visit(address, {
     size: [1000, 800],

@@ -1,9 +1,9 @@
-// What <sfumato-picture> shows, and what it does with pointers and keys.
+// Tests what <sfumato-picture> shows, and how it reacts to pointers and keys.
 import { mkdirSync } from "node:fs";
 import { checkPixel, pixelOf, visit } from "./builds.mjs";
 import { check, checkEqual, checkNear } from "./tools.mjs";
 
-/** The two drawings that are not there or no drawings are in the page on purpose. */
+/** The page refers on purpose to a missing file and to one that is not a drawing. */
 const expected = /status of 404/;
 
 const ready = (page, id) => page.evaluate((name) => document.getElementById(name).ready, id);
@@ -11,7 +11,7 @@ const reason = (page, id) => page.evaluate((name) => document.getElementById(nam
 const viewOf = (page, id) => page.evaluate((name) => document.getElementById(name).view, id);
 const isCanvasShown = (page, id) => page.evaluate((name) => !document.getElementById(name).shadowRoot.querySelector("canvas").hidden, id);
 
-/** When nothing moves and the frame is as fine as it gets. */
+/** Resolves when nothing moves and the frame is as fine as possible. */
 export const settled = (page, id, act) =>
   page.evaluate(([name, text]) => new Promise((resolve) => {
     const picture = document.getElementById(name);
@@ -21,7 +21,7 @@ export const settled = (page, id, act) =>
       ["clear", () => picture.setAttribute("background", "none")]]).get(text)();
   }), [id, act]);
 
-/** When the page has had so many frames. */
+/** Resolves when the page has had this many frames. */
 export const frames = (page, count) =>
   page.evaluate(async (most) => {
     for (let i = 0; i < most; ++i) await new Promise((resolve) => requestAnimationFrame(resolve));
@@ -107,7 +107,7 @@ async function testWheel(tap, { pages, address, shot }) {
       await ready(page, "first");
       const { zoom } = await viewOf(page, "first");
       checkNear(zoom, 1, 0.01, "the zoom that fits");
-      // A hint stands for little more than a second: each is noted.
+      // A hint is shown for little more than a second, so each one is recorded.
       await page.evaluate(() => {
         const hint = document.getElementById("first").shadowRoot.getElementById("hint");
         window.hints = [];
@@ -185,7 +185,7 @@ async function testHands(tap, { pages, address }) {
       await ready(page, "first");
       const session = await page.context().newCDPSession(page);
       const touch = (type, ...points) => session.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([x, y]) => ({ x, y })) });
-      // The page may glide on for a while, and only then is a second gesture one of its own.
+      // The page may still scroll; only after that is the next wheel event a separate gesture.
       await page.evaluate(() => addEventListener("scrollend", () => (window.isScrolled = true), { once: true }));
       await touch("touchStart", [150, 160]);
       for (let i = 1; i <= 8; ++i) await touch("touchMove", [150, 160 - 10 * i]);

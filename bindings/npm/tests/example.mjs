@@ -1,8 +1,8 @@
-// The programs of docs/npm.md and of the package's README; node.mjs runs them where the package is installed.
+// The programs of docs/npm.md and of the package's README. node.mjs runs them in a project with the package.
 import { readFile, writeFile } from "node:fs/promises";
 import { create, read, SfumatoError, Side, Attribute, Kind } from "sfumato";
 
-/** Reads a file and writes others. */
+/** Reads one file and writes others. */
 export async function convert() {
   const drawing = await read(await readFile("drawing.svg"), { name: "drawing.svg" });
   const picture = drawing.solve({ maxError: 1 });
@@ -25,7 +25,7 @@ export async function draw() {
   return text;
 }
 
-/** Says what is wrong with a drawing. */
+/** Reports what is wrong with a drawing. */
 export async function complain(text) {
   try {
     await read(text, { name: "broken.svg" });
@@ -35,7 +35,7 @@ export async function complain(text) {
   }
 }
 
-/** Solves once, so that pages need not. */
+/** Solves once, for pages to show without solving. */
 export async function prepare() {
   const drawing = await read(await readFile("drawing.svg"));
   await writeFile("drawing.sfv", drawing.solve().viewerPayload());

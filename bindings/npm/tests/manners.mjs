@@ -1,4 +1,4 @@
-// How <sfumato-picture> gets on with the page, the browser and those who do not see it.
+// Tests how <sfumato-picture> behaves towards the page, the browser and people who cannot see it.
 import { readFileSync } from "node:fs";
 import { Pages } from "../../../tests/viewer/harness.mjs";
 import { checkPixel, launch, visit } from "./builds.mjs";
@@ -49,7 +49,7 @@ async function testLosses(tap, { pages, address }) {
     context.setDefaultTimeout(PATIENCE);
     try {
       const page = await context.newPage();
-      // The page has no way to the element's context.
+      // The page cannot reach the element's context.
       await page.addInitScript(() => {
         window.contexts = [];
         const { getContext } = OffscreenCanvas.prototype;
@@ -133,7 +133,7 @@ async function testLosses(tap, { pages, address }) {
   });
 }
 
-/** What a browser's pages and their graphics take of the memory, MB; null where the system does not say. */
+/** Returns the memory of a browser's pages and their graphics, MB; null if the system does not report it. */
 async function memoryOf(browser) {
   const session = await browser.newBrowserCDPSession();
   const { processInfo } = await session.send("SystemInfo.getProcessInfo");
@@ -189,13 +189,13 @@ async function testMany(tap, { pages, address }) {
       await ready(page, "first");
       await page.evaluate(() => {
         const picture = document.getElementById("first");
-        document.querySelector("main").prepend(picture); // out and in again
+        document.querySelector("main").prepend(picture); // removed and added again
       });
       await page.waitForFunction(() => document.getElementById("first").shadowRoot.querySelector("canvas").hidden === false);
       await page.evaluate(() => document.getElementById("first").style.setProperty("width", "450px"));
       await page.waitForFunction(() => document.getElementById("first").shadowRoot.querySelector("canvas").width === 450);
       await page.evaluate(() => document.querySelectorAll("sfumato-picture").forEach((picture) => picture.remove()));
-      // What goes makes no complaint a little later.
+      // After a message has gone, no error remains.
       await frames(page, 10);
     }));
   await tap.test("npm: paper gets the whole picture", () =>

@@ -1,4 +1,4 @@
-// Tests of the package for npm where it is installed, printed as TAP:
+// Runs the tests of the installed npm package and prints TAP:
 // node --expose-gc run.mjs TARBALL FOLDER
 import { join } from "node:path";
 import { testBuilds } from "./builds.mjs";

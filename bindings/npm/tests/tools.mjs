@@ -1,4 +1,4 @@
-// What the tests of the package share: an empty project with the package installed, a server, pages.
+// Shared by the package's tests: an empty project with the package installed, a server, pages.
 import { execFileSync } from "node:child_process";
 import { cpSync, createReadStream, existsSync, mkdirSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { createServer } from "node:http";
@@ -10,10 +10,10 @@ import { pathOf } from "../../../tests/viewer/harness.mjs";
 export { PATIENCE, Skip, Tap, check, checkEqual, checkNear } from "../../../tests/tap.mjs";
 export { pathOf } from "../../../tests/viewer/harness.mjs";
 
-/** Packages that only the tests need. */
+/** Finds packages that only the tests need. */
 export const packageOf = createRequire(import.meta.url);
 
-/** Runs a program, and has what it says in the error where it fails. */
+/** Runs a program; an error contains the program's output. */
 export function run(folder, program, ...words) {
   try {
     return execFileSync(program, words, { cwd: folder, stdio: ["ignore", "pipe", "pipe"], encoding: "utf8" });
@@ -24,7 +24,7 @@ export function run(folder, program, ...words) {
 
 const npm = process.platform === "win32" ? "npm.cmd" : "npm";
 
-/** A project of somebody else, with the tarball installed and nothing else. */
+/** Makes a project of a user, with only the tarball installed. */
 export function emptyProject(folder, tarball) {
   rmSync(folder, { recursive: true, force: true });
   mkdirSync(folder, { recursive: true });
@@ -33,7 +33,7 @@ export function emptyProject(folder, tarball) {
   cpSync(pathOf("bindings/npm/tests/site"), folder, { recursive: true });
 }
 
-/** What the project's import of a name gives, in node. */
+/** Imports a name in the project, in Node. */
 export function importOf(project, name) {
   const entry = createRequire(join(project, "package.json")).resolve(name);
   return import(pathToFileURL(entry));
@@ -49,7 +49,7 @@ const types = {
   ".png": "image/png",
 };
 
-/** What the README says a page has to allow; nothing else may be needed. */
+/** The content policy that the README asks for; it must suffice. */
 const policy = [
   "default-src 'none'",
   "script-src 'self' 'wasm-unsafe-eval'",
@@ -59,7 +59,7 @@ const policy = [
   "style-src 'self'",
 ].join("; ");
 
-/** Serves a folder on this machine alone. What is not there is 404, and in /spa/ a page, as some sites do. */
+/** Serves a folder on this machine only. A missing file is 404; in /spa/ it is a page, as on some sites. */
 export async function serve(folder) {
   const server = createServer((request, response) => {
     const name = normalize(decodeURIComponent(new URL(request.url, "http://x").pathname));

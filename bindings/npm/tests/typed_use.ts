@@ -1,5 +1,5 @@
-// What a program in TypeScript writes; tsc --strict looks at it, and nobody runs it.
-import { create, load, read, SfumatoError, Status, Side, Attribute, Kind, Table } from "sfumato";
+// A user's program in TypeScript, which tsc --strict checks and nobody runs.
+import { create, importSvg, load, read, SfumatoError, Status, Side, Attribute, Kind, Table } from "sfumato";
 import type { Format, Pixels, SfumatoPicture } from "sfumato";
 import { SfumatoPicture as PictureElement, type PictureView } from "sfumato/element";
 
@@ -7,6 +7,7 @@ export async function use(text: string): Promise<Pixels> {
   const drawing = await read(text, { name: "a.svg", load: () => null, base: "https://example.org/" });
   drawing.setStops(0, 0, Side.left, Attribute.color, { kind: Kind.stops, rows: [[0, 1, 0, 0]] });
   const picture: SfumatoPicture = drawing.solve({ maxError: 1 });
+  const imported: { warnings: string[] } = await importSvg(text, { name: "a.svg" });
   const format: Format = "pdf";
   const file: Uint8Array = picture.export(format, "title=a");
   const vertices = picture.table(0, Table.vertices).data;
@@ -14,11 +15,11 @@ export async function use(text: string): Promise<Pixels> {
   const shown: ImageData = new ImageData(image.data, image.width, image.height);
   // @ts-expect-error no such format
   picture.export("jpg");
-  // @ts-expect-error a word is no width
+  // @ts-expect-error a word is not a width
   picture.raster({ width: "200" });
-  // @ts-expect-error the module makes pictures, and nobody else
+  // @ts-expect-error only the module makes pictures
   new PictureElement.prototype.constructor.SfumatoPicture();
-  return { width: file.length, height: vertices.length, data: shown.data };
+  return { width: file.length, height: vertices.length + imported.warnings.length, data: shown.data };
 }
 
 export async function contexts(): Promise<number> {

@@ -2,7 +2,8 @@
 
     python fit_photo.py PHOTO OUT.svg
 
-The curves are a trace's draft, whose colours are thrown away. Needs scipy and Pillow.
+The script traces the photo for the curves and discards the colours of the trace. It needs scipy and
+Pillow.
 """
 
 from __future__ import annotations
@@ -15,19 +16,19 @@ from PIL import Image
 from scipy.sparse import identity, vstack
 from scipy.sparse.linalg import lsqr
 
-STRENGTH = 0.03  # of the wish for what the stops were, so that those that no point sees are known
+STRENGTH = 0.03  # of the pull towards the former colours; it determines stops that no sample point sees
 POINTS = 20_000
 
 
 def centres(width: int, height: int) -> np.ndarray:
-    """A grid of pixel centres, row by row."""
+    """Returns a grid of pixel centres, row by row."""
     step = max(1, round((width * height / POINTS) ** 0.5))
     x, y = np.meshgrid(np.arange(0, width, step) + 0.5, np.arange(0, height, step) + 0.5)
     return np.column_stack([x.ravel(), y.ravel()])
 
 
 def fit(drawing: sfumato.Document, photo: np.ndarray) -> float:
-    """Gives the stops of the first layer the colours that fit; returns the error, 0 to 255 (RMS)."""
+    """Gives the stops of the first layer the best colours. Returns the error, 0 to 255 (RMS)."""
     height, width = photo.shape[:2]
     points = centres(width, height)
     with drawing.field(layer=0) as field:

@@ -2,7 +2,7 @@
 
     python optimize.py OUT.svg
 
-Colours are found by least squares at each step, so that only the geometry is searched for.
+Each step finds the colours by least squares, and the search covers only the geometry.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Diffusion curves: pictures of curves that carry a colour on each side.
+"""Diffusion curves: curves with a colour on each side, and the pictures that they define.
 
     import sfumato
 
@@ -6,12 +6,12 @@
     drawing.layers[0].curves[3].left = ["#f00", "#00f"]
     image = drawing.render(width=1024)  # numpy: height × width × 3, uint8
 
-docs/python.md is the guide.
+See docs/python.md for the guide.
 """
 
 from ._colors import convert_colors
 from ._curves import Curve, Curves, Layer, Side
-from ._document import Document, open, read
+from ._document import Document, ImportedSvg, import_svg, open, read
 from ._errors import (
     Cancelled,
     DrawingWarning,
@@ -37,6 +37,7 @@ __all__ = [
     "DrawingWarning",
     "Error",
     "Field",
+    "ImportedSvg",
     "InputError",
     "Interactive",
     "Layer",
@@ -49,6 +50,7 @@ __all__ = [
     "UsageError",
     "Weights",
     "convert_colors",
+    "import_svg",
     "load_picture",
     "open",
     "read",

@@ -17,7 +17,7 @@ _formats = {(3, "u1"): 0, (4, "u1"): 1, (3, "u2"): 2, (4, "u2"): 3}
 
 
 class Export:
-    """Memory of a resource that arrays look at: alive as long as one of them."""
+    """Keeps a resource's memory alive while an array is a view of it."""
 
     def __init__(self, view: View, owner: Resource) -> None:
         self.owner = owner
@@ -38,7 +38,7 @@ def empty_table(view: View) -> NDArray[Any]:
 
 
 def copied(view: View) -> NDArray[Any]:
-    """A table of its own."""
+    """Copies a table into an array that owns its memory."""
     table: NDArray[Any] = np.empty((view.rows, view.columns), _dtypes[view.type])
     if view.rows:
         row = view.columns * table.itemsize
@@ -48,7 +48,7 @@ def copied(view: View) -> NDArray[Any]:
 
 
 def numbers(values: ArrayLike, what: str) -> NDArray[np.float64]:
-    """Real numbers as doubles. TypeError: other things."""
+    """Returns real numbers as doubles. Raises TypeError for other values."""
     array = np.asarray(values)
     if array.dtype.kind not in "fiu":
         raise TypeError(f"{what}: expected real numbers, not {array.dtype}")
@@ -56,7 +56,7 @@ def numbers(values: ArrayLike, what: str) -> NDArray[np.float64]:
 
 
 def rows_of(values: ArrayLike, columns: int, what: str) -> NDArray[np.float64]:
-    """n × columns doubles. ValueError: another shape."""
+    """Returns doubles of shape n × columns. Raises ValueError for another shape."""
     array = numbers(values, what)
     if array.shape == (0,):
         array = array.reshape(0, columns)
@@ -66,13 +66,14 @@ def rows_of(values: ArrayLike, columns: int, what: str) -> NDArray[np.float64]:
 
 
 def fixed(array: NDArray[Any]) -> NDArray[Any]:
-    """A copy of what a document has: to write into it would change nothing there."""
+    """Makes a copy of a document's values read-only, because writing into the copy would not change
+    the document."""
     array.flags.writeable = False
     return array
 
 
 def pixels_of(array: NDArray[Any], what: str) -> Image:
-    """Rows of pixels, in place. The array is to be held as long as this."""
+    """Describes rows of pixels in place. Keep the array alive while the description is used."""
     if not isinstance(array, np.ndarray):
         raise TypeError(f"{what}: expected a numpy array, not {type(array).__name__}")
     if array.dtype not in (np.dtype(np.uint8), np.dtype(np.uint16)):
@@ -91,8 +92,13 @@ def pixels_of(array: NDArray[Any], what: str) -> Image:
 
 
 def picture_of(image: ArrayLike, what: str) -> NDArray[Any]:
-    """What is looked at, as rows of pixels, copied where it must be."""
+    """Returns rows of pixels, copied only if necessary. Floats from 0 to 1 become 16-bit integers."""
     array = np.asarray(image)
+    if array.dtype.kind == "f":
+        # A NaN fails the comparison.
+        if not np.all((array >= 0) & (array <= 1)):
+            raise ValueError(f"{what}: expected floats from 0 to 1, or uint8 or uint16")
+        array = np.round(array.astype(np.float64) * 65535).astype(np.uint16)
     if array.ndim == 2 and array.dtype.kind == "u":
         array = np.repeat(array[:, :, None], 3, axis=2)
     return np.ascontiguousarray(array)

@@ -1,7 +1,8 @@
-"""Colours, stops, and the spaces in which colours are mixed."""
+"""Colours, stops, and the spaces for mixing colours."""
 
 from __future__ import annotations
 
+import ctypes
 import functools
 from typing import Any, Optional, Sequence, Union
 from xml.sax.saxutils import quoteattr
@@ -13,6 +14,7 @@ from . import _library
 from ._arrays import address_of, numbers
 from ._errors import InputError, UsageError
 from ._library import lib
+from ._session import session_of
 
 SPACES = ("srgb", "linear", "oklab")
 Color = Union[str, Sequence[float], NDArray[Any]]
@@ -24,11 +26,12 @@ OPEN, BARRIER, STOPS = range(3)
 
 
 def convert_colors(colors: ArrayLike, source: str, target: str) -> NDArray[np.float64]:
-    """Colours in another space. colors: n × 3, or 3 numbers, in the space `source`; spaces are "srgb"
-    (code values, 0 to 1), "linear" (light, 0 to 1) and "oklab" (L, a, b). Nothing is clamped."""
+    """Converts colours to another space and returns them. colors: n × 3, or 3 numbers, in the space
+    `source`. The spaces are "srgb" (code values, 0 to 1), "linear" (light, 0 to 1) and "oklab" (L,
+    a, b). Nothing is clamped."""
     for space in (source, target):
         if space not in SPACES:
-            raise UsageError(f"{space!r} is no space; expected one of {', '.join(SPACES)}")
+            raise UsageError(f"{space!r} is not a colour space; use one of {', '.join(SPACES)}")
     array = numbers(colors, "colours").copy()
     if array.ndim == 0 or array.shape[-1] != 3:
         raise ValueError(f"colours: expected the shape (n, 3), not {array.shape}")
@@ -40,26 +43,35 @@ def convert_colors(colors: ArrayLike, source: str, target: str) -> NDArray[np.fl
 
 @functools.lru_cache(maxsize=1024)
 def _read(text: str) -> tuple[int, tuple[tuple[float, float, float, float], ...]]:
-    """What sf:left says."""
-    from ._document import read_quietly
-
+    """Returns the kind and the stops of a text for sf:left."""
     drawing = (
         '<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1" viewBox="0 0 1 1"'
         ' sf:version="1">'
         f'<g sf:diffuse="true"><path d="M0 0L1 0" sf:left={quoteattr(text)}/></g></svg>'
     )
     try:
-        with read_quietly(drawing.encode()) as document:
-            kind, _, rows = document.layers[0].curves[0].left.stops("color")
+        kind, rows = _left_stops(drawing.encode())
     except InputError as error:
-        raise InputError(f"{text!r} is no colour: {error.reason}") from None
-    if kind == "paint":
+        raise InputError(f"{text!r} is not a colour: {error.reason}") from None
+    if kind == KINDS.index("paint"):
         raise InputError(f"{text!r}: gradients and textures are made by files alone")
-    return KINDS.index(kind), tuple((at, r, g, b) for at, r, g, b in rows.tolist())
+    return kind, tuple((at, r, g, b) for at, r, g, b in rows.tolist())
+
+
+def _left_stops(drawing: bytes) -> tuple[int, NDArray[np.float64]]:
+    """Returns the kind and the colour stops of the left side of a drawing's first curve."""
+    free = lib.sfumato_document_free
+    held = session_of(None).make("read", free, drawing, len(drawing), b"text", None)
+    kind = ctypes.c_int32()
+    place = (held.address, 0, 0, 0, 0)  # layer, curve, side, attribute
+    count = lib.sfumato_curve_stops(*place, kind, None, None, 0)
+    rows = np.empty((count, 4))
+    lib.sfumato_curve_stops(*place, None, None, address_of(rows), count)
+    return kind.value, rows
 
 
 def _color(color: Color) -> NDArray[np.float64]:
-    """Code values of one colour."""
+    """Returns the code values of one colour."""
     if isinstance(color, str):
         kind, rows = _read(color)
         if kind != STOPS or len(rows) != 1 or rows[0][0] != 0:
@@ -72,13 +84,14 @@ def _color(color: Color) -> NDArray[np.float64]:
 
 
 def spread(values: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Rows of stops at even distances."""
+    """Returns rows of stops at even distances."""
     columns = values if values.ndim == 2 else values[:, None]
     return np.column_stack([np.linspace(0, 1, len(columns)), columns])
 
 
 class Given:
-    """What someone gives a side: the kind, rows where it is stops, and whether these say offsets."""
+    """A caller's value for a side: the kind, the rows if it has stops, and whether the rows hold
+    offsets."""
 
     def __init__(
         self, kind: int, rows: Optional[NDArray[np.float64]] = None, has_offsets: bool = False

@@ -1,4 +1,5 @@
-"""Layers, curves and sides of a document. What they are is in the document alone."""
+"""Layers, curves and sides of a document. These objects only refer to the document, which holds the
+data."""
 
 from __future__ import annotations
 
@@ -40,18 +41,18 @@ class Layer:
 
     @property
     def id(self) -> str:
-        """Perhaps ""."""
+        """The id of the layer; may be ""."""
         held = self._document._held()
         with held.lock:
             return text_of(lib.sfumato_layer_id(held.address, self._index))
 
     def _count(self) -> int:
-        """While the document is used."""
+        """Returns the curve count. The caller holds the document."""
         return int(lib.sfumato_curve_count(self._document._held().address, self._index))
 
     @property
     def curves(self) -> "Curves":
-        """The curves in drawing order, those of now."""
+        """The curves in drawing order, always up to date."""
         return Curves(self)
 
     def add(
@@ -64,11 +65,12 @@ class Layer:
         opacity: Scalars = None,
         at: Optional[int] = None,
     ) -> "Curve":
-        """Adds a curve. points: 3 n + 1 control points of n Bézier pieces, shape (3 n + 1, 2), in the
-        layer's units. left, right, blur, opacity: as Side.colors and its kin; blur and opacity are
-        those of both sides. at: before that curve [behind all]."""
+        """Adds a curve and returns it. points: the 3 n + 1 control points of n Bézier pieces, shape
+        (3 n + 1, 2), in the layer's units. left, right, blur, opacity: as for Side.colors,
+        Side.blur and Side.opacity; blur and opacity apply to both sides. at: the curve to insert
+        before [default: add as the last curve]."""
         document, xy = self._document, rows_of(points, 2, "points")
-        # All that can be wrong with the sides is found before anything changes.
+        # Find all faults of the sides before anything changes.
         given = [
             (side, attribute, value)
             for side in (0, 1)
@@ -108,7 +110,7 @@ class Layer:
 
 
 class Curves(AbstractSequence):  # type: ignore[type-arg]
-    """The curves of a layer, as a sequence: those that are there at each step."""
+    """The curves of a layer as a sequence, which follows all changes of the layer."""
 
     def __init__(self, layer: Layer) -> None:
         self._layer = layer
@@ -132,8 +134,8 @@ class Curves(AbstractSequence):  # type: ignore[type-arg]
 
 
 class Curve:
-    """A diffusion curve. It stays the same one when curves before it are added or removed; once it is
-    removed itself, every use raises ValueError."""
+    """A diffusion curve. The object keeps referring to the same curve when curves before it are
+    added or removed. After the curve itself is removed, every use raises ValueError."""
 
     def __init__(self, layer: Layer, index: int) -> None:
         self._layer = layer
@@ -145,7 +147,7 @@ class Curve:
 
     @property
     def index(self) -> int:
-        """Its place in the layer's drawing order."""
+        """The curve's index in the layer's drawing order."""
         if self._index is None:
             raise ValueError("this curve was removed")
         return self._index
@@ -159,14 +161,14 @@ class Curve:
 
     @property
     def id(self) -> str:
-        """Perhaps ""."""
+        """The id of the curve; may be ""."""
         held = self._layer._document._held()
         with held.lock:
             return text_of(lib.sfumato_curve_id(held.address, *self._place()))
 
     def _get_points(self) -> NDArray[np.float64]:
-        """3 n + 1 control points of n Bézier pieces, in units of the layer: (3 n + 1) × 2. A copy that
-        cannot be written to: to move the curve, set it."""
+        """The 3 n + 1 control points of n Bézier pieces, in units of the layer: (3 n + 1) × 2. The
+        array is a read-only copy; assign to this property to move the curve."""
         view = View()
         held = self._layer._document._held()
         with held.lock:
@@ -181,7 +183,7 @@ class Curve:
 
     @property
     def weight(self) -> float:
-        """How strongly it counts beside others, above 0; usually 1."""
+        """The curve's weight relative to other curves, above 0; usually 1."""
         held = self._layer._document._held()
         with held.lock:
             return float(lib.sfumato_curve_weight(held.address, *self._place()))
@@ -191,8 +193,8 @@ class Curve:
         self._edit("set_curve_weight", float(weight))
 
     def _get_left(self) -> "Side":
-        """The side to the left, on the screen, of who walks along it. To set it is to set its colours,
-        or with a Side all that this one bears."""
+        """The side on the left when walking along the curve, as seen on the screen. Assign colours
+        to set only the side's colours, or a Side to copy all its attributes."""
         return Side(self, 0)
 
     def _set_left(self, colors: "Union[Side, Colors]") -> None:
@@ -201,7 +203,7 @@ class Curve:
     left = Settable(_get_left, _set_left)
 
     def _get_right(self) -> "Side":
-        """The side to the right; see left."""
+        """The right side; see left."""
         return Side(self, 1)
 
     def _set_right(self, colors: "Union[Side, Colors]") -> None:
@@ -210,7 +212,7 @@ class Curve:
     right = Settable(_get_right, _set_right)
 
     def _get_blur(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Side.blur of the left and the right; to set it is to set both."""
+        """Side.blur of the left and the right side. Assigning sets both."""
         return self.left.blur, self.right.blur
 
     def _set_blur(self, radii: Scalars) -> None:
@@ -220,7 +222,7 @@ class Curve:
     blur = Settable(_get_blur, _set_blur)
 
     def _get_opacity(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Side.opacity of the left and the right; to set it is to set both."""
+        """Side.opacity of the left and the right side. Assigning sets both."""
         return self.left.opacity, self.right.opacity
 
     def _set_opacity(self, opacities: Scalars) -> None:
@@ -230,7 +232,7 @@ class Curve:
     opacity = Settable(_get_opacity, _set_opacity)
 
     def remove(self) -> None:
-        """Takes it out of its document."""
+        """Removes the curve from its document."""
         document = self._layer._document
 
         def forget() -> None:
@@ -245,21 +247,23 @@ class Curve:
 
 
 class Side:
-    """What one side of a curve bears: colours, opacities and radii of blur, each as stops along the
-    curve. Arrays are copies that cannot be written to; set them to change the side.
+    """One side of a curve: its colours, opacities and blur radii, each as stops along the curve.
+    Arrays are read-only copies; assign to a property to change the side.
 
-    Offsets are shares of the curve's length, 0 to 1, or for a space of "pieces" Bézier pieces: i + t.
+    Offsets are shares of the curve's length, from 0 to 1. In the space "pieces" they count Bézier
+    pieces: i + t.
     """
 
     def __init__(self, curve: Curve, side: int) -> None:
         self._curve, self._side = curve, side
 
     def _get_colors(self) -> NDArray[np.float64]:
-        """n × 4: offset, red, green, blue, all 0 to 1 (sRGB code values).
+        """n × 4: offset, red, green, blue, all from 0 to 1 (sRGB code values).
 
-        May be set to colours (names of CSS or 3 numbers each), which are spread evenly; to n × 3
-        numbers, the same; to n × 4, as here; to the text of sf:left ("gold, #f06 60%, teal"); to "none":
-        rays end there and get no colour; to None: open, rays pass."""
+        Accepts colours (CSS names, or 3 numbers each), spread evenly along the curve; n × 3
+        numbers, also spread evenly; n × 4 numbers with offsets, as returned; the text of sf:left
+        ("gold, #f06 60%, teal"); "none" for a barrier, where rays end and get no colour; None for
+        an open side, which rays pass."""
         return self.stops("color")[2]
 
     def _set_colors(self, colors: Colors) -> None:
@@ -268,8 +272,8 @@ class Side:
     colors = Settable(_get_colors, _set_colors)
 
     def _get_opacity(self) -> NDArray[np.float64]:
-        """n × 2: offset, opacity from 0 to 1. May be set to a number, to n numbers, which are spread
-        evenly, to n × 2, to "none" or to None: as colors."""
+        """n × 2: offset, opacity from 0 to 1. Accepts a number, n numbers, spread evenly, n × 2
+        numbers, "none" or None, with the same meaning as for colors."""
         return self.stops("opacity")[2]
 
     def _set_opacity(self, opacities: Scalars) -> None:
@@ -278,8 +282,8 @@ class Side:
     opacity = Settable(_get_opacity, _set_opacity)
 
     def _get_blur(self) -> NDArray[np.float64]:
-        """n × 2: offset, radius in units of the layer. May be set to a number, to n numbers, which are
-        spread evenly, to n × 2, or to None: sharp."""
+        """n × 2: offset, radius in units of the layer. Accepts a number, n numbers, spread evenly,
+        n × 2 numbers, or None for a sharp side."""
         return self.stops("blur")[2]
 
     def _set_blur(self, radii: Scalars) -> None:
@@ -288,13 +292,13 @@ class Side:
     blur = Settable(_get_blur, _set_blur)
 
     def kind(self, attribute: str = "color") -> str:
-        """What the side is to "color", "opacity" or "blur": "open", "barrier" (rays end and get
-        nothing), "stops", or "paint" (a gradient or texture, which only files make)."""
+        """Returns how the side acts on "color", "opacity" or "blur": "open", "barrier" (rays end
+        and get nothing), "stops", or "paint" (a gradient or texture; only files can define one)."""
         return self.stops(attribute)[0]
 
     def stops(self, attribute: str) -> tuple[str, str, NDArray[np.float64]]:
-        """Of "color", "opacity" or "blur": the kind, the space of the offsets, "length" or "pieces",
-        and the rows."""
+        """Returns, for "color", "opacity" or "blur", the kind, the space of the offsets ("length"
+        or "pieces"), and the rows."""
         which, columns = self._attribute(attribute)
         kind, space = ctypes.c_int32(), ctypes.c_int32()
         held = self._curve._layer._document._held()
@@ -309,7 +313,7 @@ class Side:
         """Sets the stops of "color" (n × 4), "opacity" or "blur" (n × 2), with offsets in a space."""
         _, columns = self._attribute(attribute)
         if space not in _spaces:
-            raise UsageError(f'{space!r} is no space of offsets; expected "length" or "pieces"')
+            raise UsageError(f'{space!r} is not a space of offsets; use "length" or "pieces"')
         self._give(attribute, Given(STOPS, rows_of(rows, columns, attribute), True), space)
 
     @staticmethod
@@ -319,7 +323,7 @@ class Side:
         return _attributes[attribute], 4 if attribute == "color" else 2
 
     def _give(self, attribute: str, given: Given, space: Optional[str] = None) -> None:
-        """Rows with offsets stay in the space of those that are there."""
+        """Sets rows; their offsets use the space of the present stops unless another one is given."""
         if space is None:
             space = self.stops(attribute)[1] if given.has_offsets else "length"
         self._curve._edit(

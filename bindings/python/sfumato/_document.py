@@ -1,4 +1,4 @@
-"""Drawings: read, made, edited, written."""
+"""Drawings: read, created, edited, written."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import io
 import json
 import os
 import weakref
-from typing import TYPE_CHECKING, Any, Callable, Optional, Union
+from typing import IO, Any, NamedTuple, Optional, Union, cast
 
 from numpy.typing import ArrayLike, NDArray
 
@@ -15,36 +15,24 @@ from . import _library
 from ._arrays import picture_of, pixels_of
 from ._colors import SPACES
 from ._curves import Curve, Layer
-from ._handle import Handle, Resource
+from ._drawing import Box, Drawing, Load, Path, Text, box_of
+from ._field import Field
+from ._handle import Resource
 from ._library import lib
 from ._options import Option, encode
+from ._picture import Picture
 from ._session import Session, session_of
 
-if TYPE_CHECKING:
-    from ._field import Field
-    from ._picture import Picture
 
-Box = tuple[float, float, float, float]
-Load = Callable[[str], bytes]
-Path = Union[str, "os.PathLike[str]"]
-
-
-def box_of(function: Callable[..., int], address: int) -> Box:
-    box = (ctypes.c_double * 4)()
-    function(address, box)
-    return (box[0], box[1], box[2], box[3])
-
-
-class Document(Handle):
-    """Diffusion curves as their author drew them. Make one by open(), read(), trace() or
+class Document(Drawing):
+    """Diffusion curves as their author drew them. Create one with open(), read(), trace() or
     Document.new().
 
-    Several threads may solve and draw one document at once; who edits it waits for them.
+    Several threads may solve and draw one document at once. An edit waits until they have finished.
     """
 
     def __init__(self, resource: Resource, session: Optional[Session]) -> None:
-        super().__init__(resource)
-        self._given = session
+        super().__init__(resource, session)
         self._live: weakref.WeakValueDictionary[tuple[int, int], Curve] = (
             weakref.WeakValueDictionary()
         )
@@ -58,9 +46,9 @@ class Document(Handle):
         background: Optional[str] = None,
         session: Optional[Session] = None,
     ) -> "Document":
-        """A drawing of one layer without curves. width, height: of the artboard, whose corner is 0, 0.
-        interpolation: the space in which colours mix, "srgb", "linear" or "oklab". background: a colour
-        of CSS, or "none"."""
+        """Returns a drawing of one layer without curves. width, height: of the artboard, whose
+        corner is 0, 0. interpolation: the space for mixing colours, "srgb", "linear" or "oklab".
+        background: a CSS colour, or "none"."""
         options: dict[str, Option] = {
             "artboard": (0, 0, width, height),
             "interpolation": interpolation,
@@ -70,19 +58,15 @@ class Document(Handle):
         return Document(made, session)
 
     @property
-    def _session(self) -> Session:
-        return session_of(self._given)
-
-    @property
     def artboard(self) -> Box:
-        """What is shown of the plane: x, y, width and height in user units."""
+        """The visible part of the plane: x, y, width and height in user units."""
         held = self._held()
         with held.lock:
             return box_of(lib.sfumato_document_artboard, held.address)
 
     @property
     def interpolation(self) -> str:
-        """The space in which colours mix: "srgb", "linear" or "oklab"."""
+        """The space for mixing colours: "srgb", "linear" or "oklab"."""
         held = self._held()
         with held.lock:
             return SPACES[lib.sfumato_document_interpolation(held.address)]
@@ -95,18 +79,24 @@ class Document(Handle):
             return tuple(Layer(self, i) for i in range(lib.sfumato_layer_count(held.address)))
 
     def to_svg(self) -> str:
-        """The whole drawing, exactly."""
+        """Returns the whole drawing as SVG; reading it again gives exactly the same drawing."""
         held = self._held()
         data = self._session.make_bytes("document_write", held.address, reads=held, slow=True)
         return data.decode()
 
-    def save(self, path: Path) -> None:
-        """Writes it as SVG."""
-        with io.open(path, "w", encoding="utf-8", newline="") as file:
-            file.write(self.to_svg())
+    def save(self, file: Union[Path, IO[bytes], IO[str]]) -> None:
+        """Writes the drawing as SVG. file: a path, or an object open for writing text or bytes."""
+        text = self.to_svg()
+        if isinstance(file, (str, os.PathLike)):
+            with io.open(file, "w", encoding="utf-8", newline="") as opened:
+                opened.write(text)
+        elif isinstance(file, io.TextIOBase):
+            file.write(text)
+        else:
+            cast("IO[bytes]", file).write(text.encode())
 
     def copy(self) -> "Document":
-        """Another document of the same."""
+        """Returns a copy of the document."""
         held = self._held()
         free = lib.sfumato_document_free
         made = self._session.make("document_copy", free, held.address, reads=held)
@@ -119,8 +109,8 @@ class Document(Handle):
         return self.copy()
 
     def lint(self, verbose: bool = False) -> list[dict[str, Any]]:
-        """Probable mistakes, as `sfumato lint --json` tells them: dicts with "kind", "message" and
-        places. verbose: notes, too."""
+        """Returns probable mistakes, in the form of `sfumato lint --json`: dicts with "kind",
+        "message" and places. verbose: include notes."""
         held, options = self._held(), encode({"verbose": verbose})
         told = self._session.make_bytes("lint", held.address, options, reads=held, slow=True)
         hints: list[dict[str, Any]] = json.loads(told)["hints"]
@@ -129,18 +119,18 @@ class Document(Handle):
     def solve(
         self, again: "Optional[Picture]" = None, *, quick: bool = False, **options: Option
     ) -> "Picture":
-        """The picture: patches of no resolution.
+        """Solves the drawing and returns the picture: patches that have no resolution.
 
-        options: those of docs/c-api.md for sfumato_solve, as max_error, viewport=(x, y, width,
-        height), width, height, scale, detail, no_blur. width, height and scale say how large the
-        largest output will be. coherent: it is the first frame of a film, Picture.next().
+        options: as in docs/c-api.md for sfumato_solve, for example max_error, viewport=(x, y,
+        width, height), width, height, scale, detail, no_blur. width, height and scale set the size
+        of the largest output. coherent: prepares the picture as the first frame of a film; see
+        Picture.next().
 
-        again: a picture of this document or another one, which becomes that of this one as it is now,
-        by the options with which it was solved, and is returned: what has not changed is kept. quick:
-        a picture to look at while a curve moves. BufferError where arrays look at its tables.
+        again: a picture of this or another document to update. It becomes the picture of this
+        document as it is now, with the options of its first solve, and is returned. Unchanged parts
+        are reused. quick: solves roughly, for a preview while a curve moves. Raises BufferError
+        while arrays are views of the tables of `again`.
         """
-        from ._picture import Picture
-
         held = self._held()
         if again is None:
             if quick:
@@ -156,23 +146,21 @@ class Document(Handle):
         return again
 
     def render(self, width: Optional[int] = None, **options: Any) -> NDArray[Any]:
-        """solve() and Picture.render() at once: height × width × 3 or 4. For other options than those
-        of render(), solve first."""
+        """Solves and renders in one call: height × width × 3 or 4. For options that Picture.render()
+        does not have, call solve() first."""
         x = {k: options[k] for k in ("height", "scale", "viewport") if k in options}
         with self.solve(width=width, **x) as picture:
             return picture.render(width, **options)
 
     def field(self, layer: int = 0, **options: Option) -> "Field":
-        """The exact colours of a layer at points. options: viewport, width, height, scale, tolerance,
-        no_blur, as of solve(). Later edits of the document do not change it."""
-        from ._field import Field
-
+        """Returns the exact colours of a layer at points. options: viewport, width, height, scale,
+        tolerance, no_blur, as for solve(). Later edits of the document do not change the field."""
         return Field(self, layer, options)
 
     def fit_colors(self, image: ArrayLike, **options: Option) -> "Document":
-        """A copy whose curves have the colours of a picture that is laid over the artboard: those with
-        which it looks most like it. image: height × width × 3 or 4, uint8 or uint16. options: blur,
-        max_side, seed, keep_colors, only, as of `sfumato trace --colors-only`."""
+        """Returns a copy of the drawing with the colours that resemble an image best. The image
+        covers the artboard. image: height × width × 3 or 4, uint8, uint16, or floats from 0 to 1.
+        options: blur, max_side, seed, keep_colors, only, as for `sfumato trace --colors-only`."""
         held, array = self._held(), picture_of(image, "image")
         pixels = pixels_of(array, "image")
         made = self._session.make(
@@ -182,14 +170,14 @@ class Document(Handle):
         return Document(made, self._given)
 
     def _curve(self, layer: Layer, index: int) -> Curve:
-        """The one object of a curve; while the document is used."""
+        """Returns the only object of a curve. The caller holds the document."""
         found = self._live.get((layer._index, index))
         if found is None:
             found = self._live[layer._index, index] = Curve(layer, index)
         return found
 
     def _moved(self, layer: int, index: int, by: int) -> None:
-        """Follows a curve that was inserted at an index (by 1), or that was removed (by -1)."""
+        """Updates indices after a curve was inserted at an index (by = 1) or removed (by = -1)."""
         live = sorted((at, curve) for (of, at), curve in self._live.items() if of == layer)
         for at, _ in live:
             del self._live[layer, at]
@@ -214,7 +202,7 @@ class Document(Handle):
 
 
 def _in_folder(folder: Path) -> Load:
-    """Reads files in a folder, and below."""
+    """Returns a loader that reads files in a folder and its subfolders."""
     root = os.path.realpath(folder)
 
     def load(name: str) -> bytes:
@@ -228,34 +216,73 @@ def _in_folder(folder: Path) -> Load:
 
 
 def open(path: Path, *, session: Optional[Session] = None) -> Document:
-    """Reads a drawing: SVG with curves of Sfumato's, or the XML of Orzan et al., gzipped or not.
-    Textures that it names are read in its folder, and below."""
+    """Reads a drawing: SVG with Sfumato's curves, or the XML of Orzan et al., plain or gzipped.
+    Textures are read only from the drawing's folder and its subfolders."""
     folder = os.path.dirname(os.path.abspath(path))
     with io.open(path, "rb") as file:
-        return _read(file.read(), os.fspath(path), _in_folder(folder), session)
+        document, chosen = _made_of("read", file.read(), os.fspath(path), _in_folder(folder), session)
+    chosen.warn(2)
+    return document
 
 
 def read(
-    data: Union[str, bytes, bytearray, memoryview],
+    data: Text,
     *,
     name: str = "drawing",
     folder: Optional[Path] = None,
     load: Optional[Load] = None,
     session: Optional[Session] = None,
 ) -> Document:
-    """Reads a drawing from its text. name: for messages. folder: where textures that it names are read,
-    itself and below. load: brings them instead: called with a name, in this thread, it returns bytes;
-    what it raises comes out of read()."""
+    """Reads a drawing from its text. name: for messages. folder: textures may be read from this
+    folder and its subfolders. load: replaces `folder`; a function that gets a name, runs in this
+    thread and returns bytes. read() passes on the exceptions that it raises."""
+    document, chosen = _made_of("read", _bytes_of(data), name, _loader_of(folder, load), session)
+    chosen.warn(2)
+    return document
+
+
+class ImportedSvg(NamedTuple):
+    """The result of import_svg()."""
+
+    document: Document
+    warnings: list[str]  # one for each kind of content that was left out, with its place
+
+
+def import_svg(
+    data: Text,
+    *,
+    name: str = "drawing",
+    folder: Optional[Path] = None,
+    load: Optional[Load] = None,
+    session: Optional[Session] = None,
+) -> ImportedSvg:
+    """Converts an ordinary SVG, plain or gzipped, to a drawing: curves along the boundaries of its
+    fills and strokes (docs/import.md). The parameters are as for read(). The warnings of the result
+    name the content that was left out; no Python warning is raised."""
+    loader = _loader_of(folder, load)
+    document, chosen = _made_of("import_svg", _bytes_of(data), name, loader, session)
+    return ImportedSvg(document, chosen.last_warnings())
+
+
+def _loader_of(folder: Optional[Path], load: Optional[Load]) -> Optional[Load]:
     if folder is not None and load is not None:
         raise TypeError("expected a folder or load, not both")
+    return load if folder is None else _in_folder(folder)
+
+
+def _bytes_of(data: Text) -> bytes:
     if isinstance(data, str):
-        data = data.encode("utf-8", "surrogatepass")
-    elif not isinstance(data, (bytes, bytearray, memoryview)):
+        return data.encode("utf-8", "surrogatepass")
+    if not isinstance(data, (bytes, bytearray, memoryview)):
         raise TypeError(f"a drawing is text or bytes, not {type(data).__name__}")
-    return _read(bytes(data), name, load if folder is None else _in_folder(folder), session)
+    return bytes(data)
 
 
-def _read(data: bytes, name: str, load: Optional[Load], session: Optional[Session]) -> Document:
+def _made_of(
+    function: str, data: bytes, name: str, load: Optional[Load], session: Optional[Session]
+) -> tuple[Document, Session]:
+    """Calls sfumato_read() or sfumato_import_svg(). Returns the session as well, which holds the
+    warnings."""
     chosen = session_of(session)
 
     def bring(_: Any, href: bytes, deliver: Any, sink: Any) -> int:
@@ -273,12 +300,5 @@ def _read(data: bytes, name: str, load: Optional[Load], session: Optional[Sessio
     given = ctypes.byref(loader) if load is not None else None
     words = name.replace("\0", "").encode("utf-8", "surrogateescape")
     free = lib.sfumato_document_free
-    made = chosen.make("read", free, data, len(data), words, given, slow=True)
-    chosen.warn()
-    return Document(made, session)
-
-
-def read_quietly(data: bytes) -> Document:
-    """A drawing of ours, which says nothing of what it lacks."""
-    free = lib.sfumato_document_free
-    return Document(session_of(None).make("read", free, data, len(data), b"text", None), None)
+    made = chosen.make(function, free, data, len(data), words, given, slow=True)
+    return Document(made, session), chosen

@@ -1,4 +1,4 @@
-"""What goes wrong, in Python's own form."""
+"""Errors and warnings as Python exceptions."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ from ._library import lib
 
 
 class Error(Exception):
-    """Whatever the library refuses.
+    """Base class of all errors of the library.
 
-    reason: the words without the place. file, line, column: where in an input it is; "" and 0 where
-    that is not known. Lines and columns (in bytes) count from 1.
+    reason: the message without its place. file, line, column: the place in an input; "" and 0 if
+    unknown. Lines and columns (in bytes) count from 1.
     """
 
     def __init__(self, reason: str, file: str = "", line: int = 0, column: int = 0) -> None:
@@ -26,15 +26,15 @@ class Error(Exception):
 
 
 class InputError(Error, ValueError):
-    """An input that cannot be understood or drawn; file, line and column say where."""
+    """The input cannot be understood or drawn; file, line and column give the place."""
 
 
 class UsageError(Error, ValueError):
-    """An option, or a value of one, that the call does not take."""
+    """The call does not accept an option, or a value of one."""
 
 
 class LimitError(Error):
-    """A limit, the budget of memory (max_memory) or the time (max_time) of a session."""
+    """A limit, the memory budget (max_memory) or the time (max_time) of a session was exceeded."""
 
 
 class Cancelled(Error):
@@ -42,11 +42,11 @@ class Cancelled(Error):
 
 
 class UnavailableError(Error):
-    """This build of the library cannot do it."""
+    """This build of the library does not have the feature."""
 
 
 class DrawingWarning(UserWarning):
-    """What a drawing has that the library left out, or an output cannot show."""
+    """The library left out content of a drawing, or an output cannot show it."""
 
 
 _classes: dict[int, type[Error]] = {
@@ -59,7 +59,7 @@ _classes: dict[int, type[Error]] = {
 
 
 def error_of(context: int, status: int) -> Optional[Exception]:
-    """What the last call with a context ended by; None after success."""
+    """Returns the error of the last call with a context; None after success."""
     if status == _library.OK:
         return None
     reason = text_of(lib.sfumato_error_text(context))
@@ -72,5 +72,5 @@ def error_of(context: int, status: int) -> Optional[Exception]:
 
 
 def text_of(words: Optional[bytes]) -> str:
-    """A string of the library's, which may hold bytes of a file that are no UTF-8."""
+    """Decodes a string of the library. It may contain bytes of a file that are not UTF-8."""
     return (words or b"").decode("utf-8", "replace")

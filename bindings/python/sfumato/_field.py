@@ -1,4 +1,4 @@
-"""One layer without a mesh: exact colours at points, and what they are made of."""
+"""One layer without a mesh: exact colours at points, and the weights of the stops in them."""
 
 from __future__ import annotations
 
@@ -26,22 +26,22 @@ _attributes = {"color": 0, "opacity": 1}
 
 
 class Weights(NamedTuple):
-    """How much each stop counts at points: matrix @ values + paint are the exact values there, in the
-    space in which the document mixes colours."""
+    """The weight of each stop at points. `matrix @ values + paint` gives the exact values there, in
+    the document's space for mixing colours."""
 
     matrix: Any
     """scipy.sparse.csr_matrix, points × stops, float64"""
     stops: NDArray[np.uint32]
-    """of each column: curve, side (0 left, 1 right), stop"""
+    """for each column: curve, side (0 left, 1 right), stop"""
     values: NDArray[np.float64]
-    """of each column: the value that the stop had, 3 numbers or 1"""
+    """for each column: the value of the stop at the call, 3 numbers or 1"""
     paint: NDArray[np.float64]
-    """of each point: what gradients and textures add, 3 numbers or 1"""
+    """for each point: the share of gradients and textures, 3 numbers or 1"""
 
 
 class Field(Handle):
-    """The exact colours of one layer at points; made by Document.field(). It keeps what the document
-    was."""
+    """The exact colours of one layer at points, from Document.field(). Later edits of the document
+    do not change it."""
 
     def __init__(self, document: "Document", layer: int, options: Mapping[str, Option]) -> None:
         count = len(document.layers)
@@ -75,9 +75,10 @@ class Field(Handle):
         super().free()
 
     def colors(self, points: ArrayLike) -> NDArray[np.float32]:
-        """n × 4: red, green, blue (sRGB, 0 to 1, not premultiplied) and opacity; all 0 where no colour is
-        seen. points: n × 2, in the frame of the layer, inside what the viewport shows of it and not on
-        a curve. Neighbours in the list should be neighbours in the plane."""
+        """Returns n × 4: red, green, blue (sRGB, 0 to 1, not premultiplied) and opacity; all 0
+        where no colour is visible. points: n × 2, in the frame of the layer, inside the viewport
+        and not on a curve. Order the points so that neighbours in the list are close to each other;
+        this is faster."""
         held, xy = self._held(), rows_of(points, 2, "points")
         out = np.empty((len(xy), 4), np.float32)
         self._session.call(
@@ -89,11 +90,11 @@ class Field(Handle):
     def weights(
         self, points: ArrayLike, of: str = "color", *, negligible: float = 0.0
     ) -> Weights:
-        """What the values at points, n × 2 as for colors(), are made of. of: "color" or "opacity".
-        negligible: what counts less for a point may be left out, and the rest is scaled up.
+        """Returns the weights of the stops in the values at points (n × 2 as for colors()). of:
+        "color" or "opacity". negligible: smaller weights may be dropped; the rest is scaled up.
 
-        The matrix holds as long as the curves, their blur and the offsets of their stops stay as they
-        are; values may be others. It needs scipy. The first call prepares the layer.
+        The matrix stays valid while the curves, their blur and the offsets of their stops do not
+        change; the values of the stops may change. Needs scipy. The first call prepares the layer.
         """
         sparse = importlib.import_module("scipy.sparse")
         if of not in _attributes:
@@ -115,9 +116,10 @@ class Field(Handle):
         return Weights(matrix, stops, values.astype(np.float64), paint.astype(np.float64))
 
     def set_values(self, document: "Document", stops: ArrayLike, values: ArrayLike) -> None:
-        """Gives stops of a document, which has this field's curves, other colours. stops, values: as of
-        weights(); values are in the space in which the document mixes, and are clamped to colours that
-        sRGB has."""
+        """Sets the colours of stops in a document that has the same curves as this field.
+
+        stops, values: arrays in the form that weights() returns. The values use the colour space
+        of the document's interpolation. Colours outside the sRGB gamut are clamped."""
         places, given = rows_of(stops, 3, "stops").astype(int), rows_of(values, 3, "values")
         if len(places) != len(given):
             raise ValueError(f"{len(places)} stops and {len(given)} values")

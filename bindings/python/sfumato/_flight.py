@@ -1,4 +1,5 @@
-"""A call of the library's in a thread of its own, while the caller's hears interrupts and callbacks."""
+"""Runs a call of the library in its own thread, while the caller's thread handles interrupts and
+callbacks."""
 
 from __future__ import annotations
 
@@ -10,7 +11,7 @@ from typing import Any, Callable, Optional
 
 
 class _Worker:
-    """A thread that runs flights, one after the other."""
+    """A thread that runs flights one after the other."""
 
     def __init__(self) -> None:
         self.flights: queue.SimpleQueue[Flight] = queue.SimpleQueue()
@@ -20,7 +21,7 @@ class _Worker:
         while True:
             flight = self.flights.get()
             flight.work()
-            del flight  # and what it was called with
+            del flight  # and its arguments
 
 
 _idle: collections.deque[_Worker] = collections.deque()
@@ -35,7 +36,7 @@ def _worker() -> _Worker:
 
 
 class _Question:
-    """What the call asks of the caller's thread, and waits for."""
+    """A question of the call to the caller's thread; the call waits for the answer."""
 
     def __init__(self, answer: Callable[[], Any]) -> None:
         self.answer = answer
@@ -43,12 +44,12 @@ class _Question:
 
 
 class Flight:
-    """run() calls a function of C in another thread and returns what it gives.
+    """run() calls a C function in another thread and returns its result.
 
-    So Ctrl+C, which Python looks at between two steps of its main thread, ends a call that takes
-    long: whatever is raised here meanwhile, by an interrupt or by a callback, cancels the call and is
-    raised once that has ended. An interrupt may come between any two steps, so that what the threads
-    wait for are queues, whose steps are whole, and everything is looked at again afterwards.
+    Python handles Ctrl+C between two steps of its main thread. If an interrupt or a callback raises
+    an exception here while the call runs, the call is cancelled, and the exception is raised again
+    after the call has ended. An interrupt may come between any two steps. Therefore the threads
+    wait for queues, whose operations are atomic, and check all state again afterwards.
     """
 
     def __init__(self, cancel: Callable[[], object]) -> None:
@@ -62,12 +63,14 @@ class Flight:
         self._failure: Optional[BaseException] = None
 
     def tell(self, hear: Callable[[], Any]) -> None:
-        """From any thread: hear() is called in the caller's, unless something newer comes first."""
+        """From any thread: asks for hear() to be called in the caller's thread, unless a newer one
+        replaces it."""
         self._latest = hear
         self._news.put(None)
 
     def ask(self, answer: Callable[[], Any]) -> Any:
-        """From the thread of the call: what answer() returns in the caller's; None where it raises."""
+        """From the call's thread: returns the result of answer() in the caller's thread; None if it
+        raises."""
         question = _Question(answer)
         self._questions.append(question)
         self._news.put(None)
@@ -78,7 +81,7 @@ class Flight:
         worker, is_given = _worker(), False
         while not self._finished:
             try:
-                if not is_given:  # an interrupt may come before the note of it: given twice, run once
+                if not is_given:  # an interrupt may come before this is noted; a flight given twice runs once
                     worker.flights.put(self)
                     is_given = True
                 self._look()
@@ -92,14 +95,14 @@ class Flight:
         return self._status
 
     def work(self) -> None:
-        """In the worker's thread."""
+        """Runs in the worker's thread."""
         call, self._call = self._call, None
         if call is None:
             return
         function, arguments = call
         try:
             self._status = function(*arguments)
-        except BaseException as error:  # an argument that ctypes does not take
+        except BaseException as error:  # an argument that ctypes does not accept
             self._failure = self._failure or error
         self._finished = True
         self._news.put(None)

@@ -11,25 +11,27 @@ Self = TypeVar("Self", bound="Handle")
 
 
 class Resource:
-    """What the library gave out: given back once nobody holds this any more.
+    """An object of the library with its lock. It is released when nobody refers to it any more.
 
-    The library lets several calls read a thing while none changes it. What is short holds the lock;
-    what takes long reads with a lease, for which those that change the thing wait. Ctrl+C may come
-    between any two steps, so that both end by one step each: the lock's, and that of a set.
+    The library lets several calls read an object while none changes it. A short call holds the
+    lock. A long call reads with a lease, and changes wait for the lease to end. Ctrl+C may come
+    between any two steps, so each of the two ends in a single step: releasing the lock, or removing
+    the lease from a set.
     """
 
     def __init__(self, address: int, free: Optional[Callable[[int], object]]) -> None:
         self.address = address
         self.lock = threading.RLock()
         self.leases: set[Lease] = set()
-        self.changing = 0  # the thread that changes it in a call that takes long; 0: none
+        self.changing = 0  # the thread whose long call changes it; 0: none
         if free is not None:
-            # At exit the system takes all back; arrays may still be looked at until then.
+            # At exit the system frees all memory; arrays may still be read until then.
             weakref.finalize(self, free, address).atexit = False
 
     def is_read(self) -> bool:
-        """Whether a change, for which one has the lock, has to wait without it. RuntimeError: a call of
-        this thread reads it, whose callback this is."""
+        """Returns whether a change must wait without the lock that the caller holds. Raises
+        RuntimeError if a call of this thread reads the resource, that is, inside that call's
+        callback."""
         me = threading.get_ident()
         if any(lease.thread == me for lease in tuple(self.leases)):
             raise RuntimeError("in use by a call that has not returned yet")
@@ -37,23 +39,25 @@ class Resource:
 
 
 class Lease:
-    """That a thread reads something for long."""
+    """Marks that a thread reads a resource for a long time."""
 
     def __init__(self) -> None:
         self.thread = threading.get_ident()
 
 
 class Handle:
-    """A thing of the library's: freed by free(), at the end of a with block, or with its last use.
+    """An object of the library. It is freed by free(), at the end of a with block, or after its
+    last use.
 
-    After free() every use raises ValueError; arrays that are views of its memory keep that alive.
+    After free() every use raises ValueError. Arrays that are views of its memory keep that memory
+    alive.
     """
 
     def __init__(self, resource: Resource) -> None:
         self._resource: Optional[Resource] = resource
 
     def _held(self) -> Resource:
-        """Hold the result as long as its address is used."""
+        """Returns the resource; keep the result alive while its address is used."""
         resource = self._resource
         if resource is None:
             raise ValueError(f"this {type(self).__name__} was freed")
@@ -67,7 +71,7 @@ class Handle:
         return self._resource is None
 
     def free(self) -> None:
-        """Gives the memory back, once calls that use it have ended. May be called twice."""
+        """Releases the memory after all calls that use it have ended. May be called twice."""
         self._resource = None
 
     def __enter__(self: Self) -> Self:

@@ -1,4 +1,4 @@
-"""The shared library and its functions, as ctypes sees them. Nothing here knows documents."""
+"""The shared library and its functions for ctypes. This module knows nothing of documents."""
 
 from __future__ import annotations
 
@@ -81,9 +81,9 @@ class Watch(ctypes.Structure):
 _handle = c_void_p
 _out = POINTER(c_void_p)
 _box = POINTER(c_double)
-_numbers = c_void_p  # of an array that the caller holds
+_numbers = c_void_p  # of an array that the caller keeps alive
 
-# What functions return, then what they take.
+# Each function's result type, then its argument types.
 _signatures: dict[str, tuple[Any, ...]] = {
     "version": (c_char_p,),
     "abi": (c_uint32,),
@@ -100,6 +100,7 @@ _signatures: dict[str, tuple[Any, ...]] = {
     "bytes_size": (c_size_t, _handle),
     "bytes_free": (None, _handle),
     "read": (c_int32, _handle, c_char_p, c_size_t, c_char_p, POINTER(Loader), _out),
+    "import_svg": (c_int32, _handle, c_char_p, c_size_t, c_char_p, POINTER(Loader), _out),
     "document_new": (c_int32, _handle, c_char_p, _out),
     "document_copy": (c_int32, _handle, _handle, _out),
     "document_free": (None, _handle),
@@ -153,7 +154,7 @@ _signatures: dict[str, tuple[Any, ...]] = {
 
 
 def _load() -> Any:
-    """The library that SFUMATO_LIBRARY names, that which lies beside this file, or the system's."""
+    """Loads the library that SFUMATO_LIBRARY names, the library beside this file, or the system's."""
     name = "libsfumato.so.1"
     beside = os.path.join(os.path.dirname(os.path.abspath(__file__)), name)
     path = os.environ.get("SFUMATO_LIBRARY") or (beside if os.path.exists(beside) else name)

@@ -1,4 +1,4 @@
-"""Keyword arguments as the library's string of options."""
+"""Converts keyword arguments to the library's string of options."""
 
 from __future__ import annotations
 
@@ -34,7 +34,8 @@ def _text(value: Option) -> str:
 
 
 def encode(options: Mapping[str, Option]) -> bytes:
-    """max_error=2, no_blur=True, viewport=(0, 0, 9, 9): b"max-error=2 no-blur viewport=0,0,9,9".
+    """Returns the string, for example b"max-error=2 no-blur viewport=0,0,9,9" for max_error=2,
+    no_blur=True, viewport=(0, 0, 9, 9).
 
     None and False leave an option out.
     """
@@ -42,7 +43,7 @@ def encode(options: Mapping[str, Option]) -> bytes:
     for name, value in options.items():
         key = name.replace("_", "-")
         if not _key.fullmatch(key):
-            raise UsageError(f"{name!r} is no option")
+            raise UsageError(f"unknown option {name!r}")
         if value is None or value is False:
             continue
         words.append(key if value is True else f"{key}={_text(value)}")

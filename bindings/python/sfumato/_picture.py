@@ -1,4 +1,4 @@
-"""Pictures: solved drawings of no resolution, their tables, pixels and files."""
+"""Pictures: solved drawings without a resolution, their tables, pixels and files."""
 
 from __future__ import annotations
 
@@ -9,21 +9,19 @@ import os
 import sys
 import weakref
 from numbers import Integral
-from typing import TYPE_CHECKING, Any, Optional, Tuple, Union
+from typing import IO, Any, Optional, Tuple, Union, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _library
 from ._arrays import Export, copied, empty_table, pixels_of
+from ._drawing import Box, Drawing, Path, box_of
 from ._errors import UsageError
 from ._handle import Handle, Resource
 from ._library import View, lib
 from ._options import Option, encode
 from ._session import Session, session_of
-
-if TYPE_CHECKING:
-    from ._document import Box, Document, Path
 
 _statistics = (
     "curves", "segments", "triangles", "vertices", "nodes",
@@ -61,9 +59,9 @@ def _room(across: int, down: int, depth: int, alpha: bool) -> NDArray[Any]:
 
 
 class Picture(Handle):
-    """A solved document, by Document.solve() or load_picture(). It can be pickled and copied: the other
-    one follows no document, and has this thread's session. The arrays of its tables are views of the library's memory, which keep that
-    alive; they cannot be written to."""
+    """A solved document, from Document.solve() or load_picture(). It can be pickled and copied; the
+    copy belongs to no document and uses this thread's session. The arrays of its tables are
+    read-only views of the library's memory and keep it alive."""
 
     def __init__(self, resource: Resource, session: Optional[Session]) -> None:
         super().__init__(resource)
@@ -75,10 +73,8 @@ class Picture(Handle):
         return session_of(self._given)
 
     @property
-    def viewport(self) -> "Box":
-        """What was solved: x, y, width and height in user units."""
-        from ._document import box_of
-
+    def viewport(self) -> Box:
+        """The solved part of the plane: x, y, width and height in user units."""
         held = self._held()
         with held.lock:
             return box_of(lib.sfumato_picture_viewport, held.address)
@@ -91,8 +87,8 @@ class Picture(Handle):
 
     @property
     def statistics(self) -> dict[str, float]:
-        """Of the last time that it was solved: counts, and seconds of the steps. Of a frame also how many
-        layers did not change, went on with the mesh of the frame before, and were begun anew."""
+        """Counts and the seconds of each step of the last solve. For a frame also how many layers
+        did not change, continued with the mesh of the previous frame, or were restarted."""
         held = self._held()
         with held.lock:
             return {
@@ -111,15 +107,15 @@ class Picture(Handle):
         out: Optional[NDArray[Any]] = None,
         **options: Option,
     ) -> NDArray[Any]:
-        """Pixels: height × width × 3, or 4 with alpha (not premultiplied), sRGB; uint8, or uint16 with
-        depth=16.
+        """Renders pixels: height × width × 3, or 4 with alpha (not premultiplied), in sRGB; uint8,
+        or uint16 with depth=16.
 
-        width, height: in pixels; one of them follows from the other. scale: pixels to a user unit [1].
-        out: such an array, which is drawn into and returned; its rows may be apart, so that it may be
-        a part of a larger one. window=(x, y, width, height): only these pixels of the image that
-        width, height and scale say, the same as there. options: viewport=(x, y, width, height),
-        background (a colour, "none"), dither, no_antialias, mesh_overlay. A picture is as fine as
-        solve() was told.
+        width, height: in pixels; give one, and the other follows. scale: pixels per user unit [1].
+        out: an array of that form to draw into and return; it may be a slice of a larger array.
+        window=(x, y, width, height): render only this part of the full image, in its pixels. The
+        pixels equal the same pixels of a full render. options: viewport=(x, y, width, height),
+        background (a colour, "none"), dither, no_antialias, mesh_overlay. The options of solve()
+        decide how fine the picture is.
         """
         window, viewport = options.get("window"), options.get("viewport")
         if window is not None:
@@ -161,11 +157,12 @@ class Picture(Handle):
         return across, down
 
     def to_bytes(self, format: str, **options: Option) -> bytes:
-        """A file: sfp, the picture itself, exactly, which load_picture() reads and `sfumato render`
-        draws, without options; or png, jpg, webp, html, pdf, eps, svg, glb, npz, ply or json. options: width, height, scale,
-        background; of pixels also viewport, window, depth, dither, quality, lossless, no_antialias,
-        mesh_overlay; of others dpi, svg, force, pdf_flatten, title. What the format cannot show is a
-        DrawingWarning."""
+        """Returns a file as bytes. The format "sfp" stores the picture itself, exactly and without
+        options; load_picture() reads it and `sfumato render` draws it. Other formats: png, jpg,
+        webp, html, pdf, eps, svg, glb, npz, ply, json. options: width, height, scale, background;
+        for pixel formats also viewport, window, depth, dither, quality, lossless, no_antialias,
+        mesh_overlay; for other formats dpi, svg, force, pdf_flatten, title. Raises a DrawingWarning
+        for content that the format cannot show."""
         if not isinstance(format, str):
             raise TypeError(f"a format is text, not {type(format).__name__}")
         held, session = self._held(), self._session
@@ -180,11 +177,24 @@ class Picture(Handle):
         session.warn()
         return data
 
-    def save(self, path: "Path", **options: Option) -> None:
-        """Writes a file of the kind that its name says; options as of to_bytes()."""
-        data = self.to_bytes(os.path.splitext(os.fspath(path))[1][1:], **options)
-        with io.open(path, "wb") as file:
-            file.write(data)
+    def save(
+        self, file: "Union[Path, IO[bytes]]", format: Optional[str] = None, **options: Option
+    ) -> None:
+        """Writes a file. file: a path, or an object open for writing bytes. format and options: as
+        for to_bytes(). The default format is the extension of the path or of the object's name; an
+        object without a name and without a format raises ValueError."""
+        path = file if isinstance(file, (str, os.PathLike)) else None
+        if format is None:
+            name = path if path is not None else getattr(file, "name", None)
+            if not isinstance(name, (str, os.PathLike)):
+                raise ValueError("save: the file has no name; set the format, such as format='png'")
+            format = os.path.splitext(os.fspath(name))[1][1:]
+        data = self.to_bytes(format, **options)
+        if path is None:
+            cast("IO[bytes]", file).write(data)
+            return
+        with io.open(path, "wb") as opened:
+            opened.write(data)
 
     def vertices(self, layer: int = 0) -> NDArray[np.float64]:
         """n × 2: positions in the frame of the layer."""
@@ -195,20 +205,20 @@ class Picture(Handle):
         return self._table(layer, _library.TRIANGLES)
 
     def curve_edges(self, layer: int = 0) -> NDArray[np.uint8]:
-        """m × 3: 1 where colours may jump across the edge of the triangle."""
+        """m × 3: 1 if colours may jump across that edge of the triangle."""
         return self._table(layer, _library.CURVE_EDGES)
 
     def color_nodes(self, layer: int = 0) -> NDArray[np.uint32]:
-        """m × 10: rows of color_values(), the nodes of a cubic patch each."""
+        """m × 10: rows of color_values(), which are the nodes of one cubic patch each."""
         return self._table(layer, _library.COLOR_NODES)
 
     def color_values(self, layer: int = 0) -> NDArray[np.float32]:
-        """k × 3 or more: a colour in the space in which the document mixes, then the weight of each
-        gradient and texture of the layer."""
+        """k × 3 or more: a colour, in the document's space for mixing colours, then the
+        weight of each gradient and texture of the layer."""
         return self._table(layer, _library.COLOR_VALUES)
 
     def opacity_nodes(self, layer: int = 0) -> NDArray[np.uint32]:
-        """m × 10: rows of opacity_values(); none where the layer is opaque."""
+        """m × 10: rows of opacity_values(); no rows if the layer is opaque."""
         return self._table(layer, _library.OPACITY_NODES)
 
     def opacity_values(self, layer: int = 0) -> NDArray[np.float32]:
@@ -216,10 +226,10 @@ class Picture(Handle):
         return self._table(layer, _library.OPACITY_VALUES)
 
     def changes(self, table: str, layer: int = 0) -> NDArray[np.uint32]:
-        """k × 2: which rows of a table, as "color_values", the last solve(again=…) or next() made anew:
-        from and up to. A copy."""
+        """Returns k × 2 row ranges (from, up to) of a table, such as "color_values", that the last
+        solve(again=…) or next() computed again. The array is a copy."""
         if table not in _tables:
-            raise UsageError(f"{table!r} is no table; expected one of {', '.join(_tables)}")
+            raise UsageError(f"{table!r} is not a table; use one of {', '.join(_tables)}")
         view = View()
         held = self._held()
         with held.lock:
@@ -247,18 +257,17 @@ class Picture(Handle):
     def __reduce__(self) -> Any:
         return _unpickled, (self.to_bytes(SOLVED),)
 
-    def next(self, document: "Document") -> "Picture":
-        """Becomes the next frame of a film, and is returned: that of a document, by the options with which
-        the first one was solved, solve(coherent=True) among them. Where nothing changes pixels differ by
-        one code value at most. BufferError where arrays look at its tables."""
-        from ._document import Document
-
-        if not isinstance(document, Document):
+    def next(self, document: Drawing) -> "Picture":
+        """Turns the picture into the next frame of a film, the frame of `document`, and returns it.
+        It uses the options of the first solve, which must include coherent=True. Where nothing
+        changes, pixels differ by at most one code value. Raises BufferError while arrays are views
+        of its tables."""
+        if not isinstance(document, Drawing):
             raise TypeError(f"a frame is a Document's, not a {type(document).__name__}'s")
         self._follow("solve_next", document, document._held())
         return self
 
-    def _follow(self, name: str, document: "Document", of: Resource, *how: int) -> None:
+    def _follow(self, name: str, document: Drawing, of: Resource, *how: int) -> None:
         held = self._held()
         if len(self._exports) > 0:
             raise BufferError("arrays look at this picture's tables: copy them, or let go of them")
@@ -272,9 +281,9 @@ class Picture(Handle):
         return self.to_bytes("png", scale=scale)
 
     def interactive(self, height: int = 480) -> "Interactive":
-        """For notebooks: the viewer in a frame, to zoom into; 150 kB and more. What a cell shows by
-        itself is a PNG."""
-        # A page of a data: URL has an origin of its own: it sees nothing of the notebook.
+        """Returns the viewer in a frame, for zooming in a notebook; 150 kB or more. A cell shows a
+        picture without it as a PNG."""
+        # A page of a data: URL has its own origin and cannot see the notebook.
         page = base64.b64encode(self.to_bytes("html")).decode()
         return Interactive(
             f'<iframe src="data:text/html;base64,{page}" title="picture"'
@@ -292,9 +301,9 @@ class Picture(Handle):
 def load_picture(
     source: "Union[Path, bytes, bytearray, memoryview]", *, session: Optional[Session] = None
 ) -> Picture:
-    """A picture that Picture.save() or `sfumato solve` wrote as .sfp: from a path, or from the bytes
-    of such a file. It draws and exports what the one that was written does, to the last bit, but follows
-    no document: solve(again=…) and next() are a UsageError."""
+    """Loads a picture that Picture.save() or `sfumato solve` wrote as .sfp, from a path or from the
+    bytes of such a file. It draws and exports exactly as the picture that was written, to the last
+    bit. It belongs to no document: solve(again=…) and next() raise UsageError."""
     if isinstance(source, (bytes, bytearray, memoryview)):
         data = bytes(source)
     else:

@@ -1,4 +1,4 @@
-"""Sessions: threads, budgets, progress and cancelling; every call of the library goes through one."""
+"""Sessions: threads, budgets, progress and cancelling. Every call of the library runs in one."""
 
 from __future__ import annotations
 
@@ -20,20 +20,21 @@ from ._options import Option, encode
 
 Progress = Callable[[str, float], object]
 
-_WAIT = 0.001  # seconds, between looks at whether others have ended
+_WAIT = 0.001  # seconds between checks whether other calls have ended
 
 
 class Session:
-    """Threads, memory and time that work may take.
+    """Threads, memory and time that work may use.
 
-    threads: how many [all cores]. max_memory: MiB of work and of what is made in the session [2048].
-    max_time: seconds that a call may take. limits: of an input, by the names of docs/limits.md.
-    simd: "sse2", "avx2" or "avx512". progress: called with a stage ("gather") and a fraction from 0
-    to 1, in the thread that works with Sfumato; what it raises ends the work and comes out of the
-    call. It may call cancel() and nothing else of the session.
+    threads: their count [all cores]. max_memory: MiB for the work and for the objects made in the
+    session [2048]. max_time: seconds that a call may take. limits: limits for inputs, by the names
+    in docs/limits.md. simd: "sse2", "avx2" or "avx512". progress: called with a stage ("gather")
+    and a fraction from 0 to 1, in the thread that works with Sfumato. An exception in it ends the
+    work and leaves the call. It may call cancel() and nothing else of the session.
 
-    Every function takes a session, or works in one of its own for each thread. A session does one
-    thing at a time, others wait. Ctrl+C ends what the main thread does, within about 50 ms.
+    Every function takes a session; without one it uses a session of its own thread. A session does
+    one task at a time; other calls wait. Ctrl+C ends the work of the main thread within about 50
+    ms.
     """
 
     def __init__(
@@ -66,12 +67,12 @@ class Session:
         self._process = os.getpid()
         self._one = threading.RLock()
         self._flight: Optional[Flight] = None
-        self._is_lent = False  # to a callback that may use it
+        self._is_lent = False  # to a callback that may use the session
         self._cancelled = False
 
     def cancel(self) -> None:
-        """From any thread, or in a callback: ends what runs, and all that follows until resume(), with
-        Cancelled."""
+        """Ends the running call, and all later ones until resume(), with Cancelled. May be called
+        from any thread or in a callback."""
         self._cancelled = True
         lib.sfumato_cancel(self._context)
 
@@ -82,10 +83,10 @@ class Session:
 
     @property
     def cancelled(self) -> bool:
-        """Whether cancel() was called, and resume() not yet."""
+        """Whether cancel() was called and resume() was not called since."""
         return self._cancelled
 
-    # What follows is for this package.
+    # The rest is internal to this package.
 
     def call(
         self,
@@ -95,9 +96,9 @@ class Session:
         changes: Optional[Resource] = None,
         slow: bool = False,
     ) -> None:
-        """Calls sfumato_NAME with the context and these arguments, or raises what it ends by.
+        """Calls sfumato_NAME with the context and these arguments, or raises its error.
 
-        slow: it may take long, so it hears interrupts and tells of progress.
+        slow: the call may take long; it reacts to interrupts and reports progress.
         """
         if reads is None:
             return self._change(name, arguments, changes, slow)
@@ -136,7 +137,8 @@ class Session:
         rest: tuple[Any, ...],
         after: Optional[Callable[[], None]] = None,
     ) -> None:
-        """Changes a resource: place() is asked, and after() is called, while nobody else uses it."""
+        """Changes a resource: calls place(), the function and after() while nobody else uses the
+        resource."""
         with self._turn:
             self._check_turn()
             while True:
@@ -166,12 +168,12 @@ class Session:
     def make(
         self, name: str, free: Callable[[int], object], *arguments: Any, **how: Any
     ) -> Resource:
-        """The same for calls that hand something out, which is given back by free()."""
+        """The same for calls that return a new object, which free() releases."""
         out = ctypes.c_void_p()
         try:
             self.call(name, *arguments, ctypes.byref(out), **how)
         except BaseException:
-            if out.value is not None:  # a callback raised, and the call went on to its end
+            if out.value is not None:  # a callback raised an exception, and the call went on to its end
                 free(out.value)
             raise
         assert out.value is not None
@@ -187,7 +189,7 @@ class Session:
             lib.sfumato_bytes_free(out.value)
 
     def ask(self, answer: Callable[[], Any]) -> Any:
-        """In a callback of a slow call: runs answer() in the thread that called, which may use the
+        """In a callback of a slow call: runs answer() in the caller's thread, which may use the
         session meanwhile."""
         flight = self._flight
         assert flight is not None
@@ -201,15 +203,17 @@ class Session:
 
         return flight.ask(lent)
 
+    def last_warnings(self) -> list[str]:
+        """Returns the warnings of the last call, each with its place."""
+        found: list[str] = []
+        while (words := lib.sfumato_warning(self._context, len(found))) is not None:
+            found.append(text_of(words))
+        return found
+
     def warn(self, level: int = 3) -> None:
-        """Python's warnings for those of the last call."""
-        index = 0
-        while True:
-            words = lib.sfumato_warning(self._context, index)
-            if words is None:
-                return
-            warnings.warn(text_of(words), DrawingWarning, stacklevel=level + 1)
-            index += 1
+        """Raises the warnings of the last call as Python warnings."""
+        for words in self.last_warnings():
+            warnings.warn(words, DrawingWarning, stacklevel=level + 1)
 
     def _fly(self, function: Callable[..., int], arguments: tuple[Any, ...]) -> int:
         flight, outer = Flight(lambda: lib.sfumato_cancel(self._context)), self._flight
@@ -242,7 +246,7 @@ _own = threading.local()
 
 
 def session_of(given: Optional[Session]) -> Session:
-    """The one that is given, or that of the thread."""
+    """Returns the given session, or the session of this thread."""
     if given is not None:
         return given
     if not hasattr(_own, "session") or _own.session._process != os.getpid():

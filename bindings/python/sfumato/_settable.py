@@ -10,7 +10,7 @@ Taken = TypeVar("Taken")
 
 
 class Settable(Generic[Owner, Got, Taken]):
-    """A property that takes more kinds of things than it gives, as type checkers know it."""
+    """A property that accepts more types than it returns, for type checkers."""
 
     def __init__(self, get: Callable[[Owner], Got], put: Callable[[Owner, Taken], None]) -> None:
         self._get, self._put, self.__doc__ = get, put, get.__doc__

@@ -1,4 +1,4 @@
-"""Drawings of pictures."""
+"""Tracing: drawings made from pictures."""
 
 from __future__ import annotations
 
@@ -19,15 +19,15 @@ from ._session import Session, session_of
 
 @dataclass(frozen=True)
 class Round:
-    """What a trace has reached."""
+    """The progress of a trace."""
 
     psnr_db: float
-    """to the picture as it is looked at; 0: not known yet"""
+    """of the result against the picture, as the picture is compared; 0: not known yet"""
     seconds: float
     round: int
-    """0: edges of the picture alone; then edges of what is missing"""
+    """0: only edges of the picture; later rounds add edges where something is missing"""
     round_count: int
-    """at most, with round 0"""
+    """the largest possible count, round 0 included"""
     curves: int
     control_points: int
     stops: int
@@ -40,13 +40,15 @@ def trace(
     session: Optional[Session] = None,
     **options: Option,
 ) -> Document:
-    """A drawing of a picture: curves along its edges, whose colours and blur are fitted. The artboard is
-    the picture, a unit to a pixel. Takes seconds.
+    """Traces a picture: returns a drawing with curves along its edges and with fitted colours and
+    blur. The artboard is the picture, one unit per pixel. A trace takes seconds.
 
-    image: height × width × 3 or 4, or height × width of grey, uint8 or uint16. on_round: told, in this
-    thread, what has been reached and the drawing by then, which is lent until the function returns:
-    copy() it to keep it. options: points or detail (0 to 1), psnr, smooth, stops, blur, max_curves,
-    max_side, seed, edges_only, no_alpha, texture, as of `sfumato trace`.
+    image: height × width × 3 or 4, or height × width for grey; uint8, uint16, or floats from 0 to
+    1. on_round: called after each round, in this thread, with the progress and the drawing so far.
+    The drawing is valid only until the function returns; call copy() to keep it. options: points or
+    detail (0 to 1), psnr, smooth, stops, blur, max_curves, max_side, seed, edges_only, no_alpha,
+    texture, as for `sfumato trace`. If the session's time runs out, the result is the drawing of
+    the last finished round.
     """
     chosen, array = session_of(session), picture_of(image, "image")
     pixels = pixels_of(array, "image")

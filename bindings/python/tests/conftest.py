@@ -1,4 +1,4 @@
-"""What the tests of the installed package share."""
+"""Shared by the tests of the installed package."""
 
 from __future__ import annotations
 
@@ -31,5 +31,5 @@ def evening() -> Path:
 
 @pytest.fixture(scope="session")
 def large() -> Path:
-    """A drawing that takes a second to solve."""
+    """Returns the path of a drawing that takes a second to solve."""
     return EXAMPLES / "portrait.svg"

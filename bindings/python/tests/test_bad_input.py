@@ -1,6 +1,8 @@
-"""Wrong shapes, kinds of numbers, options and indices are errors of Python's own form."""
+"""Wrong shapes, types of numbers, options and indices raise Python's own kinds of errors."""
 
 from __future__ import annotations
+
+import io
 
 import numpy as np
 import pytest
@@ -103,7 +105,7 @@ def test_options_are_named_where_they_are_wrong(drawing):
                 {"method": 'x" scale="2'}, {"scale": float("nan")}, {"title": "a"}):
         with pytest.raises(sfumato.UsageError):
             drawing.solve(**bad)
-    with pytest.raises(sfumato.UsageError, match="no option"):
+    with pytest.raises(sfumato.UsageError, match="unknown option"):
         drawing.solve(**{"scale=2 width": 3})
     for bad in (object(), b"x", [None], {"a": 1}, 1j):
         with pytest.raises(TypeError):
@@ -164,7 +166,9 @@ def test_sizes_that_no_picture_has_are_errors(drawing):
 
 
 @pytest.mark.parametrize("image, error", [
-    (np.zeros((8, 8)), TypeError), (np.zeros((8, 8, 3)), TypeError), (np.zeros(8, np.uint8), ValueError),
+    (np.full((8, 8), 2.0), ValueError), (np.full((8, 8, 3), -0.1), ValueError),
+    (np.full((8, 8), np.nan), ValueError), (np.zeros((8, 8), bool), TypeError), (np.zeros(8), ValueError),
+    (np.zeros((8, 8), np.int32), TypeError), (np.zeros(8, np.uint8), ValueError),
     (np.zeros((8, 8, 5), np.uint8), ValueError), (np.zeros((0, 8, 3), np.uint8), ValueError),
     ("photo.jpg", TypeError), (None, TypeError),
 ])
@@ -190,5 +194,7 @@ def test_formats_that_are_none_are_errors(drawing, tmp_path):
         picture.to_bytes(b"png")
     with pytest.raises(sfumato.UsageError):
         picture.save(tmp_path / "picture")
+    with pytest.raises(ValueError, match="format"):
+        picture.save(io.BytesIO())
     with pytest.raises(OSError):
         picture.save(tmp_path / "none" / "picture.png")

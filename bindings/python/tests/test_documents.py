@@ -1,4 +1,4 @@
-"""Drawings: read, made, edited, written."""
+"""Drawings: read, created, edited, written."""
 
 from __future__ import annotations
 
@@ -100,6 +100,40 @@ def test_what_is_left_out_is_a_warning():
         sfumato.read(TEXT)
         with pytest.raises(sfumato.DrawingWarning):
             sfumato.read(TEXT.replace('sf:version="1"', ""))
+
+
+ORDINARY = """<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 30 20">
+<rect id="box" x="5" y="5" width="20" height="10" fill="#c04030"/>
+<text x="5" y="5">left out</text></svg>"""
+
+
+def test_an_ordinary_svg_is_imported_with_its_warnings_as_data():
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        document, left_out = sfumato.import_svg(ORDINARY, name="box.svg")
+    assert [curve.id for layer in document.layers for curve in layer.curves] == ["box"]
+    assert len(left_out) == 1
+    assert left_out[0].startswith("box.svg:3:") and "text" in left_out[0]
+    image = document.render(width=30, background="#fff", dither=False)
+    assert tuple(image[10, 15]) == (0xC0, 0x40, 0x30) and tuple(image[2, 2]) == (255, 255, 255)
+
+
+PATTERNED = """<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 30 20">
+<pattern id="p" width="4" height="4" patternUnits="userSpaceOnUse"><rect width="2" height="4" fill="#08f"/></pattern>
+<rect width="24" height="16" fill="url(#p)"/></svg>"""
+
+
+def test_patterns_of_shapes_are_drawn_where_they_are_imported():
+    document, left_out = sfumato.import_svg(PATTERNED)
+    assert len(left_out) == 1 and "becomes a texture" in str(left_out[0])
+    image = document.render(width=30, background="#fff", dither=False)
+    assert tuple(image[9, 9]) == (0, 0x88, 0xFF) and tuple(image[9, 11]) == (255, 255, 255)
+
+
+@pytest.mark.parametrize("data", ["", "<svg", b"\x1f\x8b broken"])
+def test_an_import_of_broken_text_is_an_input_error(data):
+    with pytest.raises(sfumato.InputError):
+        sfumato.import_svg(data)
 
 
 def test_a_drawing_is_made_and_edited(tmp_path):

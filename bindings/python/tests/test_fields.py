@@ -1,4 +1,4 @@
-"""Exact colours at points, and what they are made of."""
+"""Exact colours at points, and the weights of the stops in them."""
 
 from __future__ import annotations
 
@@ -36,7 +36,8 @@ def test_rows_times_stops_are_the_exact_colours(name):
         seen = np.diff(weights.matrix.indptr) > 0
         np.testing.assert_allclose(weights.matrix.sum(axis=1)[seen], 1, atol=1e-6)
     difference = code_values(drawing, weights, weights.values) - colors[:, :3]
-    # The gather of fields sums what is far away in groups: a hundredth of a code value.
+    # The gather of fields sums distant parts in groups, with an error of a hundredth of a code
+    # value.
     assert root_mean_square(difference[colors[:, 3] > 0]) < 4e-5
 
 

@@ -1,4 +1,4 @@
-"""Frames of films, each of which goes on with the mesh of the one before."""
+"""Films: each frame continues with the mesh of the previous one."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ FRAMES = 12
 
 
 def circle(x, y, r):
-    """3 n + 1 control points of four pieces."""
+    """Returns 3 n + 1 control points of four pieces."""
     k = 0.5523 * r
     unit = [(r, 0), (r, k), (k, r), (0, r), (-k, r), (-r, k), (-r, 0), (-r, -k), (-k, -r), (0, -r), (k, -r),
             (r, -k), (r, 0)]
@@ -22,12 +22,12 @@ def circle(x, y, r):
 
 
 VARIED = {"left": "red", "right": "lime, #e6e619 30%, blue"}
-STILL = ((24, 30, 10), (74, 74, 9))  # within rings that nothing moves into
+STILL = ((24, 30, 10), (74, 74, 9))  # inside rings that no moving curve enters
 
 
 @pytest.fixture
 def scene():
-    """A disc that goes past two rings."""
+    """Returns a disc that moves past two rings."""
     drawing = sfumato.Document.new(100, 100, background="white")
     layer = drawing.layers[0]
     layer.add(circle(50, 50, 46), left="blue", right="lime")

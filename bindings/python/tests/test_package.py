@@ -1,7 +1,8 @@
-"""What is installed: its libraries, its signatures, its documents and examples."""
+"""The installed package: its libraries, signatures, documents and examples."""
 
 from __future__ import annotations
 
+import ast
 import ctypes
 import ctypes.util
 import importlib.metadata
@@ -19,7 +20,8 @@ from conftest import EXAMPLES, ROOT
 from sfumato import _library
 
 FOLDER = Path(sfumato.__file__).parent
-# Set by who tests an installed package; without it the checkout's text may be tested alone.
+# Whoever tests an installed package sets this; otherwise the Python files of the checkout may be
+# tested alone.
 INSTALLED = os.environ.get("SFUMATO_INSTALLED") == "1"
 
 
@@ -56,8 +58,35 @@ def test_the_tag_tells_how_new_a_c_library_has_to_be():
     }
 
 
+def imports_at_run_time(module: Path) -> set[str]:
+    """Returns the package's modules that a module imports, inside functions too, but not for types alone."""
+    found: set[str] = set()
+
+    def look(node: ast.AST) -> None:
+        if isinstance(node, ast.If) and ast.unparse(node.test) == "TYPE_CHECKING":
+            return
+        if isinstance(node, ast.ImportFrom) and node.level == 1:
+            found.update([node.module] if node.module else [name.name for name in node.names])
+        for child in ast.iter_child_nodes(node):
+            look(child)
+
+    look(ast.parse(module.read_text()))
+    return found
+
+
+def test_no_modules_import_each_other_in_a_circle():
+    modules = {path.stem: imports_at_run_time(path) for path in FOLDER.glob("*.py")}
+    assert {"_library", "_session"} <= modules["_document"]
+    left = dict(modules)
+    while left:
+        done = [name for name, needed in left.items() if not needed & left.keys()]
+        assert done, f"a circle among {sorted(left)}"
+        for name in done:
+            del left[name]
+
+
 def declarations():
-    """Of the header: what functions return and how many things they take."""
+    """Returns, from the header, each function's result type and its number of parameters."""
     header = (ROOT / "include" / "sfumato" / "sfumato.h").read_text()
     found = {}
     for result, name, arguments in re.findall(
@@ -69,7 +98,7 @@ def declarations():
 
 
 def kind_of(declared):
-    """How ctypes names it: the size of a number, or a pointer."""
+    """Returns how ctypes describes a type: the size of a number, or a pointer."""
     sizes = {"int32_t": ("i", 4), "uint32_t": ("u", 4), "size_t": ("u", ctypes.sizeof(ctypes.c_size_t)),
              "double": ("f", 8), "void": None}
     if "*" in declared or "[" in declared or "progress_fn" in declared:
@@ -99,7 +128,10 @@ def test_signatures_are_those_of_the_header():
 
 
 def snippets(document):
-    return re.findall(r"^```python\n(.*?)^```", document.read_text(), re.MULTILINE | re.DOTALL)
+    """The programs of a document: its blocks, and the line in its table of ways to use Sfumato."""
+    text = document.read_text()
+    blocks = re.findall(r"^```python\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
+    return blocks + re.findall(r"^\| Python \| `(.*?)`", text, re.MULTILINE)
 
 
 @pytest.mark.parametrize(
@@ -108,7 +140,7 @@ def snippets(document):
 def test_programs_of_the_documents_run(name, files, tmp_path, monkeypatch):
     (tmp_path / "examples").symlink_to(EXAMPLES)
     monkeypatch.chdir(tmp_path)
-    names = {}
+    names = {"sfumato": sfumato}
     programs = snippets(ROOT / name)
     assert programs
     for program in programs:

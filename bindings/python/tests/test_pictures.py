@@ -14,6 +14,21 @@ import pytest
 import sfumato
 
 
+def test_pictures_and_drawings_are_saved_into_open_files(drawing, tmp_path):
+    picture = drawing.solve()
+    memory, text, coded = io.BytesIO(), io.StringIO(), io.BytesIO()
+    picture.save(memory, format="png")
+    assert memory.getvalue() == picture.to_bytes("png")
+    with open(tmp_path / "named.jpg", "wb") as file:
+        picture.save(file)
+    assert (tmp_path / "named.jpg").read_bytes() == picture.to_bytes("jpg")
+    picture.save(tmp_path / "other.dat", format="png")
+    assert (tmp_path / "other.dat").read_bytes() == picture.to_bytes("png")
+    drawing.save(text)
+    drawing.save(coded)
+    assert text.getvalue() == drawing.to_svg() == coded.getvalue().decode()
+
+
 def test_pixels_have_the_size_and_kind_that_was_asked_for(drawing):
     picture = drawing.solve(width=128)
     assert picture.render().shape == (48, 64, 3)
@@ -196,7 +211,7 @@ def test_a_picture_is_kept_in_a_file(drawing, tmp_path):
         np.testing.assert_array_equal(again.render(128, alpha=True), picture.render(128, alpha=True))
         for format in ("png", "pdf", "svg", "glb"):
             assert again.to_bytes(format) == picture.to_bytes(format)
-        # A page of the other holds curves for exact pixels, too.
+        # A page made from the other picture also holds the curves for exact pixels.
         assert len(again.to_bytes("html")) < len(picture.to_bytes("html"))
         assert again.to_bytes("sfp") == data
         assert again.statistics["triangles"] == len(picture.triangles())

@@ -103,7 +103,7 @@ def test_an_interrupt_ends_what_the_main_thread_does(large):
 
 @pytest.fixture
 def alarms():
-    """An alarm is an interrupt."""
+    """Raises an interrupt after a delay, by an alarm."""
     before = signal.signal(signal.SIGALRM, signal.default_int_handler)
     yield
     signal.setitimer(signal.ITIMER_REAL, 0)
@@ -114,7 +114,8 @@ def test_interrupts_between_short_calls_leave_all_usable(drawing, alarms):
     curve = drawing.layers[0].curves[0]
     for round in range(60):
         with pytest.raises(KeyboardInterrupt):
-            # Python drops what a handler raises while memory is given back; the next one comes through.
+            # Python drops an exception of a handler that runs while memory is released; the next
+            # one arrives.
             signal.setitimer(signal.ITIMER_REAL, 0.002 + 0.0001 * round, 0.25)
             while True:
                 curve.points = curve.points
@@ -209,7 +210,7 @@ def test_what_is_freed_while_others_use_it_lives_until_they_end(large):
         gc.collect()
         try:
             assert future.result().layer_count > 0
-        except ValueError as error:  # it was freed before the other thread began
+        except ValueError as error:  # freed before the other thread began
             assert "freed" in str(error)
 
 

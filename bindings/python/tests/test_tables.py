@@ -1,4 +1,4 @@
-"""The solution as files of tables, read by what everybody has."""
+"""The solution as files of tables, read by common programs."""
 
 from __future__ import annotations
 

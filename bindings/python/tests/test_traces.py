@@ -1,4 +1,4 @@
-"""Drawings of pictures."""
+"""Tracing: drawings made from pictures."""
 
 from __future__ import annotations
 
@@ -37,6 +37,13 @@ def test_pictures_of_any_kind_are_taken(photo):
     for image in (photo[..., 0], photo.astype(np.uint16) * 257,
                   np.dstack([photo, np.full((48, 64), 255, np.uint8)])):
         assert len(sfumato.trace(image, points=80, edges_only=True).layers) > 0
+
+
+def test_floats_from_0_to_1_are_taken(photo):
+    exact = photo.astype(np.uint16) * 257
+    expected = sfumato.trace(exact, points=80, edges_only=True).to_svg()
+    for floats in (exact / 65535, (exact / 65535).astype(np.float32)):
+        assert sfumato.trace(floats, points=80, edges_only=True).to_svg() == expected
 
 
 def test_rounds_are_told_with_the_drawing_by_then(photo):

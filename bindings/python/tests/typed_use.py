@@ -1,4 +1,4 @@
-"""What scripts/check-python has mypy look at: a program that is typed throughout."""
+"""A fully typed program that scripts/check-python checks with mypy."""
 
 from __future__ import annotations
 

@@ -8,13 +8,13 @@
 
 namespace sfumato {
 
-/// Document → Image without patches: gathers at every pixel centre. This is the ground truth that
-/// the patches of diffuse() are compared with. A pixel has the colour of its centre: there is no
-/// antialiasing, and RasterOptions::antialias and RasterOptions::mesh_overlay are ignored.
+/// Draws a document without patches: gathers at every pixel centre. Use it as ground truth for the
+/// patches of diffuse(). A pixel has the colour of its centre: there is no antialiasing, and
+/// RasterOptions::antialias and RasterOptions::mesh_overlay are ignored.
 ///
-/// The viewport is that of `raster_options`, else that of `diffuse_options`, else the artboard.
-/// `stats`, unless null, is added to as by diffuse(): each pixel counts as a node, and there are no
-/// triangles. The same bits for any thread count and SIMD level.
+/// The viewport is `raster_options.viewport`, else `diffuse_options.viewport`, else the artboard.
+/// `stats`, unless null, grows as in diffuse(): each pixel counts as a node, and there are no
+/// triangles. The result has the same bits for any thread count and SIMD level.
 ///
 /// Errors: bad_input (an invalid document or option), limit, cancelled, out_of_memory.
 /// Cost: one gather per pixel and layer.

@@ -17,23 +17,23 @@ struct Affine {
   double a = 1, b = 0, c = 0, d = 1, e = 0, f = 0;
   /// @}
 
-  /// The image of a point; the translation is included.
+  /// Returns the image of a point, translation included.
   constexpr Vec2 operator()(Vec2 p) const { return {a * p.x + c * p.y + e, b * p.x + d * p.y + f}; }
 
-  /// By how much the map scales areas; negative where it mirrors.
+  /// Returns the factor by which the map scales areas; negative where it mirrors.
   constexpr double determinant() const { return a * d - b * c; }
 
-  /// The map that applies `s` first: (r * s)(p) == r(s(p)).
+  /// Returns the map that applies `s` first: (r * s)(p) == r(s(p)).
   friend constexpr Affine operator*(const Affine& r, const Affine& s) {
     return {r.a * s.a + r.c * s.b, r.b * s.a + r.d * s.b,       r.a * s.c + r.c * s.d,
             r.b * s.c + r.d * s.d, r.a * s.e + r.c * s.f + r.e, r.b * s.e + r.d * s.f + r.f};
   }
 
-  /// Exact comparison of all coefficients.
+  /// Compares all coefficients exactly.
   friend constexpr bool operator==(const Affine&, const Affine&) = default;
 };
 
-/// The map that undoes `m`. Precondition: `m.determinant()` is not 0.
+/// Returns the inverse of `m`. Precondition: `m.determinant()` is not 0.
 constexpr Affine inverse(const Affine& m) {
   const double k = 1 / m.determinant();
   const Affine linear{m.d * k, -m.b * k, -m.c * k, m.a * k, 0, 0};

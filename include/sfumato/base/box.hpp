@@ -10,16 +10,16 @@ struct Box {
   Vec2 min{__builtin_huge_val(), __builtin_huge_val()};    ///< the corner with the smallest x and y
   Vec2 max{-__builtin_huge_val(), -__builtin_huge_val()};  ///< the corner with the largest x and y
 
-  /// Whether it holds no point at all. A box of width or height 0 is not empty.
+  /// Returns whether it holds no point. A box of width or height 0 is not empty.
   bool empty() const { return !(min.x <= max.x && min.y <= max.y); }
-  /// Extent in x. Meaningless for an empty box.
+  /// Returns the extent in x. Meaningless for an empty box.
   double width() const { return max.x - min.x; }
-  /// Extent in y. Meaningless for an empty box.
+  /// Returns the extent in y. Meaningless for an empty box.
   double height() const { return max.y - min.y; }
-  /// The midpoint. Meaningless for an empty box.
+  /// Returns the midpoint. Meaningless for an empty box.
   Vec2 center() const { return (min + max) * 0.5; }
 
-  /// Whether the point lies inside or on the boundary.
+  /// Returns whether the point lies inside or on the boundary.
   bool contains(Vec2 p) const {
     return p.x >= min.x && p.x <= max.x && p.y >= min.y && p.y <= max.y;
   }
@@ -32,22 +32,23 @@ struct Box {
     if (max.y < p.y) max.y = p.y;
   }
 
-  /// The box with all four sides moved outwards by `margin`; inwards where that is negative.
+  /// Returns the box with all four sides moved outwards by `margin`, or inwards where it is
+  /// negative.
   Box grown_by(double margin) const {
     return {{min.x - margin, min.y - margin}, {max.x + margin, max.y + margin}};
   }
 
-  /// Exact comparison of the corners.
+  /// Compares the corners exactly.
   friend bool operator==(const Box& a, const Box& b) { return a.min == b.min && a.max == b.max; }
 };
 
-/// The smallest box that contains both; either may be empty.
+/// Returns the smallest box that contains both boxes; either may be empty.
 inline Box united(const Box& a, const Box& b) {
   return {{b.min.x < a.min.x ? b.min.x : a.min.x, b.min.y < a.min.y ? b.min.y : a.min.y},
           {a.max.x < b.max.x ? b.max.x : a.max.x, a.max.y < b.max.y ? b.max.y : a.max.y}};
 }
 
-/// Whether the two have a point in common; to touch is enough.
+/// Returns whether the two boxes share a point; a common boundary is enough.
 inline bool overlap(const Box& a, const Box& b) {
   return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;
 }

@@ -9,16 +9,16 @@ struct Rgb {
   float g = 0;  ///< green
   float b = 0;  ///< blue
 
-  /// Exact comparison of the channels.
+  /// Compares the channels exactly.
   friend constexpr bool operator==(const Rgb&, const Rgb&) = default;
 };
 
-/// Linear interpolation of each channel, from `a` at t = 0 to `b` at t = 1.
+/// Interpolates each channel linearly, from `a` at t = 0 to `b` at t = 1.
 constexpr Rgb lerp(const Rgb& a, const Rgb& b, float t) {
   return {a.r + (b.r - a.r) * t, a.g + (b.g - a.g) * t, a.b + (b.b - a.b) * t};
 }
 
-/// Linear interpolation from `a` at t = 0 to `b` at t = 1.
+/// Interpolates linearly from `a` at t = 0 to `b` at t = 1.
 constexpr float lerp(float a, float b, float t) {
   return a + (b - a) * t;
 }

@@ -6,24 +6,23 @@
 
 namespace sfumato {
 
-/// The space in which colours are interpolated.
+/// The spaces for interpolating colours.
 enum class InterpolationSpace : std::uint8_t {
   srgb,    ///< sRGB code values, as most programs do
   linear,  ///< linear light
   oklab    ///< OKLab (Ottosson 2020)
 };
 
-/// Linear light of an sRGB code value: the inverse of sRGB's transfer function (IEC 61966-2-1).
-/// Both are from 0 to 1; values outside are continued by the same formulas.
+/// Returns the linear light of an sRGB code value: the inverse of sRGB's transfer function (IEC
+/// 61966-2-1). Both are from 0 to 1. The same formulas continue beyond that range.
 double linear_from_code(double code);
-/// The sRGB code value of linear light: the inverse of linear_from_code().
+/// Returns the sRGB code value of linear light: the inverse of linear_from_code().
 double code_from_linear(double linear);
 
-/// Converts sRGB code values to the coordinates of `space`, which stand in the fields r, g and b of
-/// the result: code values, linear light, or OKLab's L, a and b. White is (1, 1, 1), in OKLab
-/// (1, 0, 0).
+/// Converts sRGB code values to the coordinates of `space`. The fields r, g and b of the result
+/// hold code values, linear light, or OKLab's L, a and b. White is (1, 1, 1), in OKLab (1, 0, 0).
 ///
-/// Computed in double precision by correctly rounded operations alone, so that every machine gives
+/// Computes in double precision, only by correctly rounded operations, so that every machine gives
 /// the same bits. Conversion there and back is within 2e-7 for linear light and within 3e-6 for
 /// OKLab, whose coordinates are rounded to single precision in between.
 Rgb from_srgb(InterpolationSpace space, const Rgb& code);

@@ -5,12 +5,12 @@
 
 namespace sfumato {
 
-/// Only the specialisation for function types is defined.
+/// Declares the template; only the specialisation for function types is defined.
 template <class Signature>
 class FunctionRef;
 
-/// A reference to something callable: two pointers, no allocation. It does not own what it refers
-/// to, which must outlive it; use it for parameters alone.
+/// A reference to a callable object: two pointers, no allocation. It does not own the object, which
+/// must outlive it. Use it only for parameters.
 template <class R, class... Args>
 class FunctionRef<R(Args...)> {
  public:
@@ -23,7 +23,7 @@ class FunctionRef<R(Args...)> {
           return (*static_cast<std::remove_reference_t<F>*>(object))(std::forward<Args>(args)...);
         }) {}
 
-  /// Calls it.
+  /// Calls the object.
   R operator()(Args... args) const { return call_(object_, std::forward<Args>(args)...); }
 
  private:

@@ -16,11 +16,11 @@ enum class PixelFormat : std::uint8_t {
   rgba16  ///< 8 bytes a pixel
 };
 
-/// 3, or with alpha 4.
+/// Returns 3, or with alpha 4.
 constexpr int channel_count(PixelFormat format) {
   return format == PixelFormat::rgb8 || format == PixelFormat::rgb16 ? 3 : 4;
 }
-/// 1 or 2.
+/// Returns 1 or 2.
 constexpr int bytes_per_channel(PixelFormat format) {
   return format == PixelFormat::rgb8 || format == PixelFormat::rgba8 ? 1 : 2;
 }
@@ -34,14 +34,14 @@ struct Image {
   /// in the machine's byte order.
   std::vector<std::uint8_t> bytes;
 
-  /// Bytes from one row to the next.
+  /// Returns the bytes from one row to the next.
   std::size_t row_bytes() const {
     return static_cast<std::size_t>(width) * channel_count(format) * bytes_per_channel(format);
   }
 };
 
 /// Checks that an image has pixels, at most Limits::image_side of them on a side, a known format,
-/// and as many bytes as these ask for. Errors: bad_input, limit.
+/// and the number of bytes for these. Errors: bad_input, limit.
 Status validate(const Limits& limits, const Image& image);
 
 }  // namespace sfumato

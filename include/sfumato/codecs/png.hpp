@@ -12,7 +12,7 @@
 namespace sfumato {
 
 /// Encodes an image as PNG with an sRGB chunk and no time stamp: the same image gives the same
-/// bytes for any thread count.
+/// bytes for any thread count. Use it for exact pixels, and for 16 bits per channel.
 ///
 /// Errors: bad_input (a size that disagrees with the bytes), limit, cancelled, out_of_memory.
 /// Cost: O(pixels), in stripes that the context's threads share.
@@ -28,7 +28,7 @@ Result<std::vector<std::uint8_t>> encode_png(Context& context, const Image& imag
 Result<Image> decode_png(Context& context, std::span<const std::uint8_t> bytes,
                          const std::string& file);
 
-/// The same as decode_png(), but always with alpha: rgba8 or rgba16.
+/// Does decode_png(), but always with alpha: rgba8 or rgba16.
 Result<Image> decode_png_with_alpha(Context& context, std::span<const std::uint8_t> bytes,
                                     const std::string& file);
 

@@ -18,7 +18,8 @@ struct WebpOptions {
 /// Longest side of a WebP image in pixels, a limit of the format.
 inline constexpr int kWebpSide = 16'383;
 
-/// Encodes an rgb8 or rgba8 image as WebP.
+/// Encodes an rgb8 or rgba8 image as WebP. Lossy files are smaller than JPEG, but have colour at
+/// half resolution, which shows at sharp edges between colours.
 ///
 /// Errors: bad_input (16 bits per channel, a size that disagrees with the bytes, a quality out of
 /// range), limit (size, memory), out_of_memory, cancelled. libwebp does not always report memory

@@ -11,11 +11,11 @@
 
 namespace sfumato {
 
-/// Puts a curve in the place of another.
+/// Replaces a curve.
 struct ReplaceCurve {
   std::uint32_t layer = 0;  ///< index into Document::layers
   std::uint32_t curve = 0;  ///< index into Layer::curves
-  Curve value{};            ///< what stands there afterwards
+  Curve value{};            ///< the new curve
 };
 
 /// Adds a curve to a layer.
@@ -25,37 +25,37 @@ struct InsertCurve {
   Curve value{};            ///< what is added
 };
 
-/// Takes a curve out of its layer.
+/// Removes a curve from its layer.
 struct RemoveCurve {
   std::uint32_t layer = 0;  ///< index into Document::layers
   std::uint32_t curve = 0;  ///< index into Layer::curves
 };
 
-/// Paints other things, or the same in another order, at other places, or composited otherwise.
+/// Replaces the stack: other items, another order, other places or other compositing.
 struct ReplaceStack {
-  std::vector<StackItem> value{};  ///< Document::stack as it is afterwards
+  std::vector<StackItem> value{};  ///< the new Document::stack
 };
 
-/// Puts a whole document in the place of another: layers come and go, shaders and the artboard
-/// change, or a file was edited by another program.
+/// Replaces a whole document. Use it where layers, shaders or the artboard change, or where another
+/// program edited the file.
 struct ReplaceDocument {
-  Document value{};  ///< what stands there afterwards
+  Document value{};  ///< the new document
 };
 
-/// One step by which a document changes.
+/// One step that changes a document.
 using Change = std::variant<ReplaceCurve, InsertCurve, RemoveCurve, ReplaceStack, ReplaceDocument>;
 
-/// Makes a change to a valid document, and returns the change that takes it back: applied next, it
-/// makes the document equal to what it was.
+/// Applies a change to a valid document. Returns the inverse change: applied next, it restores the
+/// document.
 ///
-/// Errors: bad_input (an index beyond what is there, or the document would not be valid), limit,
-/// cancelled, out_of_memory. The document is as it was then.
+/// Errors: bad_input (an index out of range, or the document would not be valid), limit, cancelled,
+/// out_of_memory. They leave the document unchanged.
 ///
-/// Cost: that of checking the curve; where it adds control points, stops or a curve, O(curves); for
-/// others that of validate().
+/// Cost: checking the curve; O(curves) where the change adds control points, stops or a curve; for
+/// other changes that of validate().
 Result<Change> apply_change(const Context& context, Document& document, Change change);
 
-/// Roughly the bytes of memory that the vectors of what a change brings take.
+/// Returns roughly the bytes of memory that the vectors of a change take.
 std::size_t bytes_of(const Change& change);
 
 }  // namespace sfumato

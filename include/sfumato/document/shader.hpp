@@ -10,16 +10,16 @@
 
 namespace sfumato {
 
-/// What a gradient shows beyond its ends, as SVG's `spreadMethod`.
+/// The content of a gradient beyond its ends, as in SVG's `spreadMethod`.
 enum class SpreadMethod : std::uint8_t {
   pad,      ///< the colour of the nearer end
   reflect,  ///< the gradient back and forth
-  repeat    ///< the gradient again and again
+  repeat    ///< the gradient repeated
 };
 
 /// A colour and an alpha at one place of a gradient.
 struct GradientStop {
-  double offset = 0;  ///< 0 to 1, not below that of the stop before
+  double offset = 0;  ///< 0 to 1, not below the offset of the stop before
   Rgb color;          ///< not premultiplied
   float alpha = 1;    ///< 0 to 1
 };
@@ -31,11 +31,14 @@ struct LinearGradient {
   Vec2 end{1, 0};  ///< gradient frame
 };
 
-/// The shape of a radial gradient. Offsets are 0 at `focus` and 1 on the circle.
+/// The shape of a radial gradient (SVG 2, 14.2.3). Offsets are 0 on the focal circle and 1 on the
+/// circle. If the focal circle lies neither in the circle nor around it, the gradient fills the
+/// cone that both touch; outside of the cone its alpha is 0.
 struct RadialGradient {
-  Vec2 center;        ///< of the circle, gradient frame
-  Vec2 focus;         ///< inside the circle or on it, gradient frame
-  double radius = 1;  ///< of the circle, above 0, gradient frame
+  Vec2 center;              ///< of the circle, gradient frame
+  Vec2 focus;               ///< the centre of the focal circle, gradient frame
+  double radius = 1;        ///< of the circle, above 0, gradient frame
+  double focal_radius = 0;  ///< of the focal circle, 0 or more, gradient frame
 };
 
 /// A gradient. It is linear in colour and alpha between stops, in sRGB code values whatever
@@ -57,15 +60,15 @@ struct Texture {
   /// the nearest texel of its edges shows beyond them.
   bool repeats = true;
   Vec2 period;  ///< texels, both above 0; 0 × 0 stands for width × height
-  /// The PNG or JPEG file that it was read from, if any, which write_svg() embeds as it is.
+  /// The PNG or JPEG file that it was read from, if any. write_svg() embeds it unchanged.
   std::vector<std::uint8_t> file;
 };
 
-/// An image-domain shader (paper section 3): its value depends on the shaded point alone, not on
+/// An image-domain shader (paper section 3): its value depends only on the shaded point, not on
 /// where a ray hit the curve. As an opacity it gives alpha × luminance.
 struct Shader {
   std::string id;                             ///< for messages and files
-  std::variant<GradientFill, Texture> paint;  ///< what it shows
+  std::variant<GradientFill, Texture> paint;  ///< its content
 };
 
 }  // namespace sfumato

@@ -14,7 +14,7 @@ enum class CurveSide : std::uint8_t {
   right  ///< Curve::right
 };
 
-/// An attribute whose stops say what a side gives.
+/// An attribute whose values on a side come from stops.
 enum class StopAttribute : std::uint8_t {
   color,   ///< Side::color
   opacity  ///< Side::opacity
@@ -28,11 +28,11 @@ struct StopPlace {
   StopAttribute attribute = StopAttribute::color;  ///< of the side
   std::optional<std::uint32_t> index{};            ///< into StopList::stops; none: all
 
-  /// Exact comparison of all members.
+  /// Compares all members exactly.
   friend bool operator==(const StopPlace&, const StopPlace&) = default;
 };
 
-/// What a stop gives: a colour in sRGB code values, or an opacity, both from 0 to 1.
+/// The value of a stop: a colour in sRGB code values, or an opacity, both from 0 to 1.
 using StopValue = std::variant<Rgb, float>;
 
 }  // namespace sfumato

@@ -13,11 +13,11 @@
 
 namespace sfumato {
 
-/// Nodes of a patch, whatever its PatchOrder.
+/// The number of nodes of a patch, for every PatchOrder.
 inline constexpr int kNodesPerTriangle = 10;
 
-/// The index in PatchField::triangle_node of a triangle's node; `place` is 0 to 9, in the order
-/// that PatchField describes.
+/// Returns the index in PatchField::triangle_node of a triangle's node; `place` is 0 to 9, in the
+/// order that PatchField describes.
 constexpr std::size_t node_slot(std::size_t triangle, std::size_t place) {
   return kNodesPerTriangle * triangle + place;
 }
@@ -46,47 +46,48 @@ struct PatchField {
 };
 
 /// One side of an edge whose blur is too fine for triangles. The triangles show the edge sharp, and
-/// an output in pixels averages the blur of eq. 8 over it: at distance r from the edge the side
-/// shows a share 1 - β(r/R) of what lies across. The radius R, at which that ends, is linear along
+/// outputs in pixels average the blur of eq. 8 over it: at distance r from the edge the side shows
+/// a share 1 - β(r/R) of the colour across the edge. The radius R, where that ends, is linear along
 /// the edge.
 struct SoftEdge {
   static constexpr std::uint32_t kNone = 0xffffffff;  ///< no triangle on this side
 
   std::uint32_t front = kNone;  ///< 3 t + k for edge k of the side's triangle t; kNone: transparent
   std::uint32_t back = kNone;   ///< the same edge in the triangle across
-  /// Vectors in the layer frame from the two ends of `front`, its origin first, to where the blur
-  /// ends. On a straight curve they are R long; where two edges meet at a corner they lead to the
+  /// Vectors in the layer frame from the two ends of `front`, its origin first, to the end of the
+  /// blur. On a straight curve their length is R. Where two edges meet at a corner they lead to the
   /// common corner of both blurs. They are shorter where another curve is near.
   Vec2 reach[2];
-  /// What lies across is front + contrast × (back - front). It is 2 where the triangle across shows
-  /// the mean of both sides on the edge, because the mesh itself shows its blur; otherwise 1.
+  /// The colour across the edge is front + contrast × (back - front). The contrast is 2 where the
+  /// triangle across shows the mean of both sides on the edge, because the mesh itself shows its
+  /// blur; otherwise 1.
   float contrast = 1;
 };
 
-/// What a ray meets at a half-edge of an ExactLayer.
+/// The effects of a half-edge of an ExactLayer on rays.
 enum class RayEdge : std::uint8_t {
-  open,  ///< nothing: it goes on into the triangle across
-  stop,  ///< an end that shows nothing: a barrier, or the border
-  side   ///< a side of a curve, which has a value
+  open,  ///< none: the ray continues into the triangle across
+  stop,  ///< ends the ray without a value: a barrier, or the border
+  side   ///< a side of a curve, with a value
 };
 
-/// The side of a curve on which the triangle of a half-edge lies. Values, of
-/// ExactField::channel_count channels, are linear from the half-edge's origin to its target.
+/// The side of a curve that the triangle of a half-edge lies on. Values, ExactField::channel_count
+/// channels each, are linear from the half-edge's origin to its target.
 struct ExactSide {
   float from[4] = {};   ///< values at the half-edge's origin
-  float to[4] = {};     ///< and at its target
+  float to[4] = {};     ///< values at its target
   float weight = 1;     ///< k of eq. 4
   float blur_from = 0;  ///< R of eq. 8, layer units; 0 at both ends: sharp
   float blur_to = 0;    ///< the same at the target
 };
 
-/// The free end of a curve, whose term is added to what is gathered (docs/mathematics.md, "Free
+/// The free end of a curve, whose term is added to the gathered values (docs/mathematics.md, "Free
 /// ends").
 struct ExactEnd {
   Vec2 position;            ///< layer frame
   Vec2 direction;           ///< unit vector, out of the curve
   float bend = 0;           ///< of the curve behind it
-  float reach = 0;          ///< where the term ends
+  float reach = 0;          ///< the distance at which the term ends
   float weight = 0;         ///< c k
   float blur_positive = 0;  ///< R where cross(direction, p - position) > 0
   float blur_negative = 0;  ///< R on the other side
@@ -98,15 +99,16 @@ struct ExactEnd {
 struct ExactField {
   int channel_count = 0;        ///< 3 for a colour, 1 for an opacity
   std::vector<RayEdge> edge;    ///< 3 per triangle, as PatchLayer::edge_is_curve
-  std::vector<ExactSide> side;  ///< of the half-edges that are RayEdge::side, in order
-  std::vector<ExactEnd> end;    ///< of its curves
+  std::vector<ExactSide> side;  ///< for the half-edges with RayEdge::side, in order
+  std::vector<ExactEnd> end;    ///< free ends of its curves
 };
 
-/// A layer as rays meet it, without patches: its curves as straight edges in a triangulation, and
-/// what they show. From this the exact value at any point is gathered (paper eq. 2 to 11).
+/// A layer as rays meet it, without patches: its curves as straight edges in a triangulation, with
+/// the values of their sides. The exact value at any point is gathered from this (paper eq. 2 to
+/// 11).
 struct ExactLayer {
-  /// How far edges are from their curves at most, layer units, where they were flattened as finely
-  /// as what is shown needs.
+  /// The largest distance of edges from their curves, layer units, where the curves are flattened
+  /// as finely as the visible part requires.
   double tolerance = 0;
   std::vector<Vec2> vertex_position;           ///< layer frame
   std::vector<std::uint32_t> triangle_vertex;  ///< 3 per triangle, cross(01, 02) > 0
@@ -117,10 +119,10 @@ struct ExactLayer {
 ///
 /// The colour at a point is channels 0 to 2 of `color`, in the space of Picture::interpolation,
 /// plus each shader's weight times its colour there. The opacity is channel 0 of `opacity`, plus
-/// each shader's weight times its alpha × luminance. Where no triangle lies nothing is painted.
+/// each shader's weight times its alpha × luminance. Nothing is painted where there is no triangle.
 struct PatchLayer {
   Box frame;                                   ///< the rectangle of the layer frame that was solved
-  PatchOrder order = PatchOrder::cubic;        ///< how all its patches interpolate
+  PatchOrder order = PatchOrder::cubic;        ///< the interpolation of all its patches
   std::vector<Vec2> vertex_position;           ///< layer frame
   std::vector<std::uint32_t> triangle_vertex;  ///< 3 per triangle, cross(01, 02) > 0
   /// 3 per triangle, for edge k from corner k to corner (k+1)%3: 1 where colours may jump across
@@ -129,18 +131,18 @@ struct PatchLayer {
   std::vector<SoftEdge> soft_edge;  ///< sorted by soft_edge_triangle()
   PatchField color{3, {}, {}, {}};  ///< 3 channels, and one for each of its shaders
   PatchField opacity;  ///< 1 channel, and one for each of its shaders; no channels: opaque
-  /// Without fields unless DiffuseOptions::exact_fields, and where a side has an image-domain
+  /// Has fields only with DiffuseOptions::exact_fields, and where no side has an image-domain
   /// shader.
   ExactLayer exact;
 
-  /// The number of triangles; 0 where no instance shows any of the layer.
+  /// Returns the number of triangles; 0 where no instance shows a part of the layer.
   std::uint32_t triangle_count() const {
     return static_cast<std::uint32_t>(triangle_vertex.size() / 3);
   }
 };
 
-/// The triangle that a soft edge is painted with: that of its own side, or if there is none the one
-/// across.
+/// Returns the triangle that paints a soft edge: the triangle of its own side, or if there is none
+/// the one across.
 inline std::uint32_t soft_edge_triangle(const SoftEdge& edge) {
   return (edge.front != SoftEdge::kNone ? edge.front : edge.back) / 3;
 }
@@ -150,20 +152,20 @@ struct PatchInstance {
   std::uint32_t layer = 0;              ///< index into Picture::layers
   Affine artboard_from_layer;           ///< invertible
   float opacity = 1;                    ///< of the whole, 0 to 1
-  BlendMode blend = BlendMode::normal;  ///< with what lies below
+  BlendMode blend = BlendMode::normal;  ///< with the colours below
 };
 
 /// One item of Picture::stack.
 using PictureItem = std::variant<PatchInstance, LocalStroke, GroupBegin, GroupEnd>;
 
-/// A solved picture, which does not depend on a resolution: every output is made from it. Plain
-/// data, which can be read by several threads at once.
+/// A solved picture, independent of resolution. Every output is made from it. Plain data: several
+/// threads can read it at once.
 struct Picture {
-  Box artboard;  ///< that of the document: user units, y down
+  Box artboard;  ///< the document's: user units, y down
   Box viewport;  ///< the part of the artboard frame that was solved
-  InterpolationSpace interpolation = InterpolationSpace::srgb;  ///< of the values in `layers`
+  InterpolationSpace interpolation = InterpolationSpace::srgb;  ///< space of `layers`
   std::optional<Rgb> background;   ///< behind all items; none: transparent
-  std::vector<Shader> shaders;     ///< those of the document, without Texture::file
+  std::vector<Shader> shaders;     ///< the document's shaders, without Texture::file
   std::vector<PatchLayer> layers;  ///< one for each of Document::layers
   std::vector<PictureItem> stack;  ///< bottom first; groups nest and are closed
 };
@@ -171,9 +173,9 @@ struct Picture {
 /// @name Memory of parts of a picture
 /// @{
 
-/// Roughly the bytes of memory that the object's vectors take, without the object itself. diffuse()
-/// charges these to the Budget only while it works; a caller who keeps a picture may charge them
-/// again.
+/// Returns roughly the bytes of memory that the object's vectors take, without the object itself.
+/// diffuse() charges these to the Budget only while it works; a caller who keeps a picture may
+/// charge them again.
 std::size_t bytes_of(const ExactLayer& layer);
 std::size_t bytes_of(const PatchLayer& layer);
 std::size_t bytes_of(const Picture& picture);

@@ -11,7 +11,7 @@
 
 namespace sfumato {
 
-/// How a document becomes a picture. Lengths are in user units of the artboard.
+/// Options of diffuse(). Lengths are in user units of the artboard.
 struct DiffuseOptions {
   /// The part of the artboard frame that is solved; default: the artboard. It may reach beyond it.
   std::optional<Box> viewport{};
@@ -24,50 +24,51 @@ struct DiffuseOptions {
   std::optional<double> tolerance{};
   /// Smallest angle of triangles in degrees, 0 to 33. Curves that meet at smaller angles keep them.
   double min_angle_deg = 22;
-  /// Largest area of a triangle, as a fraction above 0 and at most 1 of the box around artboard and
-  /// viewport, or if that is larger of what the viewport shows of the layer.
+  /// Largest area of a triangle, as a fraction above 0 and at most 1. It is a fraction of the
+  /// larger of two areas: the box around artboard and viewport, and the visible part of the layer.
   double max_area_fraction = 0.04;
   /// Largest tolerated difference of a patch from the exact solution, in code values of 255, as
   /// found at probe points. 0: the paper's mesh, refined at blurred curves only.
   double max_error = 1;
-  PatchOrder order = PatchOrder::cubic;  ///< how patches interpolate
-  /// How nodes are gathered. Where max_error is above 0 refinement is led by the exact gather, and
+  PatchOrder order = PatchOrder::cubic;  ///< the interpolation of patches
+  /// The gather at nodes. Where max_error is above 0 the exact gather decides about refinement, and
   /// random rays only give the nodes of the final mesh their colours.
   gather::GatherOptions gather{};
-  gather::Ends ends = gather::Ends::soft;  ///< what is ahead of the ends of open curves
+  gather::Ends ends = gather::Ends::soft;  ///< the colours ahead of the ends of open curves
   bool ignore_blur = false;  ///< draw diffusion curves sharp, as if their blur radii were 0
 
-  /// Whether layers get PatchLayer::exact, with which a viewer finds exact pixels by itself.
+  /// Whether layers get PatchLayer::exact. Use it for viewers that compute exact pixels.
   bool exact_fields = false;
 
-  /// Exact comparison of all members.
+  /// Compares all members exactly.
   friend bool operator==(const DiffuseOptions&, const DiffuseOptions&) = default;
 };
 
 /// Sizes and times of the solution of a document, summed over the layers that are painted.
-/// Functions add to what is there.
+/// Functions add to these.
 struct DiffuseStats {
   std::uint64_t curves = 0;          ///< diffusion curves
   std::uint64_t segments = 0;        ///< straight segments of the flattened curves
-  std::uint64_t triangles = 0;       ///< of the patch meshes
-  std::uint64_t vertices = 0;        ///< of the patch meshes
-  std::uint64_t nodes = 0;           ///< points at which colour or opacity was gathered
+  std::uint64_t triangles = 0;       ///< triangles of the patch meshes
+  std::uint64_t vertices = 0;        ///< vertices of the patch meshes
+  std::uint64_t nodes = 0;           ///< points where colour or opacity was gathered
   double geometry_seconds = 0;       ///< flattening the curves and sampling their attributes
-  double triangulation_seconds = 0;  ///< meshes and their refinement
+  double triangulation_seconds = 0;  ///< making and refining meshes
   double gather_seconds = 0;         ///< gathering at nodes and probe points
 };
 
-/// The picture of a document without its layers: artboard, background, shaders and stack, which a
-/// picture takes over as they are. Its `layers` are empty, so that the stack refers to layers that
-/// the caller has yet to add.
+/// Makes the picture of a document without its layers: artboard, background, shaders and stack,
+/// which a picture takes over unchanged. Its `layers` are empty; the caller must add the layers
+/// that the stack refers to.
 ///
 /// Precondition: validate() accepts the document, which is not checked again.
 /// Errors: limit, cancelled, out_of_memory.
 Result<Picture> picture_frame(Context& context, const Document& document, const Box& viewport);
 
-/// Document → Picture (paper sections 3–5): flattens the curves, triangulates them, gathers colours
-/// and opacities at the nodes of the triangles, and refines. Each layer is solved once, however
-/// often it is painted; what no instance brings into the viewport is not solved.
+/// Makes the picture of a document (paper sections 3–5): flattens the curves, triangulates them,
+/// gathers colours and opacities at the nodes of the triangles, and refines. Each layer is solved
+/// once, however often it is painted; layers outside the viewport are not solved. Use a Solution
+/// for a document that changes.
 ///
 /// `stats`, unless null, is added to. The result has the same bits for any thread count and SIMD
 /// level.

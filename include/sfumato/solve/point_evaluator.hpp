@@ -14,49 +14,54 @@ namespace solve {
 class ExactPicture;
 }
 
-/// The colours and opacities of a document's layers at single points, without a patch mesh in
-/// between: the ground truth that pictures are compared with. PatchLayer explains the channels.
+/// Computes the colours and opacities of a document's layers at single points, without a patch
+/// mesh: the ground truth for pictures. PatchLayer explains the channels. Use it for few points;
+/// use diffuse() for pictures.
 ///
-/// Several threads may call evaluate() at once, each with a Context of its own. Memory stays
-/// charged to the Context that was given to create(), which must therefore outlive the evaluator. A
-/// moved-from evaluator can only be assigned to or destroyed.
+/// Several threads may call evaluate() at once, each with its own Context. Memory stays charged to
+/// the Context of create(), which must therefore outlive the evaluator. A moved-from evaluator can
+/// only be assigned to or destroyed.
 class PointEvaluator {
  public:
   /// Prepares the layers for gathering.
   ///
-  /// Of the options, those of the patch mesh (angles, areas, order) have no effect, but all have to
-  /// be valid; DiffuseOptions::max_error counts only for the default tolerance. `stats`, unless
-  /// null, is added to: curves, segments and times. Errors: as diffuse(). Cost: flattening and the
-  /// triangulation of all curves, O(n log n) in their segments.
+  /// The options of the patch mesh (angles, areas, order) have no effect, but all options must be
+  /// valid; DiffuseOptions::max_error counts only for the default tolerance. `stats`, unless null,
+  /// is added to: curves, segments and times. Errors: as diffuse(). Cost: flattening and
+  /// triangulating all curves, O(n log n) in their segments.
   static Result<PointEvaluator> create(Context& context, const Document& document,
                                        const DiffuseOptions& options,
                                        DiffuseStats* stats = nullptr);
 
-  /// Takes over what `other` holds.
+  /// Takes over the content of `other`.
   PointEvaluator(PointEvaluator&& other) noexcept : state_(other.state_) { other.state_ = nullptr; }
-  /// Exchanges what the two hold.
+  /// Exchanges the content of both objects.
   PointEvaluator& operator=(PointEvaluator&& other) noexcept;
   ~PointEvaluator();
 
-  /// Floats per point of a layer's colours; 0 where it has no curves, or is not in the viewport.
+  /// Returns the floats per point of a layer's colours; 0 where it has no curves, or is not in the
+  /// viewport.
   int color_channels(std::uint32_t layer) const;
-  /// Floats per point of a layer's opacity; 0 where it has none, or is not in the viewport.
+  /// Returns the floats per point of a layer's opacity; 0 where it has none, or is not in the
+  /// viewport.
   int opacity_channels(std::uint32_t layer) const;
-  /// The shaders that the last colour channels belong to, as indices into Document::shaders.
+  /// Returns the shaders of the last colour channels, as indices into Document::shaders.
   std::span<const std::uint32_t> color_shaders(std::uint32_t layer) const;
-  /// The shaders that the last opacity channels belong to, as indices into Document::shaders.
+  /// Returns the shaders of the last opacity channels, as indices into Document::shaders.
   std::span<const std::uint32_t> opacity_shaders(std::uint32_t layer) const;
 
   /// Computes the colours, and if wanted the opacities, of a layer at points.
   ///
-  /// - `points`: layer frame, inside the box around what the instances bring into the viewport; not
-  ///   on a curve, where the fields jump. Neighbours in the list should be neighbours in the plane
+  /// - `points`: layer frame, inside the box around the parts that the instances bring into the
+  ///   viewport; not on a curve, where the fields jump. Neighbours in the list should be neighbours
+  ///   in the plane
   /// - `color`: receives color_channels() floats per point, in the space of Document::interpolation
   /// - `hit`: receives for each point 1, or 0 where no colour is seen; `color` is 0 there
   /// - `opacity`: receives opacity_channels() floats per point; empty: not wanted
   ///
   /// Errors: bad_input (a layer whose color_channels() is 0, spans of other sizes, a point
-  /// outside), limit, cancelled, out_of_memory. After an error the spans hold nothing of use.
+  /// outside), limit, cancelled, out_of_memory. After an error the content of the spans is
+  /// undefined.
   ///
   /// Cost: about 1 µs a point (docs/benchmarks.md), divided among the context's threads.
   Status evaluate(Context& context, std::uint32_t layer, std::span<const Vec2> points,
@@ -67,7 +72,7 @@ class PointEvaluator {
   friend class solve::ExactPicture;
   struct State;
 
-  /// evaluate() without its checks.
+  /// Does evaluate() without its checks.
   Status gather(Context& context, std::uint32_t layer, std::span<const Vec2> points,
                 std::span<float> color, std::span<std::uint8_t> hit,
                 std::span<float> opacity) const;

@@ -16,219 +16,220 @@
 
 namespace sfumato {
 
-/// Rows of a layer that are new; its other rows are what they were, unless the tables are shorter
-/// now. Soft edges are new as a whole.
+/// The rows of a layer that changed. Its other rows are unchanged, unless the tables are shorter
+/// now. All soft edges count as changed.
 struct LayerRows {
   std::uint32_t layer = 0;                   ///< index into Picture::layers
-  std::uint32_t first_vertex = 0;            ///< vertices are new from here on
-  std::vector<std::uint32_t> triangles;      ///< ascending: their corners, edges and nodes
-  std::vector<std::uint32_t> nodes;          ///< ascending: their values of colour
-  std::vector<std::uint32_t> opacity_nodes;  ///< ascending: their values of opacity
+  std::uint32_t first_vertex = 0;            ///< vertices from here on changed
+  std::vector<std::uint32_t> triangles;      ///< ascending: with new corners, edges or nodes
+  std::vector<std::uint32_t> nodes;          ///< ascending: nodes whose colour changed
+  std::vector<std::uint32_t> opacity_nodes;  ///< ascending: nodes whose opacity changed
 };
 
-/// What of a Solution's picture is new.
+/// The parts of a Solution's picture that changed.
 struct PictureDelta {
-  /// Whether anything but the layers may be: stack, shaders, background, artboard, viewport,
-  /// interpolation, or how many layers there are.
+  /// Whether other parts than the layers may have changed: stack, shaders, background, artboard,
+  /// viewport, interpolation, or the number of layers.
   bool frame = false;
   std::vector<std::uint32_t> layers;  ///< indices into Picture::layers, ascending
-  /// Those of them that are not new as a whole, ascending: between two frames of a drag, or between
-  /// the picture of solve() and the first frame, if the layer is opaque and solve() has kept what
-  /// drags begin from.
+  /// The layers with changes in some rows only, ascending. They occur between two frames of a drag,
+  /// and between the picture of solve() and the first frame if the layer is opaque and solve() has
+  /// kept the tables that drags start from.
   std::vector<LayerRows> rows;
 
-  /// Whether nothing is new.
+  /// Returns whether nothing changed.
   bool empty() const { return !frame && layers.empty(); }
 };
 
-/// How the layers of a frame were made by Solution::solve_next().
+/// The numbers of layers that Solution::solve_next() kept, continued and began.
 struct FrameLayers {
-  std::size_t kept = 0;       ///< nothing of them changed
-  std::size_t continued = 0;  ///< on the mesh of the frame before
+  std::size_t kept = 0;       ///< unchanged
+  std::size_t continued = 0;  ///< continued on the mesh of the last frame
   std::size_t begun = 0;      ///< on new meshes
 };
 
-/// A document that is being solved: it takes changes, and solves anew only the layers that these
-/// touched. Its picture is the one that diffuse() makes of the document, to the bit.
+/// A document that is being solved. It takes changes, and solves only the layers that they affect.
+/// Its picture equals the one that diffuse() makes of the document, to the bit.
 ///
-/// One thread at a time may call a Solution. Its document and picture stay charged to the Context
-/// that was given to create(), which must therefore outlive it; the Contexts of later calls lend
-/// their threads, their limits and the memory of the work itself. A moved-from Solution can only be
-/// assigned to or destroyed.
+/// Only one thread at a time may call a Solution. Its document and picture stay charged to the
+/// Context of create(), which must therefore outlive it. The Contexts of later calls provide
+/// threads, limits and memory for their work. A moved-from Solution can only be assigned to or
+/// destroyed.
 class Solution {
  public:
-  /// Takes a document over; nothing is solved yet, and the picture is an empty one.
-  /// Errors: bad_input (an invalid document), limit, cancelled, out_of_memory.
+  /// Takes ownership of a document. Nothing is solved yet, and the picture is empty. Errors:
+  /// bad_input (an invalid document), limit, cancelled, out_of_memory.
   static Result<Solution> create(Context& context, Document document);
 
-  /// Takes over what `other` holds.
+  /// Takes over the content of `other`.
   Solution(Solution&& other) noexcept : state_(other.state_) { other.state_ = nullptr; }
-  /// Exchanges what the two hold.
+  /// Exchanges the content of both objects.
   Solution& operator=(Solution&& other) noexcept;
   ~Solution();
 
-  /// The document with all changes that were applied.
+  /// Returns the document with all changes that were applied.
   const Document& document() const;
 
-  /// Changes the document, and returns the change that takes this one back. The picture stays as it
-  /// is until solve(). Errors: as apply_change(); nothing has changed then.
+  /// Changes the document. Returns the inverse change. The picture stays as it is until solve().
+  /// Errors: as apply_change(); the document is then unchanged.
   Result<Change> apply(Context& context, Change change);
 
   /// Makes the picture that diffuse() would make of the document with these options. A layer is
   /// solved where its curves changed since the last picture, where the stack shows it at another
   /// scale or shows another part of it, and where the options, the artboard or the document's
-  /// interpolation changed; the others are kept.
+  /// interpolation changed. The other layers are kept.
   ///
-  /// `stats`, unless null, is added to: what was solved now.
+  /// `stats`, unless null, is added to: the layers that this call solved.
   ///
-  /// Errors: as diffuse(). The picture is the last one then, and layers that this call finished are
-  /// kept for the next one, unless it was memory that was lacking. Limits of the Context hold for
-  /// what is solved now.
+  /// Errors: as diffuse(). The picture is then the last one. Layers that this call finished are
+  /// kept for the next call, unless memory was exhausted. Limits of the Context apply to the layers
+  /// that this call solves.
   Status solve(Context& context, const DiffuseOptions& options, DiffuseStats* stats = nullptr);
 
-  /// The same for a picture to look at while more moves than one curve: layers that solve() would
-  /// solve are solved roughly, from chords about four times as coarse, without refinement where a
-  /// patch misses. What is gathered is exact; the triangles are a third to a half as many, and
+  /// Makes a preview. Use it while more than one curve moves. Solves the layers that solve() would
+  /// solve, but roughly: from chords about four times as coarse, without refinement where a patch
+  /// misses. Gathered values are exact. The mesh has a third to a half as many triangles, and
   /// pixels differ from the exact picture's by a third of a code value in the mean (lady_bug,
-  /// portrait, dolphin, roses). A layer that already shows its curves as they are stays as it is,
-  /// exact, rough or as drag() or color() left it. The next solve() solves anew what is not exact.
+  /// portrait, dolphin, roses). A layer that already shows its curves stays as it is: exact, rough
+  /// or as drag() or color() left it. The next solve() solves all layers that are not exact.
   ///
-  /// Errors: as solve(); the picture is the last one then. Cost: a fifth to a seventh of that of
+  /// Errors: as solve(); the picture is then the last one. Cost: a fifth to a seventh of that of
   /// solve().
   Status solve_roughly(Context& context, const DiffuseOptions& options,
                        DiffuseStats* stats = nullptr);
 
-  /// The same for the next frame of a film: no node and no triangle changes where nothing does. A
-  /// layer some of whose curves changed since the last call goes on with its mesh, in which only
-  /// these curves are placed anew; nodes that see them are gathered, and the bound on the error
-  /// holds as after solve(). What one frame refines the next ones keep, where no curve moves, until
-  /// that is half as much as the whole mesh was.
+  /// Makes the next frame of a film: nodes and triangles change only where the drawing changes. A
+  /// layer that keeps some of its curves continues on its mesh, and only the changed curves are
+  /// inserted again. The nodes that see them are gathered, and the bound on the error holds as
+  /// after solve(). Refinement of one frame is kept in the next ones, where no curve moves, until
+  /// it is half as large as the first mesh.
   ///
-  /// A layer is begun anew where its number of curves, the options, the artboard or what is seen of
-  /// it changed, where more than half of its curves did, or where a curve has gone farther beyond
-  /// the picture than that is large, or lies on others in another order than they were drawn in. So
-  /// it is in each call whose Context is not that of create(), which is charged for the meshes, and
-  /// where memory is scarce.
+  /// A layer gets a new mesh where its number of curves, the options, the artboard or its visible
+  /// part changed, or where more than half of its curves changed. It also gets one where a curve
+  /// moved farther beyond the picture than the picture is large, or lies on others in another order
+  /// than the drawing order. A call with another Context than that of create(), which is charged
+  /// for the meshes, begins all layers on new meshes; so does scarce memory.
   ///
   /// `layers` and `stats`, unless null, are added to. Errors: as solve(). Cost: about half of that
-  /// of solve(), where few nodes see what changed; what is kept takes six times as much memory as
+  /// of solve(), where few nodes see the changes; the kept tables take six times as much memory as
   /// the picture.
   Status solve_next(Context& context, const DiffuseOptions& options, FrameLayers* layers = nullptr,
                     DiffuseStats* stats = nullptr);
 
-  /// From here on solve() keeps the meshes, fields and nodes that drags begin from, where it is
-  /// given the Context of create(), which is charged for them: four to five times as much as for
-  /// the picture. Where memory is scarce they are not kept, and what of this Solution lacks memory
-  /// gives them up first. The first begin_drag() calls this.
+  /// Makes later calls of solve() keep the meshes, fields and nodes that drags start from. They are
+  /// kept only if solve() gets the Context of create(), which is charged for them: four to five
+  /// times as much as for the picture. They are not kept where memory is scarce, and other work of
+  /// this Solution that lacks memory releases them first. The first begin_drag() calls this. Call
+  /// it earlier to make the first drag fast.
   ///
-  /// most_triangles   they are kept for layers that have no more in all: those that were dragged
-  ///                  last, then the largest ones; for the one that was dragged last, or is the
-  ///                  only one, in any case. That takes about 1 kB a triangle.
+  /// - `most_triangles`: tables are kept for layers of at most this many triangles in all: the
+  ///   layers dragged last, then the largest ones. They are always kept for the layer that was
+  ///   dragged last, and for the only layer. That takes about 1 kB a triangle
   void expect_drags(std::size_t most_triangles = SIZE_MAX);
 
-  /// Prepares a curve to be dragged: takes it off its layer. The picture stays as it is.
+  /// Prepares a curve for dragging: removes it from its layer. The picture stays as it is.
   ///
-  /// What this holds is charged to this Context, which must outlive the drag. It lasts until the
-  /// next call of begin_drag(), end_drag() or apply(), or of solve() or solve_roughly() with other
-  /// options.
+  /// The prepared tables are charged to this Context, which must outlive the drag. They last until
+  /// the next call of begin_drag(), end_drag() or apply(), or of solve() or solve_roughly() with
+  /// other options.
   ///
   /// Errors: bad_input (no such curve, or the last picture is not that of the document), limit,
-  /// cancelled, out_of_memory. Cost: that of meshing the layer, and a gather of what sees the
-  /// curve, where what drags begin from is kept and this Context is that of create(); otherwise
-  /// that of solving the layer besides, after which it is kept; roughly where the picture's layer
-  /// is not that of solve(): its mesh is as coarse throughout the drag, then. So it is, too, where
-  /// a hundredth of the layer's mesh or more lies on the curve, as on an outline of many pieces: a
-  /// frame would take long on a fine one.
+  /// cancelled, out_of_memory. Cost: that of meshing the layer, and a gather of the nodes that see
+  /// the curve, if the tables that drags start from are kept and this Context is that of create().
+  /// Otherwise the layer is also solved, and its tables are kept. The layer is solved roughly where
+  /// solve() did not make the picture's layer, or where the curve touches a hundredth of the
+  /// layer's mesh or more, such as an outline of many pieces: frames on a fine mesh would be slow.
+  /// The mesh then stays coarse throughout the drag.
   Status begin_drag(Context& context, std::uint32_t layer, std::uint32_t curve);
 
-  /// Puts another curve in the place of the one that is dragged, in the document and in the
-  /// picture. That is one for looking at until solve() makes the exact one: nodes have their exact
-  /// values, but for changes of less than 3% of the range of code values (lady_bug, dolphin and
-  /// roses: less than one code value), the mesh is as fine as it was where the curve has come to,
-  /// and the curve is drawn over the others of its layer. It depends on what begin_drag() found and
-  /// on the curve, not on where the curve was dragged in between. To take a drag back, apply a
-  /// ReplaceCurve with the curve as it was.
+  /// Replaces the dragged curve, in the document and in the picture. The picture is a preview until
+  /// solve() makes the exact one. Nodes have their exact values, except for changes below 3% of the
+  /// range of code values (lady_bug, dolphin and roses: less than one code value). The mesh is as
+  /// fine as it was at the curve's new place, and the curve is drawn over the others of its layer.
+  /// The picture depends on the state at begin_drag() and on the curve, not on the places in
+  /// between. To undo a drag, apply a ReplaceCurve with the original curve.
   ///
-  /// `stats`, unless null, is added to: what was solved now. `seconds`, from 0 on: once they are
-  /// over, nodes wait that have had a value in this drag, or that see more than the curve and are
-  /// not beside it: waiting_nodes() says how many, until drag_more(). They keep the value of the
-  /// last frame, or that without the curve; those are gathered first that the curve may change
-  /// most. None waits where this Context is not that of begin_drag(), where memory is scarce, and
-  /// where what the layer shows ends within it.
+  /// `stats`, unless null, is added to: the work of this call. `seconds`, from 0 on, limits the
+  /// time: afterwards nodes wait until drag_more(), and waiting_nodes() counts them. Only nodes
+  /// wait that already got a value in this drag, or that see more than the curve and are not beside
+  /// it. They keep the value of the last frame, or the value without the curve; the nodes that the
+  /// curve may change most are gathered first. None waits where this Context is not that of
+  /// begin_drag(), where memory is scarce, or where the visible part of the layer ends inside the
+  /// layer.
   ///
-  /// Errors: bad_input (nothing is dragged, an invalid curve, or no such time), limit, cancelled,
-  /// out_of_memory. Document and picture are as they were then. Cost: O(triangles and nodes of the
-  /// layer) for tables, and a gather of what may see the curve. Where the curve bears an opacity
-  /// for the first time, or is farther beyond the picture than that is large, that of solving the
-  /// layer roughly, and the picture is as after solve_roughly(). Where it is beyond it at all that
-  /// of solving the layer: once if this Context is that of begin_drag(), each time if it is
-  /// another.
+  /// Errors: bad_input (nothing is dragged, an invalid curve, or an invalid time), limit,
+  /// cancelled, out_of_memory. They leave document and picture unchanged. Cost: O(triangles and
+  /// nodes of the layer) for tables, and a gather of the nodes that may see the curve. Where the
+  /// curve gets an opacity for the first time, or lies farther beyond the picture than the picture
+  /// is large, the layer is solved roughly, and the picture is as after solve_roughly(). Where any
+  /// part of it lies beyond the picture, the layer is solved: once if this Context is that of
+  /// begin_drag(), each time otherwise.
   Status drag(Context& context, Curve curve, DiffuseStats* stats = nullptr,
               std::optional<double> seconds = {});
 
-  /// How many nodes of the picture wait to be gathered since the last drag() or drag_more(); 0 once
-  /// the drag has ended, or solve() has made the picture.
+  /// Returns the number of nodes that wait to be gathered since the last drag() or drag_more(); 0
+  /// once the drag has ended, or solve() has made the picture.
   std::size_t waiting_nodes() const;
 
-  /// Gathers nodes that wait since drag(): all of them, or for so many seconds, but some in any
-  /// case. With none left the picture is the one that drag() makes without a limit, to less than
-  /// half a code value. Nothing happens where none wait. Errors: as drag(); those that waited do so
-  /// still.
+  /// Gathers waiting nodes of a drag(): all of them, or for so many seconds, but always some. With
+  /// none left, the picture equals that of drag() without a time limit, to less than half a code
+  /// value. Does nothing where none waits. Errors: as drag(); the nodes then still wait.
   Status drag_more(Context& context, DiffuseStats* stats = nullptr,
                    std::optional<double> seconds = {});
 
-  /// Prepares a stop, or all stops of a side, to be given other values: finds how much each node
-  /// of the layer answers to them. The picture stays as it is. Ends the drag of a curve, as
-  /// begin_drag() ends this.
+  /// Prepares a stop, or all stops of a side, for other values: computes the response of each node
+  /// of the layer to them. The picture stays as it is. Ends the drag of a curve; begin_drag() ends
+  /// this.
   ///
-  /// What this holds is charged to this Context, which must outlive it. It lasts until the next
-  /// call of begin_color(), begin_drag(), end_drag(), apply(), solve() or solve_roughly().
+  /// The prepared tables are charged to this Context, which must outlive them. They last until the
+  /// next call of begin_color(), begin_drag(), end_drag(), apply(), solve() or solve_roughly().
   ///
-  /// Errors: bad_input (there is no such stop, the side's attribute is not given by stops, or the
-  /// last picture is not that of the document), limit, cancelled, out_of_memory. Cost: that of
-  /// meshing the layer, and a gather of what sees the curve, where solve() has kept what drags
-  /// begin from and this Context is that of create(); otherwise that of solving the layer, too:
-  /// roughly where the picture's layer is not that of solve().
+  /// Errors: bad_input (there is no such stop, the side's attribute has no stops, or the last
+  /// picture is not that of the document), limit, cancelled, out_of_memory. Cost: that of meshing
+  /// the layer, and a gather of the nodes that see the curve, where solve() has kept the tables
+  /// that drags start from and this Context is that of create(). Otherwise the layer is also
+  /// solved: roughly where solve() did not make the picture's layer.
   Status begin_color(Context& context, const StopPlace& place);
 
-  /// Gives another value to the stop that was prepared, in the document and in the picture. Of all
-  /// stops of a side the first gets it, and the others change by the same difference in the space
-  /// of the document's interpolation. Nothing is gathered: node values are linear in the stop's.
-  /// The picture is one for looking at until solve() makes the exact one: nodes have their exact
-  /// values, but the mesh is that of the colours as they were, and where both sides of a curve come
-  /// to have one colour its free ends count on. It depends on what begin_color() found and on the
-  /// value, not on the values in between. The first time all tables of the layer are new, then
-  /// those of values.
+  /// Sets the value of the prepared stop, in the document and in the picture. With all stops of a
+  /// side, the first gets the value, and the others change by the same difference in the document's
+  /// interpolation space. Nothing is gathered: node values are linear in the stop's. The picture is
+  /// a preview until solve() makes the exact one. Nodes have their exact values, but the mesh is
+  /// still that of the original colours, and where both sides of a curve get the same colour its
+  /// free ends still count. The picture depends on the state at begin_color() and on the value, not
+  /// on the values in between. The first call changes all tables of the layer, later calls only its
+  /// values.
   ///
-  /// Errors: bad_input (nothing is prepared, a value of another attribute, or a value of a stop
-  /// that would not be within 0 to 1), limit, cancelled, out_of_memory. Document and picture are as
-  /// they were then. Cost: O(nodes that answer), but for the first two O(nodes of the layer).
+  /// Errors: bad_input (nothing is prepared, a value of another attribute, or a value outside 0 to
+  /// 1), limit, cancelled, out_of_memory. They leave document and picture unchanged. Cost: O(nodes
+  /// that respond); for the first two calls O(nodes of the layer).
   Status color(Context& context, const StopValue& value);
 
-  /// How much the nodes of the layer answer to what begin_color() prepared: for each row of the
-  /// values of PatchLayer::color or opacity, as they are in picture() after color(), a factor from
-  /// 0 to 1. Where the stop's value, in the space of the interpolation, has grown by d, the first 3
-  /// channels of a colour, or the first of an opacity, have grown by d times that. Empty where
-  /// nothing is prepared or shown.
+  /// Returns the response of the layer's nodes to the prepared stops. It has a factor from 0 to 1
+  /// for each row of values of PatchLayer::color or opacity in picture(), after color(). Where the
+  /// stop's value, in the interpolation space, has grown by d, the first 3 channels of a colour, or
+  /// the first channel of an opacity, have grown by d times the factor. Empty where nothing is
+  /// prepared or shown.
   std::span<const float> color_response() const;
 
-  /// Ends a drag, or what begin_color() prepared, and releases what it held. The curve stays as it
-  /// is.
+  /// Ends a drag, or the preparation of begin_color(), and releases its memory. The curve stays as
+  /// it is.
   void end_drag();
 
-  /// The last picture that solve(), solve_roughly(), solve_next(), drag() or color() finished.
+  /// Returns the last picture that solve(), solve_roughly(), solve_next(), drag() or color()
+  /// finished.
   const Picture& picture() const;
 
-  /// A layer of the document as rays meet it, for exact values at points: what diffuse() adds to
-  /// its picture with DiffuseOptions::exact_fields. Without fields where nothing of the layer is
-  /// seen, and where a side has an image-domain shader.
+  /// Returns a layer of the document as rays meet it, for exact values at points: the same that
+  /// diffuse() adds to its picture with DiffuseOptions::exact_fields. It has no fields where no
+  /// part of the layer is seen, and where a side has an image-domain shader.
   ///
   /// Errors: bad_input (no such layer, or it has changed since it was solved), limit, cancelled,
   /// out_of_memory. Cost: that of meshing the layer.
   Result<ExactLayer> exact_layer(Context& context, std::uint32_t layer) const;
 
-  /// What of picture() is new since the last call of this function. The first call after the first
-  /// picture names everything.
+  /// Returns the parts of picture() that changed since the last call. The first call after the
+  /// first picture names everything.
   PictureDelta take_delta();
 
  private:

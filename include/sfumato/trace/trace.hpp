@@ -12,98 +12,110 @@
 
 namespace sfumato {
 
-/// Where the blur radii of curves come from.
+/// The source of the blur radii of curves.
 enum class TraceBlur : std::uint8_t {
   fitted,     ///< from the picture, then improved together with the colours
   estimated,  ///< from the picture alone
-  sharp       ///< there are none
+  sharp       ///< no blur
 };
 
-/// How many of the colour stops that do least for the picture are left out.
+/// The amount of colour stops that are left out, least useful first.
 enum class TraceStops : std::uint8_t {
   few,     ///< about 60 in 100
   normal,  ///< about 35 in 100
   many     ///< none
 };
 
-/// What a trace has reached.
+/// The progress of a trace.
 struct TraceState {
-  int round = 0;                   ///< 0: only edges of the picture; then edges of what is missing
-  int round_count = 0;             ///< rounds that there will be at most, with round 0
-  std::size_t curves = 0;          ///< the frame along the picture's border included
+  int round = 0;                   ///< 0: only edges of the picture; then edges that are missing
+  int round_count = 0;             ///< largest number of rounds, including round 0
+  std::size_t curves = 0;          ///< including the frame along the picture's border
   std::size_t control_points = 0;  ///< 3 n + 1 of each curve of n Bézier pieces
   std::size_t stops = 0;           ///< colours on all sides
   /// 10 log₁₀ (1 / the mean square difference of sRGB code values from 0 to 1) to the picture at
-  /// the size it is traced at, as the gather predicts it at the pixels that were fitted.
+  /// the size of the trace, as the gather predicts it at the fitted pixels. Where the picture has
+  /// opacity, the squares of colours are multiplied by the square of opacity, and the squares of
+  /// opacity are added: about the look on the background where it differs most.
   double psnr_db = 0;
-  double seconds = 0;  ///< since the beginning
+  double seconds = 0;  ///< since the start
 };
 
-/// Is told what a trace has reached, after each round, from the thread that called. Once before
-/// that, too, when edges of the picture were found: their colours are sampled and not fitted yet,
-/// and TraceState::psnr_db is 0.
+/// Receives the progress of a trace, after each round, on the thread that called. It also receives
+/// a first drawing when the edges of the picture are found: its colours are sampled and not fitted
+/// yet, and TraceState::psnr_db is 0.
 class TraceWatch {
  public:
   virtual ~TraceWatch() = default;
-  /// `drawing` is what trace() would return if it ended here, but that no stops are left out.
+  /// Receives the state. `drawing` is the result of trace() if it ended here, except that no stops
+  /// are left out.
   virtual void reached(const TraceState& state, const Document& drawing) = 0;
 };
 
-/// How to trace(). The defaults suit photos.
+/// Options of trace(). The defaults suit photos.
 struct TraceOptions {
   /// The largest smooth_px.
   static constexpr double kMostSmooth = 32;
 
-  /// Control points at most, with those of the frame; 0: 2,000 for a picture of 640 × 480, and in
-  /// proportion to the square root of the number of pixels for others.
+  /// Largest number of control points, including the frame; 0: 2,000 for a picture of 640 × 480,
+  /// and in proportion to the square root of the number of pixels for others.
   int points = 0;
-  int max_curves = 0;                     ///< curves at most, with the frame; 0: no limit
-  double psnr_db = 0;                     ///< ends as soon as this is reached; 0: never
-  double max_seconds = 0;                 ///< begins no further round after this time; 0: no limit
-  TraceBlur blur = TraceBlur::fitted;     ///< where it comes from
-  TraceStops stops = TraceStops::normal;  ///< how many are left out
-  /// Standard deviation of a Gaussian, pixels of the picture: what is finer is taken as texture,
-  /// which no curve follows; 0: none is.
+  int max_curves = 0;  ///< largest number of curves, including the frame; 0: no limit
+  double psnr_db = 0;  ///< ends as soon as this is reached; 0: never
+  /// Begins no further round after this time; 0: no limit. Context::deadline ends running work: the
+  /// result is then the drawing of the last complete round, or the error if there is none.
+  double max_seconds = 0;
+  TraceBlur blur = TraceBlur::fitted;     ///< the source of blur radii
+  TraceStops stops = TraceStops::normal;  ///< the amount that is left out
+  /// Standard deviation of a Gaussian, pixels of the picture: finer details count as texture, which
+  /// no curve follows; 0: no texture.
   double smooth_px = 0;
-  /// Longer side in pixels at which the picture is looked at: a larger one is scaled down. The
-  /// drawing has the size of the picture in any case.
+  /// Longer side in pixels of the traced picture: a larger one is scaled down. The drawing always
+  /// has the size of the picture.
   int max_side = 1024;
-  std::uint64_t seed = 0;   ///< of the choice of pixels that colours are fitted to
+  std::uint64_t seed = 0;   ///< for the choice of pixels that colours are fitted to
   bool edges_only = false;  ///< ends after round 0: a draft
-  bool has_opacity = true;  ///< transparent pictures become drawings with opacity; else as on white
-  /// What the curves miss becomes a texture, in a layer of its own on top, which is blended by hard
-  /// light: a texel to a pixel looked at. With few curves, it bears what these leave out; its file
-  /// is about as large as the picture's as PNG.
+  bool has_opacity = true;  ///< draw transparency as opacity; else put the picture on white
+  /// Whether the details that the curves miss become a texture, in a separate layer on top, blended
+  /// by hard light: one texel for each traced pixel. Use it with few curves to keep all details;
+  /// its file is about as large as the picture's as PNG.
   bool has_texture = false;
-  TraceWatch* watch = nullptr;  ///< null: nobody is told
+  TraceWatch* watch = nullptr;  ///< null: no reports
 };
 
-/// How a trace went.
+/// Figures of a trace.
 struct TraceStats {
   std::vector<TraceState> rounds;  ///< after each round, and last as returned
-  double scale = 1;                ///< pixels looked at per pixel of the picture
+  bool ended_early = false;        ///< time was over: another machine may give another drawing
+  double scale = 1;                ///< traced pixels per pixel of the picture
   double noise = 0;                ///< standard deviation of the picture's noise, OKLab L
   double median_length_px = 0;     ///< of the curves, without the frame, pixels of the picture
-  /// How many curves, those of most benefit first, bear 9/10 of the benefit.
+  /// The number of most useful curves that together make 9/10 of the improvement.
   std::size_t curves_of_nine_tenths = 0;
-  /// With TraceOptions::has_texture: as TraceState::psnr_db, but of the drawing with its texture,
-  /// as rasterize() draws it, to the picture's opaque pixels. The rounds are those without it.
+  /// With TraceOptions::has_texture: TraceState::psnr_db of the drawing with its texture, as
+  /// rasterize() draws it, against the picture's opaque pixels. The rounds count the drawing
+  /// without texture.
   std::optional<double> textured_psnr_db{};
+  /// For a picture of thin strokes, such as a page of text: about how many control points
+  /// that all strokes need, if that is more than the limit; otherwise 0.
+  std::size_t points_needed = 0;
 };
 
-/// Makes a drawing of a picture: curves along its edges, whose colours and radii of blur are fitted
-/// so that the drawing looks like it (docs/tracing.md; method of Orzan et al. 2008, with least
-/// squares through the exact gather in place of sampled colours).
+/// Makes a drawing of a picture: curves along its edges, with colours and blur radii fitted to the
+/// picture (docs/tracing.md; method of Orzan et al. 2008, with least squares through the exact
+/// gather instead of sampled colours).
 ///
-/// The drawing's artboard is the picture, a user unit to a pixel; its layer has a frame along the
-/// border, whose inner side bears colours, and below that the curves in the order in which they
-/// were found; TraceOptions::has_texture adds a layer. The same picture and options make the same
-/// drawing, whatever the threads and the instruction set, but for max_seconds.
+/// The drawing's artboard is the picture, one user unit for a pixel. Its layer has a frame along
+/// the border, with colours on its inner side, and below that the curves in the order of their
+/// discovery; TraceOptions::has_texture adds a layer. The same picture and options make the same
+/// drawing for any threads and instruction set, unless max_seconds ends it.
 ///
 /// Errors: bad_input (options out of range, a picture that is not valid), limit, cancelled,
-/// out_of_memory.
+/// out_of_memory. Where Context::deadline passes after a complete round, the result is that round's
+/// drawing, without texture, and TraceStats::ended_early is true.
 /// Cost: 640 × 480 pixels and 2,000 control points take a few seconds on two cores, most of it for
-/// rows of the gather; in proportion to the pixels looked at.
+/// rows of the gather. The number of control points bounds the stops, the fitted pixels and the
+/// equations for any picture; edges are searched in all pixels.
 Result<Document> trace(Context& context, const Image& picture, const TraceOptions& options = {},
                        TraceStats* stats = nullptr);
 
@@ -112,55 +124,51 @@ struct CurveOfLayer {
   std::uint32_t layer = 0;  ///< index into Document::layers
   std::uint32_t curve = 0;  ///< index into Layer::curves
 
-  /// Exact comparison of all members.
+  /// Compares all members exactly.
   friend bool operator==(const CurveOfLayer&, const CurveOfLayer&) = default;
 };
 
-/// How fit_colors() changes a drawing.
+/// Options of fit_colors().
 struct ColorFit {
-  /// fitted: each curve's radii of blur are multiplied by a number of its own; else they stay.
-  TraceBlur blur = TraceBlur::fitted;  ///< where it comes from
+  /// fitted: each curve's radii of blur are multiplied by a factor of the curve; else they stay.
+  TraceBlur blur = TraceBlur::fitted;  ///< the source of blur radii
   int max_side = 1024;                 ///< as TraceOptions, 1 to limits::kImageSide
   std::uint64_t seed = 0;              ///< as TraceOptions
-  bool keeps_colors = false;           ///< radii alone are fitted
+  bool keeps_colors = false;           ///< only radii are fitted
   /// The curves that are fitted, others stay as they are; empty: all.
   std::vector<CurveOfLayer> only{};
 
-  /// Exact comparison of all members.
+  /// Compares all members exactly.
   friend bool operator==(const ColorFit&, const ColorFit&) = default;
 };
 
-/// Gives the stops of a drawing's curves the colours with which it looks most like a picture, which
-/// is laid over its artboard and fills it. A transparent picture counts as it looks on the
-/// drawing's background, or if there is none on white.
+/// Fits the colours of a drawing's stops to a picture that fills its artboard, so that the drawing
+/// looks as similar as possible. A transparent picture is put on the drawing's background, or if
+/// there is none on white.
 ///
-/// All layers are fitted at once, through all that lies above them, by least squares of code values
+/// All layers are fitted at once, through all layers above them, by least squares of code values
 /// (docs/mathematics.md, "Colours from a picture"). Only colours of stops change, to ones of 8
 /// bits, and radii if they are fitted. These stay as they are:
 ///
 /// - curves, places of stops, opacities, image-domain shaders, local curves, the stack, the
-///   background: they are looked past
-/// - stops of which the picture shows nothing, as in a layer below an opaque one
-/// - layers that are anywhere mixed with those below by another mode than normal, themselves or in
-/// a
-///   group. What lies below `multiply` and `screen` outside of groups is fitted through them. Where
-///   another mode shows, or one within a group, nothing is fitted to the pixels
-/// - the radii of curves that bear opacity, and of those without blur
+///   background: the fit takes them as they are
+/// - stops that the picture does not show, as in a layer below an opaque one
+/// - layers that are mixed by another mode than normal anywhere, themselves or in a group. Layers
+///   below `multiply` and `screen` outside of groups are fitted through them. Where another mode
+///   shows, or one within a group, nothing is fitted to the pixels
+/// - the radii of curves that have opacity, and of curves without blur
 ///
-/// If nothing looks more like the picture, the drawing is returned as it is.
+/// Returns the drawing unchanged if no colours look more similar. The same input gives the same
+/// drawing, for any threads and instruction set.
 ///
-/// The same input gives the same drawing, whatever the threads and the instruction set.
+/// - `stats`: unless null, receives `scale`, and two rounds, before and after the fit, whose
+///   numbers count the painted layers
 ///
-/// stats    unless null: `scale`, and two rounds, the drawing as it was and as returned, whose
-///          numbers are those of the layers that are painted
-/// Errors   bad_input (options out of range, a picture or a drawing that is not valid, no curve
-/// that
-///          is painted has colours, a curve of `only` that is not there), limit, cancelled,
-///          out_of_memory
-/// Cost     for each instance a gather of 1 to 4 µs at each of about 60,000 to 100,000 points at
-///          which it may show, and a quarter of a second for the equations of 4,000 stops, thrice;
-///          in other spaces than sRGB several times that. On one core drawings of 100 to 500 curves
-///          take 0.5 to 10 s
+/// Errors: bad_input (options out of range, an invalid picture or drawing, no painted curve has
+/// colours, an unknown curve in `only`), limit, cancelled, out_of_memory.
+/// Cost: for each instance a gather of 1 to 4 µs at each of about 60,000 to 100,000 points where it
+/// may show, and a quarter of a second for the equations of 4,000 stops, three times; in other
+/// spaces than sRGB several times that. On one core drawings of 100 to 500 curves take 0.5 to 10 s.
 Result<Document> fit_colors(Context& context, const Document& drawing, const Image& picture,
                             const ColorFit& options = {}, TraceStats* stats = nullptr);
 

@@ -1,9 +1,9 @@
-# A port of this checkout, for use from where it lies:
+# A port of this checkout, for use without a registry:
 #
 #   vcpkg install sfumato --overlay-ports=packaging/vcpkg
 #
-# It has not been run: no vcpkg was at hand. docs/packaging.md says what was looked at. A port for the
-# registry fetches a release in the place of the next two lines.
+# It is untested: vcpkg was not available. docs/packaging.md says what was checked. A port for the registry
+# downloads a release instead of the next two lines.
 get_filename_component(SOURCE_PATH "${CMAKE_CURRENT_LIST_DIR}/../../.." ABSOLUTE)
 
 vcpkg_find_acquire_program(PKGCONFIG)
@@ -18,7 +18,7 @@ vcpkg_copy_tools(TOOL_NAMES sfumato AUTO_CLEAN)
 vcpkg_cmake_config_fixup(CONFIG_PATH lib/cmake/sfumato)
 vcpkg_fixup_pkgconfig()
 
-# What an unoptimised build has twice, and what belongs to shells.
+# Removes files that a debug build installs twice, and the files for shells.
 file(REMOVE_RECURSE
   "${CURRENT_PACKAGES_DIR}/debug/include"
   "${CURRENT_PACKAGES_DIR}/debug/share"

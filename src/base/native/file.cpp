@@ -14,6 +14,7 @@
 #include "base/native/atomic_file.hpp"
 #include "base/native/posix.hpp"
 #include "base/no_throw.hpp"
+#include "base/try.hpp"
 
 namespace sfumato {
 namespace {
@@ -26,7 +27,7 @@ Status too_long(const std::string& path, std::size_t max_bytes) {
                     "is longer than the limit of " + std::to_string(max_bytes) + " bytes", {path});
 }
 
-/// Reads to the end. Errors: io, limit, those of Context::cancel_status.
+/// Reads to the end. Errors: io, limit, as Context::cancel_status().
 template <class Bytes>
 Result<Bytes> read_all(int descriptor, const std::string& path, std::size_t max_bytes,
                        const Context* context) {
@@ -39,7 +40,7 @@ Result<Bytes> read_all(int descriptor, const std::string& path, std::size_t max_
     content.reserve(static_cast<std::size_t>(status.st_size) + kReadBytes);
   }
   while (true) {
-    // Without a writer yet, a pipe that was opened without blocking would seem to be at its end.
+    // A pipe opened without blocking that has no writer yet would seem to be at its end.
     if (!is_regular && !wait_until_ready(descriptor, POLLIN, context)) {
       return io_error(path, "cannot be read", errno, context);
     }
@@ -67,15 +68,15 @@ Status write_device(const std::string& path, bool is_fifo, std::span<const std::
                     const Context* context) {
   FileDescriptor file = open_device(path, is_fifo, context);
   if (!file.is_open()) return io_error(path, "cannot be written", errno, context);
-  Status status = write_in_place(file.number(), path, bytes, context);
-  if (status && !file.close()) status = io_error(path, "cannot be written", errno);
-  return status;
+  SFUMATO_TRY(write_in_place(file.number(), path, bytes, context));
+  if (!file.close()) return io_error(path, "cannot be written", errno);
+  return ok_status();
 }
 
 template <class Bytes>
 Result<Bytes> read(const std::string& path, std::size_t max_bytes, const Context* context) {
   if (path == "-") return read_all<Bytes>(STDIN_FILENO, "standard input", max_bytes, context);
-  // A FIFO without a writer, or a line without a carrier, would be waited for here.
+  // Without O_NONBLOCK this would wait for a writer of a FIFO, or for the carrier of a line.
   const FileDescriptor file(path, O_RDONLY | O_NOCTTY | O_NONBLOCK);
   if (!file.is_open()) return io_error(path, "cannot be read", errno);
   return read_all<Bytes>(file.number(), path, max_bytes, context);
@@ -91,15 +92,14 @@ Status write(const std::string& path, std::span<const std::uint8_t> bytes, const
   if (exists && !S_ISREG(existing.st_mode)) {
     return write_device(target, S_ISFIFO(existing.st_mode), bytes, context);
   }
-  // Renaming over a file asks nobody whether the file may be written: we do.
+  // Renaming over a file does not check whether the file is writable, so this does.
   if (exists && ::faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) != 0) {
     return io_error(path, "cannot be written", errno);
   }
   AtomicFile file(std::move(target));
-  Status status = file.open(exists ? std::optional<unsigned>(existing.st_mode) : std::nullopt);
-  if (status) status = file.write(bytes);
-  if (status) status = file.commit();
-  return status;
+  SFUMATO_TRY(file.open(exists ? std::optional<unsigned>(existing.st_mode) : std::nullopt));
+  SFUMATO_TRY(file.write(bytes));
+  return file.commit();
 }
 
 }  // namespace

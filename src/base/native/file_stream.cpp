@@ -6,6 +6,8 @@
 
 #include <cerrno>
 
+#include "base/try.hpp"
+
 namespace sfumato {
 namespace {
 
@@ -28,7 +30,7 @@ Status FileStream::open(const Context& context) {
 
 Status FileStream::write(std::span<const std::uint8_t> bytes, const Context& context) {
   if (path_ != "-" && !file_) {
-    if (Status status = open(context); !status) return status;
+    SFUMATO_TRY(open(context));
   }
   const WriteSignalGuard guard;
   if (write_all(number(), bytes, &context)) {
@@ -36,7 +38,7 @@ Status FileStream::write(std::span<const std::uint8_t> bytes, const Context& con
     return ok_status();
   }
   const int error_number = errno;
-  // What cannot be taken back either is told by the error all the same.
+  // Where the part cannot be removed either, the error still reports the failed write.
   if (is_regular_) [[maybe_unused]]
     const int ignored = ::ftruncate(number(), size_);
   return io_error(path_ == "-" ? "standard output" : path_, "cannot be written", error_number,

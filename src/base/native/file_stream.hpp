@@ -11,17 +11,18 @@
 
 namespace sfumato {
 
-/// A file that is written part by part, in place. "-" is standard output. The first part makes the
-/// file, or empties the one that is there.
+/// A file that is written part by part, in place. "-" is standard output. The first part creates
+/// the file, or empties the existing one.
 class FileStream {
  public:
   explicit FileStream(std::string path) : path_(std::move(path)) {}
 
-  /// Appends a part. A regular file has it whole, or ends before it. Where writing has to wait, it
-  /// waits until `context` says to stop. Errors: io, those of Context::cancel_status.
+  /// Appends a part. A regular file contains the whole part afterwards, or none of it. Where
+  /// writing has to wait, it waits until `context` is cancelled. Errors: io, as
+  /// Context::cancel_status().
   Status write(std::span<const std::uint8_t> bytes, const Context& context);
 
-  /// Reports what writes have left to be found. Errors: io.
+  /// Closes the file, and reports errors of earlier writes. Errors: io.
   Status close();
 
  private:
@@ -33,7 +34,7 @@ class FileStream {
   std::string path_;
   std::optional<FileDescriptor> file_{};  ///< once it is open, unless it is standard output
   bool is_regular_ = false;
-  std::int64_t size_ = 0;  ///< of a regular file
+  std::int64_t size_ = 0;  ///< for a regular file
 };
 
 }  // namespace sfumato

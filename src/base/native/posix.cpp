@@ -24,7 +24,7 @@ constexpr int kGuardedSignals[] = {SIGPIPE, SIGXFSZ};
 /// Some systems refuse larger writes.
 constexpr std::size_t kWriteBytes = std::size_t{1} << 30;
 
-/// Between two looks at a context while something is waited for.
+/// The interval between two polls of a context during a wait.
 constexpr int kWaitMilliseconds = 20;
 
 int above_standard_streams(int descriptor) {
@@ -41,7 +41,7 @@ bool is_regular(int descriptor) {
   return ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
 }
 
-/// False, with ECANCELED: the context says to stop.
+/// Polls the context. Returns false, with ECANCELED, if it is cancelled.
 bool goes_on(const Context* context) {
   if (!context || !context->cancelled()) return true;
   errno = ECANCELED;
@@ -75,7 +75,7 @@ bool FileDescriptor::close() {
   return ::close(release()) == 0 || errno == EINTR;
 }
 
-/// Opened without blocking a FIFO is refused for as long as nobody reads it.
+/// A FIFO opened without blocking is refused until a process reads it.
 FileDescriptor open_device(const std::string& path, bool is_fifo, const Context* context) {
   while (true) {
     FileDescriptor file(path, O_WRONLY | O_NOCTTY | O_NONBLOCK);
@@ -94,7 +94,8 @@ WriteSignalGuard::WriteSignalGuard() {
 }
 
 WriteSignalGuard::~WriteSignalGuard() {
-  // What a write of ours raised is taken away; then nothing is pending that was not before.
+  // Consumes the signal that this write raised. Afterwards only signals are pending that were
+  // pending before.
   const timespec no_wait{};
   while (::sigtimedwait(&guarded_, nullptr, &no_wait) > 0 || errno == EINTR) continue;
   ::pthread_sigmask(SIG_SETMASK, &previous_mask_, nullptr);
@@ -116,7 +117,7 @@ bool wait_a_moment(const Context* context) {
 }
 
 bool write_all(int descriptor, std::span<const std::uint8_t> bytes, const Context* context) {
-  // A pipe that can be written takes PIPE_BUF bytes without blocking.
+  // A writable pipe accepts PIPE_BUF bytes without blocking.
   const bool may_block = context && !is_regular(descriptor);
   const std::size_t most = may_block ? std::size_t{PIPE_BUF} : kWriteBytes;
   while (!bytes.empty()) {

@@ -12,12 +12,12 @@ namespace sfumato {
 
 struct Context;
 
-/// An open file descriptor that closes itself. Movable.
+/// An open file descriptor, closed by its destructor. Movable.
 class FileDescriptor {
  public:
   FileDescriptor() = default;
-  /// open(2), always close-on-exec and never on 0, 1 or 2, even where these are closed. Check
-  /// `is_open`; if false, errno says why.
+  /// Does open(2), always close-on-exec and never on 0, 1 or 2, even where these are closed. Check
+  /// `is_open`; if false, errno has the reason.
   FileDescriptor(const std::string& path, int flags, unsigned mode = 0);
   FileDescriptor(FileDescriptor&& other) noexcept : number_(other.release()) {}
   FileDescriptor& operator=(FileDescriptor&& other) noexcept;
@@ -27,15 +27,15 @@ class FileDescriptor {
   int number() const { return number_; }
   int release();
 
-  /// close(2), which reports errors of delayed writes. False: errno says why.
+  /// Does close(2), which reports errors of delayed writes. Returns false with the reason in errno.
   bool close();
 
  private:
   int number_ = -1;
 };
 
-/// Opens what is no regular file to be written, and waits for as long as nobody reads a FIFO. If it
-/// is not open, errno says why; ECANCELED: the context, if any, is cancelled.
+/// Opens a file that is not regular for writing; waits until a FIFO has a reader. If the result is
+/// not open, errno has the reason; ECANCELED: the context, if any, is cancelled.
 FileDescriptor open_device(const std::string& path, bool is_fifo, const Context* context);
 
 /// During its lifetime, writing to a closed pipe or past the process's file size limit is an error
@@ -53,20 +53,21 @@ class WriteSignalGuard {
   sigset_t previous_mask_;
 };
 
-/// Waits until a descriptor can be read (POLLIN) or written (POLLOUT), and meanwhile checks whether
-/// `context`, if any, is cancelled. False: errno says why; ECANCELED: the context is cancelled.
+/// Waits until a descriptor can be read (POLLIN) or written (POLLOUT), and meanwhile polls
+/// `context`, if any. Returns false with the reason in errno; ECANCELED: the context is cancelled.
 bool wait_until_ready(int descriptor, short event, const Context* context = nullptr);
 
-/// Waits for a short time before a retry. False, with ECANCELED: the context is cancelled.
+/// Waits for a short time before a retry. Returns false, with ECANCELED, if the context is
+/// cancelled.
 bool wait_a_moment(const Context* context);
 
-/// Writes all bytes, continuing after short writes and interruptions. For anything but a regular
-/// file it waits as `wait_until_ready` does. False: errno says why.
+/// Writes all bytes, continuing after short writes and interruptions. For files that are not
+/// regular it waits like `wait_until_ready`. Returns false with the reason in errno.
 bool write_all(int descriptor, std::span<const std::uint8_t> bytes,
                const Context* context = nullptr);
 
-/// An io error about `path`: "cannot be written: No space left on device". For ECANCELED from the
-/// functions above: the status of `context`'s cancellation.
+/// Makes an io error about `path`: "cannot be written: No space left on device". For ECANCELED from
+/// the functions above: the status of `context`'s cancellation.
 Status io_error(const std::string& path, const char* what, int error_number,
                 const Context* context = nullptr);
 

@@ -21,17 +21,17 @@
 namespace sfumato {
 namespace {
 
-/// Threads of the pool that have not come by then come later.
+/// Threads of the pool that have not started by then start later.
 constexpr double kStartSeconds = 0.005;
 constexpr double kStartSecondsPerThread = 0.001;
 
-/// Address space that a new thread may take: its stack, and what glibc's malloc maps to find an
-/// aligned arena in, which may come late, or only sometimes, as the addresses fall.
+/// Address space that a new thread may take: its stack, and the mapping where glibc's malloc finds
+/// an aligned arena. The arena may come late, or only sometimes, depending on the addresses.
 constexpr std::size_t kStackBytes = std::size_t{8} << 20;
 constexpr std::size_t kArenaBytes = std::size_t{128} << 20;
 
-/// How many of `wanted` threads, the calling one among them, have room in the address space, as
-/// `ulimit -v` limits it.
+/// Returns how many of `wanted` threads, including the calling one, have room in the address space,
+/// which `ulimit -v` limits.
 int threads_with_room(int wanted) {
   for (; wanted > 1; --wanted) {
     const std::size_t bytes = static_cast<std::size_t>(wanted - 1) * (kStackBytes + kArenaBytes);
@@ -44,16 +44,16 @@ int threads_with_room(int wanted) {
   return wanted;
 }
 
-/// The malloc of a new thread may take memory. Not optimised away.
+/// Makes the malloc of a new thread take its memory. Not optimised away.
 void take_memory() {
   std::unique_ptr<char> memory(new (std::nothrow) char);
   if (memory) *static_cast<volatile char*>(memory.get()) = 0;
 }
 
-/// How many of `wanted` threads, the calling one among them, the system lets this process have, as
-/// far as they can be tried out: all of them, where it has room for some more, or half of what it
-/// gave. oneTBB asks when it starts its threads, and ends the process where it is refused; and the
-/// work needs memory, too.
+/// Returns how many of `wanted` threads, including the calling one, the system lets this process
+/// have, as far as a trial can show: all of them, where there is room for some more, or half of the
+/// threads that started. oneTBB does not report a refused thread: it ends the process. The work
+/// needs memory, too.
 int allowed_threads(int wanted) {
   wanted = threads_with_room(wanted);
   if (wanted == 1) return 1;
@@ -73,24 +73,24 @@ int allowed_threads(int wanted) {
       runs.acquire();
     }
     return wanted;
-  } catch (const std::system_error&) {  // as many as these
+  } catch (const std::system_error&) {  // the threads that started count
   } catch (const std::bad_alloc&) {
   }
   return std::min(wanted, 1 + static_cast<int>(others.size()) / 2);
 }
 
-/// Tasks that are waited for together.
+/// Tasks with a common wait.
 class Helpers : public tbb::task_group {
  public:
-  /// Nothing more where there is no memory for it. oneTBB counts a task before it makes it: what
-  /// could not be made would be waited for for ever.
+  /// Runs a task, or does nothing if there is no memory for it. oneTBB counts a task before it
+  /// makes it: a task that could not be made would be waited for forever.
   template <class Work, class Group = Helpers>
   bool add(const Work& work) {
     try {
       run(work);
       return true;
     } catch (const std::bad_alloc&) {
-      // Later versions of oneTBB have no such member, and count what there is.
+      // Later versions of oneTBB do not have this member, and count the existing tasks.
       if constexpr (requires(Group & group) { group.m_wait_ctx.release(); }) {
         static_cast<Group*>(this)->m_wait_ctx.release();
       }
@@ -101,16 +101,16 @@ class Helpers : public tbb::task_group {
 
 class TbbExecutor final : public Executor {
  public:
-  // The control lets an arena have more threads than cores: tests ask for 8 on 2 cores. Of several
-  // controls the smallest goes for all arenas: each executor asks for the same.
+  // The control lets an arena have more threads than cores: tests use 8 on 2 cores. The smallest of
+  // several controls applies to all arenas: each executor sets the same.
   explicit TbbExecutor(int thread_count)
       : parallelism_(tbb::global_control::max_allowed_parallelism, limits::kThreads),
         arena_(thread_count) {
     start_threads();
   }
 
-  /// Helpers take items one by one. Only the calling thread asks oneTBB for memory: a thread of the
-  /// pool that was refused any could not hand the exception on, and would end the process.
+  /// Helpers take items one by one. Only the calling thread makes oneTBB allocate memory: a thread
+  /// of the pool cannot pass an exception on, and would end the process.
   void run(std::size_t task_count, FunctionRef<void(std::size_t)> task) override {
     std::atomic<std::size_t> next{0};
     run_everywhere(std::min(task_count, static_cast<std::size_t>(thread_count())), [&] {
@@ -121,7 +121,7 @@ class TbbExecutor final : public Executor {
   int thread_count() const override { return arena_.max_concurrency(); }
 
  private:
-  /// Calls work() in this thread, and in others up to a total of `count` as far as these are free.
+  /// Calls work() in this thread, and in free other threads up to a total of `count`.
   template <class Work>
   void run_everywhere(std::size_t count, const Work& work) {
     arena_.execute([&] {
@@ -132,7 +132,7 @@ class TbbExecutor final : public Executor {
     });
   }
 
-  /// Now, while the system allows them: later, memory may be short.
+  /// Starts the threads now, while the system allows them: later, memory may be short.
   void start_threads() {
     const Stopwatch watch;
     const int wanted = thread_count();
@@ -154,7 +154,8 @@ std::unique_ptr<Executor> make_tbb_executor(int thread_count) {
   if (thread_count <= 0) thread_count = tbb::info::default_concurrency();
   thread_count = std::min(thread_count, limits::kThreads);
   try {
-    // One thread has no use for oneTBB, which may wait for ever where its own start lacks memory.
+    // A single thread does not need oneTBB, which may wait forever where its own start lacks
+    // memory.
     const int allowed = allowed_threads(thread_count);
     return allowed == 1 ? nullptr : std::make_unique<TbbExecutor>(allowed);
   } catch (const std::bad_alloc&) {

@@ -1,5 +1,5 @@
-// What stands in for tbb_executor.cpp under ThreadSanitizer, which cannot see how the oneTBB that
-// is installed, not being instrumented, orders its own memory: plain threads, anew for every call.
+// Replaces tbb_executor.cpp under ThreadSanitizer, which cannot see how the installed oneTBB, built
+// without instrumentation, orders its own memory. Starts plain threads for every call.
 
 #include <oneapi/tbb/info.h>
 

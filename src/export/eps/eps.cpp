@@ -10,6 +10,7 @@
 #include "base/output_buffer.hpp"
 #include "base/poll.hpp"
 #include "base/public_verb.hpp"
+#include "base/try.hpp"
 #include "codecs/deflate.hpp"
 #include "export/facets/facets.hpp"
 #include "export/facets/mesh_bytes.hpp"
@@ -80,7 +81,7 @@ class EpsWriter {
   OutputBuffer text_;
 };
 
-/// Whether everything just replaces what lies below.
+/// Returns whether everything just replaces what lies below.
 bool EpsWriter::is_opaque() const {
   const auto is_plain = [&](const PictureItem& item) {
     if (std::holds_alternative<LocalStroke>(item)) return false;
@@ -113,10 +114,10 @@ void EpsWriter::begin() {
 /// Defines `name` as a stream that can be read again and again: "name 0 setfileposition".
 Status EpsWriter::add_data(const std::string& name, std::span<const std::uint8_t> bytes) {
   TableMemory memory("packed bytes");
-  const Result<std::vector<std::uint8_t>> packed = codecs::deflated(context_, bytes, memory);
-  if (!packed) return packed.status();
+  SFUMATO_TRY_ASSIGN(const std::vector<std::uint8_t>& packed,
+                     codecs::deflated(context_, bytes, memory));
   text_ += "/" + name + " currentfile /ASCII85Decode filter /ReusableStreamDecode filter\n";
-  append_ascii85(context_, *packed, text_);
+  append_ascii85(context_, packed, text_);
   text_ += "def\n";
   return text_.status();
 }
@@ -129,16 +130,14 @@ Status EpsWriter::add_layer(std::uint32_t index, double scale) {
     text_ += "/P" + number + " {} def\n";
     return ok_status();
   }
-  const Result<FacetMesh> mesh =
-      make_facets(context_, layer, picture_.interpolation, {}, options_.max_error / 255,
-                  1 / (scale * pixels_per_unit()));
-  if (!mesh) return mesh.status();
-  notes_->triangle_count += mesh->facet_vertex.size() / 3;
+  SFUMATO_TRY_ASSIGN(const FacetMesh& mesh,
+                     make_facets(context_, layer, picture_.interpolation, {},
+                                 options_.max_error / 255, 1 / (scale * pixels_per_unit())));
+  notes_->triangle_count += mesh.facet_vertex.size() / 3;
   TableMemory memory("a mesh's bytes");
   const Box box = decode_box(triangles_box(layer));
-  const auto bytes = mesh_bytes(context_, *mesh, box, memory);
-  if (!bytes) return bytes.status();
-  if (Status status = add_data("D" + number, *bytes); !status) return status;
+  SFUMATO_TRY_ASSIGN(const auto& bytes, mesh_bytes(context_, mesh, box, memory));
+  SFUMATO_TRY(add_data("D" + number, bytes));
   text_ += "/S" + number + " { D" + number + " 0 setfileposition << /ShadingType 4 /ColorSpace " +
            "/DeviceRGB /BitsPerCoordinate 24 /BitsPerComponent 8 /BitsPerFlag 8 /Decode [" +
            pdf_number(box.min.x) + " " + pdf_number(box.max.x) + " " + pdf_number(box.min.y) + " " +
@@ -163,12 +162,11 @@ Status EpsWriter::paint_layers() {
     const auto* instance = std::get_if<PatchInstance>(&item);
     if (!instance) continue;
     double& largest = scale[instance->layer];
-    largest = std::max(largest, std::sqrt(std::fabs(instance->artboard_from_layer.determinant())));
+    largest = std::max(largest, instance_scale(instance->artboard_from_layer));
   }
   text_ += std::to_string(3 * scale.size() + 1) + " dict begin\n";
   for (std::uint32_t i = 0; i < scale.size(); ++i)
-    if (scale[i] > 0)
-      if (Status status = add_layer(i, scale[i]); !status) return status;
+    if (scale[i] > 0) SFUMATO_TRY(add_layer(i, scale[i]));
   for (const PictureItem& item : picture_.stack) {
     const auto* instance = std::get_if<PatchInstance>(&item);
     if (!instance || !(scale[instance->layer] > 0)) continue;
@@ -182,12 +180,11 @@ Status EpsWriter::paint_layers() {
 Status EpsWriter::paint_pixels() {
   notes_->lost.push_back(
       "EPS cannot composite: the picture is one image; PDF keeps its layers as they are");
-  const Result<PixelPart> part = picture_pixels(context_, picture_, pixels_per_unit());
-  if (!part) return part.status();
-  if (Status status = add_data("D", part->image.bytes); !status) return status;
-  const std::string width = std::to_string(part->image.width);
-  const std::string height = std::to_string(part->image.height);
-  const Box& box = part->box;
+  SFUMATO_TRY_ASSIGN(const PixelPart& part, picture_pixels(context_, picture_, pixels_per_unit()));
+  SFUMATO_TRY(add_data("D", part.image.bytes));
+  const std::string width = std::to_string(part.image.width);
+  const std::string height = std::to_string(part.image.height);
+  const Box& box = part.box;
   text_ += "gsave [" + pdf_matrix({box.width(), 0, 0, box.height(), box.min.x, box.min.y}) +
            "] concat /DeviceRGB setcolorspace D 0 setfileposition\n<< /ImageType 1 /Width " +
            width + " /Height " + height + " /BitsPerComponent 8 /Decode [0 1 0 1 0 1] " +
@@ -198,23 +195,25 @@ Status EpsWriter::paint_pixels() {
 
 Result<std::vector<std::uint8_t>> EpsWriter::write() {
   begin();
-  Status status = is_opaque() ? paint_layers() : paint_pixels();
-  if (!status) return status;
+  SFUMATO_TRY(is_opaque() ? paint_layers() : paint_pixels());
   text_ += "grestore end\n%%EOF\n";
   return text_.finish();
 }
 
 Status check(const Context& context, const Picture& picture, const EpsOptions& options) {
-  if (Status status = check_viewport(picture.viewport); !status) return status;
-  if (!is_positive(options.page_width_pt.value_or(1)) || !is_positive(options.dpi) ||
+  SFUMATO_TRY(check_viewport(picture.viewport));
+  if (!(options.page_width_pt.value_or(1) > 0) || !is_positive(options.dpi) ||
       !is_positive(options.max_error))
-    return make_error(StatusCode::bad_input, "an option of EPS that is no positive number");
+    return make_error(StatusCode::bad_input, "the options of an EPS must be positive numbers");
+  Status page =
+      check_page(picture.viewport, points_per_unit(options.page_width_pt, picture.viewport));
+  if (!page) return page;
   return picture::check_picture(context, picture);
 }
 
 Result<std::vector<std::uint8_t>> write(Context& context, const Picture& picture,
                                         const EpsOptions& options, ExportNotes* notes) {
-  if (Status status = check(context, picture, options); !status) return status;
+  SFUMATO_TRY(check(context, picture, options));
   ExportNotes unread;
   return EpsWriter(context, picture, options,
                    points_per_unit(options.page_width_pt, picture.viewport),

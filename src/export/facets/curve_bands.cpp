@@ -3,36 +3,40 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/try.hpp"
 #include "export/facets/facet_patch.hpp"
 
 namespace sfumato::outputs {
 namespace {
 
 constexpr double kLeastDifference = 2.0 / 255;
-/// Of the way to a vertex on a curve: bands take no more, so that those of two curves hardly meet.
+/// The largest share of the distance to a vertex on another curve that a band takes, so that the
+/// bands of two curves hardly meet.
 constexpr double kMostOfHeight = 0.6;
-/// How wide what lies under a band is, of its width. Splash rounds a mesh's vertices to pixels and
-/// paints all between them, both ends included: up to two pixels more, which the band must cover.
+/// The width of the layer under a band, as a share of the band's width. Splash rounds a mesh's
+/// vertices to pixels and paints everything between them, both ends included: up to two pixels
+/// more, which the band must cover.
 constexpr double kUnderShare = 2.0 / 7;
-/// Bands narrower than this, of their width, would show what lies under them elsewhere too.
+/// Bands narrower than this share of their width would show the layer under them elsewhere too.
 constexpr double kLeastShare = 6.0 / 7;
-/// The same for the triangle at the curve, where the band goes on in the triangles behind it.
+/// The same for the triangle at the curve if the band continues in the triangles behind it.
 constexpr double kLeastShareBefore = 3.0 / 7;
-/// How far a band reaches around a curve's vertex, of its width: it must cover what lies under it.
+/// How far a band reaches around a curve's vertex, as a share of its width: it must cover the layer
+/// under it.
 constexpr double kCornerShare = 2;
 constexpr int kMostColumns = 8;
-/// What may be missed along a column; it shows in pixels that a curve cuts.
+/// The error allowed along a column; it shows in pixels that a curve cuts.
 constexpr double kColumnError = 1.5 / 255;
 
-/// Triangles looked at around a vertex. None has so many; a picture that is no mesh might turn for
-/// ever.
+/// The most triangles visited around a vertex. No vertex has so many, but a picture that is not a
+/// mesh could loop for ever.
 constexpr int kMostTurns = 1000;
 /// Vertices, and facets, that an edge or a vertex adds to a mesh at most: three strips, and corners
 /// around a vertex.
 constexpr std::size_t kMostAdded = 3 * (2 * kMostColumns + 2) + 3 * kMostTurns;
-/// Among so many vertices a new one is looked for.
+/// A new vertex is searched for among this many earlier vertices.
 constexpr std::size_t kLastVertices = 8;
-/// Less than a step of what is written.
+/// Less than a step of the written numbers.
 constexpr double kSameValue = 0.2 / 255;
 
 using Value = FacetPatch::Value;
@@ -54,12 +58,12 @@ class BandBuilder {
     bands->under.channel_count = bands->over.channel_count = channel_count_of(source);
   }
 
-  /// What reaches beyond curves before the bands of other curves, and over the ground of others.
+  /// Paints the parts beyond curves before the bands of other curves, and over the ground of
+  /// others.
   Status build(Context& context) {
     const std::size_t vertices = layer_.vertex_position.size();
-    Status status = memory_.resize_all(context, vertices, is_on_curve_, is_done_);
-    if (status) status = memory_.resize(context, is_whole_, layer_.triangle_count());
-    if (!status) return status;
+    SFUMATO_TRY(memory_.resize_all(context, vertices, is_on_curve_, is_done_));
+    SFUMATO_TRY(memory_.resize(context, is_whole_, layer_.triangle_count()));
     for (std::uint32_t side : edges_.side)
       for (std::uint32_t h : {side, next_half_edge(side)})
         is_on_curve_[layer_.triangle_vertex[h]] = 1;
@@ -68,10 +72,10 @@ class BandBuilder {
       std::ranges::fill(is_whole_, std::uint8_t{0});
       for (std::uint32_t side : edges_.side) {
         if (context.cancelled()) return context.cancel_status();
-        if (status = make_room(context); !status) return status;
+        SFUMATO_TRY(make_room(context));
         paint(side, part);
       }
-      if (status = paint_rest(context, band_of(part)); !status) return status;
+      SFUMATO_TRY(paint_rest(context, band_of(part)));
     }
     return ok_status();
   }
@@ -137,12 +141,12 @@ class BandBuilder {
   CurveBands* bands_;
   TableMemory memory_{"bands along curves"};
   std::vector<std::uint8_t> is_on_curve_;  ///< per vertex
-  std::vector<std::uint8_t> is_done_;      ///< per vertex: a band goes on around it
+  std::vector<std::uint8_t> is_done_;      ///< per vertex: a band continues around it
   std::vector<std::uint8_t> is_whole_;     ///< per triangle: a band holds all of it
   std::vector<Reached> reached_;
 };
 
-/// For one edge, or what lies around one vertex.
+/// The work for one edge, or for the area around one vertex.
 Status BandBuilder::make_room(Context& context) {
   Status status = bands_->under.make_room(context, kMostAdded, kMostAdded);
   if (status) status = bands_->over.make_room(context, kMostAdded, kMostAdded);
@@ -150,7 +154,7 @@ Status BandBuilder::make_room(Context& context) {
   return status ? memory_.make_room(context, reached_, 2 * kMostTurns + 1) : status;
 }
 
-/// Whether a side has opacity at the middle of an edge or its ends.
+/// Returns whether a side has opacity at the middle of an edge or its ends.
 bool BandBuilder::is_seen(std::uint32_t half_edge) const {
   if (half_edge == kNoHalfEdge) return false;
   if (layer_.opacity.channel_count == 0) return true;
@@ -162,7 +166,7 @@ bool BandBuilder::is_seen(std::uint32_t half_edge) const {
   return most > kLeastDifference;
 }
 
-/// Of a triangle over one of its edges.
+/// Geometry of a triangle over one of its edges.
 double BandBuilder::height(std::uint32_t half_edge) const {
   const Vec2 a = position(half_edge), b = position(next_half_edge(half_edge));
   return cross(b - a, position(previous_half_edge(half_edge)) - a) / length(b - a);
@@ -173,7 +177,7 @@ double BandBuilder::most_towards(std::uint32_t leaving) const {
   return is_on_curve_[layer_.triangle_vertex[leaving]] ? kMostOfHeight : 1;
 }
 
-/// The share of a triangle's height that a width is.
+/// Returns the share of a triangle's height that a width is.
 double BandBuilder::inwards(std::uint32_t half_edge, double width) const {
   return std::min(most_towards(previous_half_edge(half_edge)), width / height(half_edge));
 }
@@ -244,8 +248,8 @@ void BandBuilder::carry_strip(std::uint32_t from, std::uint32_t into, double wid
   });
 }
 
-/// The same under the band that comes over it, and narrower: only where that is wide enough, for
-/// what it does not cover shows.
+/// Does the same under the band that covers it, but narrower. This happens only if the band is wide
+/// enough, because uncovered parts would show.
 void BandBuilder::carry_under(std::uint32_t from, std::uint32_t into) {
   const double room = inwards(into, width_) * height(into);
   const bool goes_on = most_towards(previous_half_edge(into)) == 1;
@@ -295,7 +299,7 @@ void BandBuilder::carry_corner(std::uint32_t leaving, double width, const Value&
 }
 
 /// Visits the triangles at the end of an edge up to the next curve, on its side, by their
-/// half-edges that leave the common vertex. Those that lie on either have bands of their own, and
+/// half-edges that leave the common vertex. Triangles on either curve have their own bands, and
 /// PDFium adds up coverage where parts of a path overlap.
 template <class Visit>
 void BandBuilder::for_each_between(std::uint32_t side, const Visit& visit) const {
@@ -370,7 +374,7 @@ Status BandBuilder::paint_rest(Context& context, Band band) {
     const auto [leaving, depth] = reached_.back();
     reached_.pop_back();
     if (context.cancelled()) return context.cancel_status();
-    if (Status status = make_room(context); !status) return status;
+    SFUMATO_TRY(make_room(context));
     std::uint32_t h = leaving;
     for (int turns = 0; h != kNoHalfEdge && turns < kMostTurns; ++turns) {
       const std::uint32_t ends[2] = {next_half_edge(h), previous_half_edge(h)};
@@ -429,8 +433,7 @@ Result<CurveBands> make_curve_bands(Context& context, const PatchLayer& layer,
   CurveBands bands;
   for (FacetMesh* mesh : {&bands.under, &bands.over})
     mesh->memory = TableMemory("bands along curves");
-  Status status = BandBuilder(layer, space, source, edges, width, &bands).build(context);
-  if (!status) return status;
+  SFUMATO_TRY(BandBuilder(layer, space, source, edges, width, &bands).build(context));
   return bands;
 }
 

@@ -5,6 +5,7 @@
 
 #include "base/poll.hpp"
 #include "base/table_memory.hpp"
+#include "base/try.hpp"
 #include "export/poll_interval.hpp"
 
 namespace sfumato::outputs {
@@ -26,19 +27,17 @@ Status pair_sides(Context& context, const PatchLayer& layer, CurveEdges* edges) 
   TableMemory memory("edges on curves");
   std::vector<EdgeSide> sides;
   std::vector<std::uint32_t>& twin = edges->twin;
-  Status status = memory.resize(context, sides, layer.triangle_vertex.size());
-  if (status) status = edges->memory.resize(context, twin, sides.size(), kNoHalfEdge);
-  if (!status) return status;
+  SFUMATO_TRY(memory.resize(context, sides, layer.triangle_vertex.size()));
+  SFUMATO_TRY(edges->memory.resize(context, twin, sides.size(), kNoHalfEdge));
   RarePoll<kTurnsPerPoll> poll(context);
   for (std::uint32_t h = 0; h < sides.size(); ++h) {
     if (poll.cancelled()) return context.cancel_status();
     const std::uint32_t from = from_vertex(layer, h), to = to_vertex(layer, h);
     sides[h] = {std::min(from, to), std::max(from, to), h};
   }
-  status = TableMemory::sort(context, sides, [](const EdgeSide& a, const EdgeSide& b) {
+  SFUMATO_TRY(TableMemory::sort(context, sides, [](const EdgeSide& a, const EdgeSide& b) {
     return std::tie(a.low, a.high, a.half_edge) < std::tie(b.low, b.high, b.half_edge);
-  });
-  if (!status) return status;
+  }));
   for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
     if (poll.cancelled()) return context.cancel_status();
     const EdgeSide &a = sides[i], &b = sides[i + 1];
@@ -59,10 +58,9 @@ class CurveTracer {
   Status trace(Context& context) {
     const std::size_t count = layer_.edge_is_curve.size();
     std::vector<std::uint8_t> is_done;
-    Status status = memory_.resize(context, at_vertex_, layer_.vertex_position.size());
-    if (status) status = edges_.memory.resize(context, edges_.onward, count, kNoHalfEdge);
-    if (status) status = memory_.resize(context, is_done, count);
-    if (!status) return status;
+    SFUMATO_TRY(memory_.resize(context, at_vertex_, layer_.vertex_position.size()));
+    SFUMATO_TRY(edges_.memory.resize(context, edges_.onward, count, kNoHalfEdge));
+    SFUMATO_TRY(memory_.resize(context, is_done, count));
     RarePoll<kTurnsPerPoll> poll(context);
     std::size_t edge_count = 0;
     for (std::uint32_t h = 0; h < count; ++h) {
@@ -71,8 +69,7 @@ class CurveTracer {
       add_ends(h);
       ++edge_count;
     }
-    status = edges_.memory.reserve(context, edges_.side, edge_count);
-    if (!status) return status;
+    SFUMATO_TRY(edges_.memory.reserve(context, edges_.side, edge_count));
     for (std::uint32_t h = 0; h < count; ++h) {
       if (poll.cancelled()) return context.cancel_status();
       if (!is_first_side(h) || is_done[h]) continue;
@@ -105,7 +102,7 @@ class CurveTracer {
     }
   }
 
-  /// The first side of the edge that goes on from `vertex`, or none.
+  /// Returns the first side of the edge that continues from `vertex`, or none.
   std::uint32_t other_edge(std::uint32_t vertex, std::uint32_t first_side) const {
     const Ends& ends = at_vertex_[vertex];
     if (ends.count != 2) return kNoHalfEdge;
@@ -115,7 +112,7 @@ class CurveTracer {
     const std::uint32_t twin = edges_.twin[h];
     return twin != kNoHalfEdge && twin < h ? twin : h;
   }
-  /// The side of an edge that leaves `vertex`; none where the edge has but the other.
+  /// Returns the side of an edge that leaves `vertex`; none where the edge has but the other.
   std::uint32_t leaving(std::uint32_t vertex, std::uint32_t first) const {
     return from_vertex(layer_, first) == vertex ? first : edges_.twin[first];
   }
@@ -172,9 +169,8 @@ class CurveTracer {
 
 Result<CurveEdges> find_curve_edges(Context& context, const PatchLayer& layer) {
   CurveEdges edges;
-  Status status = pair_sides(context, layer, &edges);
-  if (status) status = CurveTracer(layer, &edges).trace(context);
-  if (!status) return status;
+  SFUMATO_TRY(pair_sides(context, layer, &edges));
+  SFUMATO_TRY(CurveTracer(layer, &edges).trace(context));
   return edges;
 }
 

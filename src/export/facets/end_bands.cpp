@@ -3,16 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/try.hpp"
 #include "export/facets/end_loops.hpp"
 #include "export/facets/facet_patch.hpp"
 
 namespace sfumato::outputs {
 namespace {
 
-/// What colours may miss: they show in pixels that a curve cuts.
+/// The error allowed in colours; they show in pixels that a curve cuts.
 constexpr double kColorError = 1.5 / 255;
 constexpr int kMostEndColumns = 8;
-/// Columns written for an edge at most, two where it meets what was before; and the last one.
+/// The most columns written for an edge: two where it meets the edge before, and the last one.
 constexpr std::size_t kMostWritten = 2 * (kMostEndColumns + 2);
 /// Sine of the turn of a curve at a vertex that the band needs no corner for.
 constexpr double kSmallTurn = 0.35;
@@ -20,9 +21,9 @@ constexpr double kSmallTurn = 0.35;
 /// it by less than shows.
 constexpr double kCurveError = 0.02;
 constexpr int kMostSkipped = 7;
-/// How far a band reaches under the mesh, of its width. It has fewer vertices along the curve than
-/// the mesh, and Splash rounds those of both to pixels: between them pixels would stay free. Where
-/// a part is narrower than this, the mask ends what reaches beyond it.
+/// How far a band reaches under the mesh, as a share of its width. The band has fewer vertices
+/// along the curve than the mesh, and Splash rounds the vertices of both to pixels, so pixels
+/// between them would stay free. If a part is narrower than this, the mask cuts off the excess.
 constexpr double kUnderMesh = 0.5;
 
 using Value = FacetPatch::Value;
@@ -44,7 +45,7 @@ class EndBand {
   }
 
   void add_edge(std::uint32_t half_edge);
-  /// The next edge does not go on from the last.
+  /// The next edge does not continue from the last one.
   void finish();
 
  private:
@@ -129,7 +130,7 @@ bool EndBand::meets(const Column& next) {
   return false;
 }
 
-/// Whether the column that is held lies between the last and the next one, nearly.
+/// Returns whether the column that is held lies between the last and the next one, nearly.
 bool EndBand::is_between(const Column& next) const {
   const Vec2 whole = next.at - last_.at, part = held_.at - last_.at;
   if (skipped_ >= kMostSkipped || dot(last_.outwards, next.outwards) < 0.98) return false;
@@ -179,15 +180,13 @@ Result<FacetMesh> make_end_band(Context& context, const PatchLayer& layer, Inter
   };
   const auto add = [&](std::uint32_t half_edge, bool is_first) {
     const bool is_curve = layer.edge_is_curve[half_edge] != 0;
-    Status status = make_room();
-    if (!status) return status;
+    SFUMATO_TRY(make_room());
     if (is_first || !is_curve) band.finish();
     if (is_curve) band.add_edge(half_edge);
-    return status;
+    return ok_status();
   };
-  Status status = for_each_end_loop(context, edges.twin, add);
-  if (status) status = make_room();
-  if (!status) return status;
+  SFUMATO_TRY(for_each_end_loop(context, edges.twin, add));
+  SFUMATO_TRY(make_room());
   band.finish();
   return mesh;
 }
@@ -195,13 +194,11 @@ Result<FacetMesh> make_end_band(Context& context, const PatchLayer& layer, Inter
 Result<LayerOutline> outline_of_ends(Context& context, const PatchLayer& layer,
                                      const CurveEdges& edges, double margin) {
   LayerOutline outline;
-  bool is_seen = false;  // what the last line is around, not a gap between triangles
+  bool is_seen = false;  // the area inside the last line, not a gap between triangles
   const auto add = [&](std::uint32_t h, bool is_first) {
-    Status room;
     if (is_first && (is_seen || outline.loop.empty()))
-      room = outline.memory.push_back(context, outline.loop, {});
-    if (room) room = outline.memory.make_room(context, outline.loop.back(), 2);
-    if (!room) return room;
+      SFUMATO_TRY(outline.memory.push_back(context, outline.loop, {}));
+    SFUMATO_TRY(outline.memory.make_room(context, outline.loop.back(), 2));
     std::vector<Vec2>& loop = outline.loop.back();
     if (is_first) {
       loop.clear();
@@ -214,10 +211,10 @@ Result<LayerOutline> outline_of_ends(Context& context, const PatchLayer& layer,
     const Vec2 outwards = left_of(b - a) * (is_frame ? margin / length(b - a) : 0);
     if (loop.empty() || loop.back() != a + outwards) loop.push_back(a + outwards);
     loop.push_back(b + outwards);
+    Status room;
     return room;
   };
-  Status status = for_each_end_loop(context, edges.twin, add);
-  if (!status) return status;
+  SFUMATO_TRY(for_each_end_loop(context, edges.twin, add));
   if (!is_seen && !outline.loop.empty()) {
     outline.memory.free(outline.loop.back());
     outline.loop.pop_back();

@@ -6,11 +6,11 @@
 #include "export/facets/curve_edges.hpp"
 #include "export/facets/facets.hpp"
 
-/// Antialiasing of those curves of a layer that have nothing on one side, for viewers that
-/// antialias only paths: colours that extend beyond the curves, and a mask that ends at them.
+/// Antialiasing of a layer's curves that have nothing on one side, for viewers that antialias only
+/// paths: colours that extend beyond the curves, and a mask that ends at them.
 namespace sfumato::outputs {
 
-/// Whether the layer has such curves.
+/// Returns whether the layer has such curves.
 bool has_ends(const CurveEdges& edges);
 
 /// The colours at these curves, in bands that extend by `width` beyond them (layer frame) and by

@@ -9,13 +9,15 @@
 #include "base/half_edge.hpp"
 #include "base/poll.hpp"
 #include "base/table_memory.hpp"
+#include "base/try.hpp"
 #include "sfumato/base/box.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
 
 namespace sfumato::outputs {
 
-/// The border half-edge that begins where `half_edge` ends, around the area that the mesh covers.
+/// Returns the border half-edge that begins where `half_edge` ends, around the area that the mesh
+/// covers.
 ///
 /// twin   per half-edge the one on the other side; kNoHalfEdge: none
 inline std::uint32_t next_at_end(std::span<const std::uint32_t> twin, std::uint32_t half_edge) {
@@ -24,7 +26,7 @@ inline std::uint32_t next_at_end(std::span<const std::uint32_t> twin, std::uint3
   return next;
 }
 
-/// Whether two points lie approximately on the same side of a rectangle.
+/// Returns whether two points lie approximately on the same side of a rectangle.
 inline bool is_on_frame(Vec2 a, Vec2 b, const Box& frame) {
   const double near = 2e-6 * std::max(frame.width(), frame.height());
   const auto both = [&](double x, double y, double side) {
@@ -36,22 +38,21 @@ inline bool is_on_frame(Vec2 a, Vec2 b, const Box& frame) {
 
 /// Calls visit(half_edge, is_first) for all border half-edges, one closed line after another. Lines
 /// around the mesh have the orientation of triangles, lines around its holes the opposite. Cost:
-/// O(half-edges). Errors: limit (memory), cancelled, those of visit.
+/// O(half-edges). Errors: limit (memory), cancelled, as visit.
 template <class Visit>
 Status for_each_end_loop(Context& context, std::span<const std::uint32_t> twin,
                          const Visit& visit) {
   RarePoll<4096> poll(context);
   TableMemory memory("lines around a mesh");
   std::vector<std::uint8_t> is_done;
-  Status status = memory.resize(context, is_done, twin.size());
-  if (!status) return status;
+  SFUMATO_TRY(memory.resize(context, is_done, twin.size()));
   for (std::uint32_t first = 0; first < twin.size(); ++first) {
     if (poll.cancelled()) return context.cancel_status();
     if (twin[first] != kNoHalfEdge || is_done[first]) continue;
     for (std::uint32_t edge = first; !is_done[edge]; edge = next_at_end(twin, edge)) {
       if (poll.cancelled()) return context.cancel_status();
       is_done[edge] = 1;
-      if (status = visit(edge, edge == first); !status) return status;
+      SFUMATO_TRY(visit(edge, edge == first));
     }
   }
   return ok_status();

@@ -8,6 +8,7 @@
 #include "base/parallel.hpp"
 #include "base/poll.hpp"
 #include "base/table_memory.hpp"
+#include "base/try.hpp"
 #include "export/poll_interval.hpp"
 #include "picture/patch.hpp"
 
@@ -23,7 +24,7 @@ struct Side {
 
 using EdgeNodes = std::array<std::uint32_t, 4>;
 
-/// The nodes on a side, from its lower vertex to the higher one.
+/// Returns the nodes on a side, from its lower vertex to the higher one.
 EdgeNodes nodes_on(const PatchLayer& layer, const PatchField& field, std::uint32_t half_edge) {
   const std::size_t first = node_slot(half_edge / 3, 0);
   const std::uint32_t k = half_edge % 3, next = (k + 1) % 3;
@@ -37,8 +38,7 @@ EdgeNodes nodes_on(const PatchLayer& layer, const PatchField& field, std::uint32
 Result<std::vector<Side>> sorted_sides(Context& context, const PatchLayer& layer,
                                        const PatchField& field, TableMemory& memory) {
   std::vector<Side> sides;
-  Status status = memory.resize(context, sides, layer.triangle_vertex.size());
-  if (!status) return status;
+  SFUMATO_TRY(memory.resize(context, sides, layer.triangle_vertex.size()));
   RarePoll<kTurnsPerPoll> poll(context);
   for (std::uint32_t h = 0; h < sides.size(); ++h) {
     if (poll.cancelled()) return context.cancel_status();
@@ -46,14 +46,13 @@ Result<std::vector<Side>> sorted_sides(Context& context, const PatchLayer& layer
     const std::uint32_t to = layer.triangle_vertex[next_half_edge(h)];
     sides[h] = {std::min(from, to), std::max(from, to), h};
   }
-  status = TableMemory::sort(context, sides, [&](const Side& a, const Side& b) {
+  SFUMATO_TRY(TableMemory::sort(context, sides, [&](const Side& a, const Side& b) {
     if (a.low != b.low || a.high != b.high)
       return std::tie(a.low, a.high) < std::tie(b.low, b.high);
     const EdgeNodes on_a = nodes_on(layer, field, a.half_edge);
     const EdgeNodes on_b = nodes_on(layer, field, b.half_edge);
     return on_a != on_b ? on_a < on_b : a.half_edge < b.half_edge;
-  });
-  if (!status) return status;
+  }));
   return sides;
 }
 
@@ -86,12 +85,11 @@ Result<std::vector<std::uint32_t>> number_edges(Context& context, const PatchLay
                                                 const PatchField& field, FacetCuts* cuts,
                                                 TableMemory& memory) {
   TableMemory side_memory("cuts of patches");
-  const Result<std::vector<Side>> sorted = sorted_sides(context, layer, field, side_memory);
-  if (!sorted) return sorted.status();
-  const std::vector<Side>& sides = *sorted;
+  SFUMATO_TRY_ASSIGN(const std::vector<Side>& sorted,
+                     sorted_sides(context, layer, field, side_memory));
+  const std::vector<Side>& sides = sorted;
   std::vector<std::uint32_t> first;
-  Status status = cuts->memory.resize(context, cuts->edge_of, sides.size());
-  if (!status) return status;
+  SFUMATO_TRY(cuts->memory.resize(context, cuts->edge_of, sides.size()));
   RarePoll<kTurnsPerPoll> poll(context);
   for (std::size_t i = 0; i < sides.size(); ++i) {
     if (poll.cancelled()) return context.cancel_status();
@@ -100,14 +98,13 @@ Result<std::vector<std::uint32_t>> number_edges(Context& context, const PatchLay
     const bool is_same_edge = is_same_place && nodes_on(layer, field, sides[i].half_edge) ==
                                                    nodes_on(layer, field, sides[i - 1].half_edge);
     const auto index = static_cast<std::uint32_t>(cuts->edge.size());
-    if (!is_same_place) status = memory.push_back(context, first, index);
-    if (status && !is_same_edge)
-      status = cuts->memory.push_back(context, cuts->edge, {0, sides[i].half_edge});
-    if (!status) return status;
+    if (!is_same_place) SFUMATO_TRY(memory.push_back(context, first, index));
+    if (!is_same_edge)
+      SFUMATO_TRY(cuts->memory.push_back(context, cuts->edge, {0, sides[i].half_edge}));
+
     cuts->edge_of[sides[i].half_edge] = static_cast<std::uint32_t>(cuts->edge.size() - 1);
   }
-  status = memory.push_back(context, first, static_cast<std::uint32_t>(cuts->edge.size()));
-  if (!status) return status;
+  SFUMATO_TRY(memory.push_back(context, first, static_cast<std::uint32_t>(cuts->edge.size())));
   return first;
 }
 
@@ -139,10 +136,9 @@ Result<FacetCuts> find_cuts(Context& context, const PatchLayer& layer, Interpola
                             const FacetSource& source, double max_error, double smallest_side) {
   FacetCuts cuts;
   TableMemory memory("cuts of patches");
-  const Result<std::vector<std::uint32_t>> numbered =
-      number_edges(context, layer, field_of(layer, source), &cuts, memory);
-  if (!numbered) return numbered.status();
-  const std::vector<std::uint32_t>& first = *numbered;
+  SFUMATO_TRY_ASSIGN(const std::vector<std::uint32_t>& numbered,
+                     number_edges(context, layer, field_of(layer, source), &cuts, memory));
+  const std::vector<std::uint32_t>& first = numbered;
   const auto cut = [&](std::size_t place) {
     std::vector<FacetPatch> along;
     const std::uint32_t half_edge = cuts.edge[first[place]].half_edge;
@@ -154,11 +150,10 @@ Result<FacetCuts> find_cuts(Context& context, const PatchLayer& layer, Interpola
     const std::uint64_t steps = steps_of(along, length_of(layer, half_edge), smallest_side);
     for (std::uint32_t e = first[place]; e < first[place + 1]; ++e) cuts.edge[e].steps = steps;
   };
-  Status status = parallel_for(context, first.size() - 1, kCutsPerTask,
-                               [&](std::size_t begin, std::size_t end) {
-                                 for (std::size_t place = begin; place < end; ++place) cut(place);
-                               });
-  if (!status) return status;
+  SFUMATO_TRY(parallel_for(context, first.size() - 1, kCutsPerTask,
+                           [&](std::size_t begin, std::size_t end) {
+                             for (std::size_t place = begin; place < end; ++place) cut(place);
+                           }));
   return cuts;
 }
 

@@ -26,8 +26,8 @@ struct FacetCuts {
   std::array<EdgeCuts, 3> of(const PatchLayer& layer, std::uint32_t triangle) const;
 };
 
-/// Whether side k of a triangle runs from its vertex with the lower index; half_edge: 3 triangle +
-/// k.
+/// Returns whether side k of a triangle runs from its vertex with the lower index; half_edge: 3
+/// triangle + k.
 bool is_low_first(const PatchLayer& layer, std::uint32_t half_edge);
 
 /// Cuts every edge as finely as `max_error` requires and `smallest_side` allows. The cuts depend on

@@ -6,6 +6,7 @@
 
 #include "base/poll.hpp"
 #include "base/table_memory.hpp"
+#include "base/try.hpp"
 #include "export/poll_interval.hpp"
 
 namespace sfumato::outputs {
@@ -17,14 +18,12 @@ Result<std::vector<std::uint32_t>> number_positions(Context& context, const Face
   const std::vector<Vec2>& position = mesh.vertex_position;
   TableMemory order_memory("the edges of facets");
   std::vector<std::uint32_t> order, number;
-  Status status = order_memory.resize(context, order, position.size());
-  if (status) status = memory.resize(context, number, position.size());
-  if (!status) return status;
+  SFUMATO_TRY(order_memory.resize(context, order, position.size()));
+  SFUMATO_TRY(memory.resize(context, number, position.size()));
   std::iota(order.begin(), order.end(), 0u);
   const auto key = [&](std::uint32_t v) { return std::tuple(position[v].x, position[v].y, v); };
-  status = TableMemory::sort(context, order,
-                             [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
-  if (!status) return status;
+  SFUMATO_TRY(TableMemory::sort(context, order,
+                                [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); }));
   RarePoll<kTurnsPerPoll> poll(context);
   for (std::size_t i = 0; i < order.size(); ++i) {
     if (poll.cancelled()) return context.cancel_status();
@@ -58,12 +57,11 @@ void pair_up(const Edge* begin, const Edge* end, std::vector<std::uint32_t>* twi
 Result<FacetLinks> link_facets(Context& context, const FacetMesh& mesh) {
   const std::size_t count = mesh.facet_vertex.size();
   TableMemory memory("the edges of facets");
-  const Result<std::vector<std::uint32_t>> numbered = number_positions(context, mesh, memory);
-  if (!numbered) return numbered.status();
-  const std::vector<std::uint32_t>& number = *numbered;
+  SFUMATO_TRY_ASSIGN(const std::vector<std::uint32_t>& numbered,
+                     number_positions(context, mesh, memory));
+  const std::vector<std::uint32_t>& number = numbered;
   std::vector<Edge> edges;
-  Status status = memory.resize(context, edges, count);
-  if (!status) return status;
+  SFUMATO_TRY(memory.resize(context, edges, count));
   RarePoll<kTurnsPerPoll> poll(context);
   for (std::uint32_t i = 0; i < count; ++i) {
     if (poll.cancelled()) return context.cancel_status();
@@ -71,12 +69,11 @@ Result<FacetLinks> link_facets(Context& context, const FacetMesh& mesh) {
                         b = number[mesh.facet_vertex[next_half_edge(i)]];
     edges[i] = {std::min(a, b), std::max(a, b), i, a < b};
   }
-  status = TableMemory::sort(context, edges, [](const Edge& a, const Edge& b) {
+  SFUMATO_TRY(TableMemory::sort(context, edges, [](const Edge& a, const Edge& b) {
     return std::tie(a.low, a.high, a.index) < std::tie(b.low, b.high, b.index);
-  });
+  }));
   FacetLinks links;
-  if (status) status = links.memory.resize(context, links.twin, count, kNoHalfEdge);
-  if (!status) return status;
+  SFUMATO_TRY(links.memory.resize(context, links.twin, count, kNoHalfEdge));
   for (std::size_t begin = 0, end; begin < count; begin = end) {
     if (poll.cancelled()) return context.cancel_status();
     const auto same = [&](std::size_t i) {

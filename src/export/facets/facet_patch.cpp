@@ -10,17 +10,17 @@ namespace {
 
 using Kind = FacetSource::Kind;
 
-/// What of the error may go into overshoot that is cut off, without a closer look.
+/// The share of the error that clipped overshoot may take without a closer check.
 constexpr double kOvershootShare = 0.125;
-/// Where no bound holds, a side is sampled in so many steps, and errors between samples are taken
-/// to be so much larger.
+/// If no bound holds, a side is sampled in this many steps, and errors between samples are assumed
+/// to be larger by this factor.
 constexpr int kSamplesPerSide = 4;
 constexpr double kBetweenSamples = 1.5;
 
-/// Of the error, what edges of patches may miss, and sides inside them: where all three sides of a
-/// facet miss so much, a third more is amid them.
+/// The shares of the error for edges of patches and for sides inside them. If all three sides of a
+/// facet have this error, its middle has a third more.
 constexpr double kEdgeShare = 0.7, kSideShare = 0.85;
-/// And points inside: what a third derivative adds elsewhere.
+/// The share for points inside; the rest is for the third derivative elsewhere.
 constexpr double kInsideShare = 0.9;
 constexpr std::array<Barycentric, 4> kInside{
     {{1.0 / 3, 1.0 / 3, 1.0 / 3}, {0.5, 0.25, 0.25}, {0.25, 0.5, 0.25}, {0.25, 0.25, 0.5}}};
@@ -46,8 +46,8 @@ std::size_t first_channel(const FacetSource& source) {
   return (reads_color(source) ? std::size_t{3} : std::size_t{1}) + source.shader;
 }
 
-/// The ten Bézier ordinates of the cubic of patch_basis through the values at the ten nodes, in
-/// their order.
+/// Returns the ten Bézier ordinates of the cubic of patch_basis through the values at the ten
+/// nodes, in their order.
 NodeValues bezier_ordinates(const NodeValues& z) {
   NodeValues b = z;
   double edges = 0;
@@ -150,7 +150,7 @@ void FacetPatch::read(const PatchLayer& layer, const FacetSource& source, std::u
   }
 }
 
-/// The mean of what shaders show, by their weights in all of the patch.
+/// Computes the mean of the shaders' colours, by their weights in the whole patch.
 void FacetPatch::find_covered(const PatchLayer& layer, const FacetSource& source,
                               std::uint32_t triangle) {
   const PatchField& field = field_of(layer, source);

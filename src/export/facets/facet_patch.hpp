@@ -13,7 +13,7 @@ using Barycentric = std::array<double, 3>;
 
 Barycentric centroid(const Barycentric& a, const Barycentric& b, const Barycentric& c);
 
-/// Distance in a frame in which the patch is an equilateral triangle of side 1.
+/// Distance in the frame that makes the patch an equilateral triangle of side 1.
 double side_length(const Barycentric& a, const Barycentric& b);
 
 /// Most parts of a patch's edge. A cubic whose Bézier ordinates lie in [0, 1] never needs more for
@@ -40,30 +40,30 @@ class FacetPatch {
   FacetPatch(const PatchLayer& layer, InterpolationSpace space, const FacetSource& source,
              std::uint32_t triangle, double max_error);
 
-  /// The value at a point: code values, an opacity or a weight; always in [0, 1].
+  /// Returns the value at a point: code values, an opacity or a weight; always in [0, 1].
   Value shown(const Barycentric& at) const;
 
-  /// A patch whose edge 0 is edge k of this one, and that is 0 elsewhere; reversed: from the edge's
-  /// other end. Neighbours that share the edge's nodes get the same bits.
+  /// Returns a patch whose edge 0 is edge k of this one, and that is 0 elsewhere; reversed: from
+  /// the edge's other end. Neighbours that share the edge's nodes get the same bits.
   FacetPatch edge(std::size_t k, bool is_reversed) const;
 
-  /// An upper bound of the error of a straight side between two points.
+  /// Returns an upper bound of the error of a straight side between two points.
   double bend(const Barycentric& a, const Barycentric& b) const;
 
-  /// Whether one of the patch's own edges, or a side inside the patch, is straight enough between
-  /// two points of it. Edges must be straighter, so that sides next to them, which bend in the same
-  /// way, are not halved endlessly.
+  /// Returns whether one of the patch's own edges, or a side inside the patch, is straight enough
+  /// between two points of it. Edges must be straighter, so that sides next to them, which bend in
+  /// the same way, are not halved endlessly.
   bool is_straight_edge(const Barycentric& a, const Barycentric& b) const;
   bool is_straight(const Barycentric& a, const Barycentric& b) const;
 
-  /// Whether a facet with straight sides is accurate enough at points inside.
+  /// Returns whether a facet with straight sides is accurate enough at points inside.
   bool is_flat(const std::array<Barycentric, 3>& facet) const;
 
-  /// The largest number of parts, whatever the error.
+  /// Returns the largest number of parts, whatever the error.
   int most_cuts() const { return is_clamped_ ? kMostClampedCuts : kMostCuts; }
 
  private:
-  /// Second derivatives in a frame in which the patch is an equilateral triangle of side 1.
+  /// Second derivatives in the frame that makes the patch an equilateral triangle of side 1.
   struct Hessian {
     double xx = 0, xy = 0, yy = 0;
     double along(Vec2 side) const;  ///< second derivative, times its length squared
@@ -74,7 +74,7 @@ class FacetPatch {
   void read(const PatchLayer& layer, const FacetSource& source, std::uint32_t triangle);
   void find_covered(const PatchLayer& layer, const FacetSource& source, std::uint32_t triangle);
   Value unclamped(const Barycentric& at) const;
-  /// The denominator of a quotient; 1 if there is no quotient.
+  /// Returns the denominator of a quotient; 1 if there is no quotient.
   double share(const Barycentric& at) const;
   void find_curvature();
   double find_curvature(int channel);
@@ -103,7 +103,7 @@ int channel_count_of(const FacetSource& source);
 
 bool reads_color(const FacetSource& source);
 
-/// The field that a source reads.
+/// Returns the field that a source reads.
 const PatchField& field_of(const PatchLayer& layer, const FacetSource& source);
 
 }  // namespace sfumato::outputs

@@ -55,8 +55,8 @@ std::uint32_t FacetTree::midpoint_on_edge(std::uint32_t a, std::uint32_t b, int 
   return static_cast<std::uint32_t>(found - edge_step_.begin());
 }
 
-/// Whether a side is long enough; a little shorter than those that edges are cut into, for
-/// centroids.
+/// Returns whether a side is long enough. The bound is a little shorter than the parts of cut
+/// edges, to allow centroids.
 bool FacetTree::may_halve(std::uint32_t a, std::uint32_t b) const {
   if (side_length(point_[a], point_[b]) * patch_.most_cuts() < 1.8) return false;
   Vec2 side;
@@ -64,7 +64,7 @@ bool FacetTree::may_halve(std::uint32_t a, std::uint32_t b) const {
   return !(length(side) < 2 * smallest_side_);
 }
 
-/// The point that halves a side; kNone where the side stays as it is.
+/// Returns the point that halves a side; kNone where the side stays as it is.
 std::uint32_t FacetTree::midpoint(std::uint32_t a, std::uint32_t b, int edge) {
   if (edge != kInner) return midpoint_on_edge(a, b, edge);
   if (a > b) std::swap(a, b);

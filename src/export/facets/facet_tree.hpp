@@ -25,7 +25,7 @@ struct EdgeCuts {
 /// The facets of one patch. Sides that bend too much are halved, the patch's own edges at their
 /// cuts, until all facets are straight enough. Facets are long and thin where the patch bends in
 /// one direction only. Points: corners 0, 1, 2, then the inner points of edges 0, 1, 2 in their
-/// direction (edge k from corner k to the next), then those inside.
+/// direction (edge k from corner k to the next), then points inside.
 class FacetTree {
  public:
   /// corner         of the patch, layer frame

@@ -8,6 +8,7 @@
 #include "base/parallel.hpp"
 #include "base/poll.hpp"
 #include "base/table_memory.hpp"
+#include "base/try.hpp"
 #include "export/facets/facet_cuts.hpp"
 #include "export/facets/facet_patch.hpp"
 #include "export/facets/facet_tree.hpp"
@@ -20,7 +21,7 @@ constexpr std::size_t kTrianglesPerTask = 256;
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 /// Fills a FacetMesh from the cuts of its patches. Its vertices: corners, then the inner points of
-/// edges, then those inside patches.
+/// edges, then points inside patches.
 class FacetBuilder {
  public:
   FacetBuilder(const PatchLayer& layer, InterpolationSpace space, const FacetSource& source,
@@ -72,9 +73,8 @@ Status FacetBuilder::number_corners(Context& context) {
   const std::size_t nodes = field.node_value.size() / channels;
   TableMemory node_memory("places of facets");
   std::vector<std::uint32_t> of_node;
-  Status status = node_memory.resize(context, of_node, nodes, kNone);
-  if (status) status = memory_.resize(context, corner_vertex_, layer_.triangle_vertex.size());
-  if (!status) return status;
+  SFUMATO_TRY(node_memory.resize(context, of_node, nodes, kNone));
+  SFUMATO_TRY(memory_.resize(context, corner_vertex_, layer_.triangle_vertex.size()));
   RarePoll<kTurnsPerPoll> poll(context);
   for (std::uint32_t corner = 0; corner < corner_vertex_.size(); ++corner) {
     if (poll.cancelled()) return context.cancel_status();
@@ -82,7 +82,7 @@ Status FacetBuilder::number_corners(Context& context) {
     if (vertex == kNone ||
         layer_.triangle_vertex[corner_owner_[vertex]] != layer_.triangle_vertex[corner]) {
       vertex = static_cast<std::uint32_t>(corner_owner_.size());
-      if (status = memory_.push_back(context, corner_owner_, corner); !status) return status;
+      SFUMATO_TRY(memory_.push_back(context, corner_owner_, corner));
     }
     corner_vertex_[corner] = vertex;
   }
@@ -94,12 +94,11 @@ Status FacetBuilder::count(Context& context, FacetMesh* mesh) {
   const std::size_t triangles = layer_.triangle_count();
   TableMemory count_memory("places of facets");
   std::vector<std::uint32_t> facets, inside;
-  Status status = count_memory.resize_all(context, triangles, facets, inside);
-  if (status) status = memory_.reserve(context, edge_first_, cuts_.edge.size());
-  if (status) status = memory_.reserve(context, inside_first_, triangles + 1);
-  if (status) status = mesh->memory.reserve(context, mesh->patch_first_facet, triangles + 1);
-  if (!status) return status;
-  status =
+  SFUMATO_TRY(count_memory.resize_all(context, triangles, facets, inside));
+  SFUMATO_TRY(memory_.reserve(context, edge_first_, cuts_.edge.size()));
+  SFUMATO_TRY(memory_.reserve(context, inside_first_, triangles + 1));
+  SFUMATO_TRY(mesh->memory.reserve(context, mesh->patch_first_facet, triangles + 1));
+  SFUMATO_TRY(
       parallel_for(context, triangles, kTrianglesPerTask, [&](std::size_t begin, std::size_t end) {
         for (auto t = static_cast<std::uint32_t>(begin); t < end; ++t) {
           const FacetPatch patch(layer_, space_, source_, t, max_error_);
@@ -107,8 +106,7 @@ Status FacetBuilder::count(Context& context, FacetMesh* mesh) {
           facets[t] = static_cast<std::uint32_t>(tree.facets().size());
           inside[t] = static_cast<std::uint32_t>(tree.points().size() - tree.first_inside());
         }
-      });
-  if (!status) return status;
+      }));
   std::uint64_t vertex = corner_owner_.size();
   RarePoll<kTurnsPerPoll> poll(context);
   for (const FacetEdge& edge : cuts_.edge) {
@@ -136,10 +134,9 @@ Status FacetBuilder::allocate(Context& context, FacetMesh* mesh) const {
   const std::uint64_t facets = mesh->patch_first_facet.back();
   const auto channels = static_cast<std::size_t>(mesh->channel_count);
   TableMemory& memory = mesh->memory;
-  Status status = memory.resize(context, mesh->vertex_position, vertices);
-  if (status) status = memory.resize(context, mesh->vertex_value, vertices * channels);
-  if (status) status = memory.resize(context, mesh->facet_vertex, facets * 3);
-  return status;
+  SFUMATO_TRY(memory.resize(context, mesh->vertex_position, vertices));
+  SFUMATO_TRY(memory.resize(context, mesh->vertex_value, vertices * channels));
+  return memory.resize(context, mesh->facet_vertex, facets * 3);
 }
 
 void FacetBuilder::set(std::uint32_t vertex, Vec2 position, const FacetPatch::Value& value,
@@ -172,7 +169,7 @@ void FacetBuilder::fill_edge(const FacetPatch& patch, std::uint32_t half_edge,
   }
 }
 
-/// The mesh's vertices for the points of a patch.
+/// Returns the mesh's vertices for the points of a patch.
 std::vector<std::uint32_t> FacetBuilder::vertices_of(std::uint32_t triangle,
                                                      const FacetTree& tree) const {
   std::vector<std::uint32_t> vertex(tree.points().size());
@@ -219,10 +216,9 @@ void FacetBuilder::fill(std::uint32_t triangle, FacetMesh* mesh) const {
 Status FacetBuilder::build(Context& context, FacetMesh* mesh) {
   const std::size_t triangles = layer_.triangle_count();
   mesh->channel_count = channel_count_of(source_);
-  Status status = number_corners(context);
-  if (!status) return status;
-  if (status = count(context, mesh); !status) return status;
-  if (status = allocate(context, mesh); !status) return status;
+  SFUMATO_TRY(number_corners(context));
+  SFUMATO_TRY(count(context, mesh));
+  SFUMATO_TRY(allocate(context, mesh));
   return parallel_for(context, triangles, kTrianglesPerTask,
                       [&](std::size_t begin, std::size_t end) {
                         for (std::size_t t = begin; t < end; ++t)
@@ -234,11 +230,11 @@ Status FacetBuilder::build(Context& context, FacetMesh* mesh) {
 
 Result<FacetMesh> make_facets(Context& context, const PatchLayer& layer, InterpolationSpace space,
                               const FacetSource& source, double max_error, double smallest_side) {
-  Result<FacetCuts> cuts = find_cuts(context, layer, space, source, max_error, smallest_side);
-  if (!cuts) return cuts.status();
+  SFUMATO_TRY_ASSIGN(auto&& cuts,
+                     find_cuts(context, layer, space, source, max_error, smallest_side));
   FacetMesh mesh;
   Status status =
-      FacetBuilder(layer, space, source, max_error, smallest_side, *cuts).build(context, &mesh);
+      FacetBuilder(layer, space, source, max_error, smallest_side, cuts).build(context, &mesh);
   if (!status) return status;
   return mesh;
 }

@@ -15,9 +15,9 @@ namespace sfumato::outputs {
 /// The values of a facet mesh: the colour of a layer in sRGB code values (3 channels) or its
 /// opacity (1 channel), both without the contribution of shaders.
 ///
-/// `light` is for programs that interpolate linear light: colour and opacity at once (4 channels,
-/// of which the layer's colour field must have no others), cut so that their error, in code values
-/// too, is bounded.
+/// `light` is for programs that interpolate linear light: colour and opacity at once (4 channels;
+/// the layer's colour field must have no others), cut so that their error, in code values too, is
+/// bounded.
 ///
 /// For composition by source-over (docs/pdf.md): `base` is the curves' contribution divided by
 /// their share, and `mask` the weight of a shader divided by the share that the shaders after it

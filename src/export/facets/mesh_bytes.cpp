@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/poll.hpp"
+#include "base/try.hpp"
 
 namespace sfumato::outputs {
 namespace {
@@ -75,7 +76,7 @@ bool MeshWriter::continue_strip(const Facet& next) {
   return false;
 }
 
-/// Three vertices; the first of them is the one that the next facet does not have.
+/// Writes three vertices; the first of them does not belong to the next facet.
 void MeshWriter::begin_strip(const Facet& facet, const Facet* next) {
   std::size_t first = 0;
   for (std::size_t k = 0; next && k < 3; ++k)
@@ -125,9 +126,8 @@ Result<std::vector<std::uint8_t>> mesh_bytes(Context& context, const FacetMesh& 
   const std::size_t record = 7 + static_cast<std::size_t>(mesh.channel_count);
   const std::size_t most = mesh.facet_vertex.size() * record;
   std::vector<std::uint8_t> bytes;
-  Status status = memory.reserve(context, bytes, most);
-  if (!status) return status;
-  if (status = MeshWriter(mesh, box, &bytes).write(context); !status) return status;
+  SFUMATO_TRY(memory.reserve(context, bytes, most));
+  SFUMATO_TRY(MeshWriter(mesh, box, &bytes).write(context));
   return bytes;
 }
 

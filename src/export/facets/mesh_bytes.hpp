@@ -11,10 +11,11 @@
 
 namespace sfumato::outputs {
 
-/// The bounding box of the triangles of a layer. Vertices that no triangle uses do not count.
+/// Returns the bounding box of the triangles of a layer. Vertices that no triangle uses do not
+/// count.
 Box triangles_box(const PatchLayer& layer);
 
-/// The rectangle of which a mesh's coordinates are fractions; it contains every vertex.
+/// A mesh's coordinates are fractions of this rectangle, which contains every vertex.
 Box decode_box(const std::vector<Vec2>& positions);
 /// The same for the content of a box; sides of length 0 become short.
 Box decode_box(Box box);

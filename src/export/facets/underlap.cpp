@@ -5,6 +5,7 @@
 
 #include "base/poll.hpp"
 #include "base/table_memory.hpp"
+#include "base/try.hpp"
 #include "export/facets/end_loops.hpp"
 #include "export/poll_interval.hpp"
 
@@ -14,7 +15,7 @@ namespace {
 /// Points of an outline for each facet, at most on average: 3 corners, 2 points for an edge that
 /// has a later neighbour (half of them), and 6 spokes for a corner (one for 2 facets).
 constexpr std::size_t kPointsPerFacet = 10;
-/// A corner of a grown facet moves by so many margins at most: sharp ones would go far.
+/// A corner of a grown facet moves by at most this many margins; sharp corners would move far.
 constexpr double kFarthestCorner = 3;
 
 Vec2 direction(Vec2 from, Vec2 to) {
@@ -43,7 +44,7 @@ class Outliner {
   Vec2 start(std::uint32_t edge) const { return mesh_.vertex_position[mesh_.facet_vertex[edge]]; }
   std::uint32_t twin(std::uint32_t edge) const { return links_.twin[edge]; }
 
-  /// Whether the facet is painted before all others around the start of one of its edges.
+  /// Returns whether the facet is painted before all others around the start of one of its edges.
   bool is_first_around(std::uint32_t edge) const;
   void add_cap(std::uint32_t edge);
   void add_edge(std::uint32_t edge);
@@ -141,8 +142,8 @@ void Outliner::add_edge(std::uint32_t edge) {
   if (depth < radius) out_.push_back(b - along * from_b + inward);
 }
 
-/// Calls visit(edge) for the edges that leave the corner at which `edge` begins, as far as facets
-/// go on from one to the next.
+/// Calls visit(edge) for the edges that leave the first corner of `edge`, as far as neighbouring
+/// facets follow each other.
 template <class Visit>
 void for_each_around(const FacetLinks& links, std::uint32_t edge, Visit visit) {
   std::uint32_t leaving = edge;
@@ -159,8 +160,7 @@ Status mark_near_end(Context& context, const FacetLinks& links,
   RarePoll<kWritesPerPoll> poll(context);
   TableMemory memory("the outlines of facets");
   std::vector<std::uint8_t> at_end;
-  Status status = memory.resize(context, at_end, edges / 3);
-  if (!status) return status;
+  SFUMATO_TRY(memory.resize(context, at_end, edges / 3));
   for (std::uint32_t edge = 0; edge < edges; ++edge) {
     if (poll.cancelled()) return context.cancel_status();
     if (links.twin[edge] != kNoHalfEdge) continue;
@@ -182,9 +182,8 @@ Result<FacetOutlines> underlapped(Context& context, const FacetMesh& mesh, const
   const std::size_t count = mesh.facet_vertex.size() / 3;
   FacetOutlines outlines;
   TableMemory& memory = outlines.memory;
-  Status status = memory.reserve(context, outlines.point, count * kPointsPerFacet);
-  if (status) status = memory.reserve(context, outlines.first, count + 1);
-  if (!status) return status;
+  SFUMATO_TRY(memory.reserve(context, outlines.point, count * kPointsPerFacet));
+  SFUMATO_TRY(memory.reserve(context, outlines.first, count + 1));
   std::vector<Vec2> outline;  // of one facet
   Outliner outliner(mesh, links, reach, &outline);
   RarePoll<kWritesPerPoll> poll(context);
@@ -193,7 +192,7 @@ Result<FacetOutlines> underlapped(Context& context, const FacetMesh& mesh, const
     outlines.first.push_back(static_cast<std::uint32_t>(outlines.point.size()));
     outline.clear();
     outliner.add(facet);
-    if (status = memory.append(context, outline, outlines.point); !status) return status;
+    SFUMATO_TRY(memory.append(context, outline, outlines.point));
   }
   outlines.first.push_back(static_cast<std::uint32_t>(outlines.point.size()));
   return outlines;
@@ -204,9 +203,8 @@ Result<std::vector<SmallFacet>> small_facets(Context& context, const FacetMesh& 
                                              bool keeps_outline, TableMemory& memory) {
   TableMemory mark_memory("the outlines of facets");
   std::vector<std::uint8_t> is_near_end;
-  Status status = mark_memory.resize(context, is_near_end, mesh.facet_vertex.size() / 3);
-  if (status && keeps_outline) status = mark_near_end(context, links, is_near_end);
-  if (!status) return status;
+  SFUMATO_TRY(mark_memory.resize(context, is_near_end, mesh.facet_vertex.size() / 3));
+  if (keeps_outline) SFUMATO_TRY(mark_near_end(context, links, is_near_end));
   RarePoll<kWritesPerPoll> poll(context);
   std::vector<SmallFacet> result;
   for (std::uint32_t facet = 0; 3 * facet < mesh.facet_vertex.size(); ++facet) {
@@ -220,7 +218,7 @@ Result<std::vector<SmallFacet>> small_facets(Context& context, const FacetMesh& 
     const double inradius = cross(p[1] - p[0], p[2] - p[0]) / perimeter;
     if (!(inradius > 0) || inradius >= radius) continue;
     const Vec2 center = (p[0] * side[0] + p[1] * side[1] + p[2] * side[2]) / perimeter;
-    if (status = memory.make_room(context, result); !status) return status;
+    SFUMATO_TRY(memory.make_room(context, result));
     SmallFacet& small = result.emplace_back();
     small.facet = facet;
     for (int k = 0; k < 3; ++k) {
@@ -244,8 +242,7 @@ Result<Silhouette> silhouette(Context& context, const FacetMesh& mesh, const Fac
     result.is_frame &= is_on_frame(start(edge), start(next_half_edge(edge)), frame);
     return room;
   };
-  Status status = for_each_end_loop(context, links.twin, add);
-  if (!status) return status;
+  SFUMATO_TRY(for_each_end_loop(context, links.twin, add));
   return result;
 }
 

@@ -17,8 +17,8 @@ struct UnderlapReach {
 };
 
 /// Outlines of facets that can be painted one after another, each antialiased, with no seams
-/// between them: a facet reaches under those that are painted later, and the first facet at a
-/// corner under all others there. Only the facets themselves remain visible.
+/// between them: a facet reaches under facets that are painted later, and the first facet at a
+/// corner reaches under all others there. Only the facets themselves remain visible.
 struct FacetOutlines {
   std::vector<Vec2> point;           ///< layer frame
   std::vector<std::uint32_t> first;  ///< facet count + 1
@@ -40,14 +40,14 @@ struct SmallFacet {
   std::array<Vec2, 3> grown;  ///< layer frame
 };
 
-/// Facets whose inscribed circle has a radius below `radius`; if `keeps_outline` is set, not those
-/// near the mesh's end. A table of `memory`. Cost: O(facets). Errors: limit, cancelled.
+/// Facets whose inscribed circle has a radius below `radius`; if `keeps_outline` is set, without
+/// facets near the mesh's end. A table of `memory`. Cost: O(facets). Errors: limit, cancelled.
 Result<std::vector<SmallFacet>> small_facets(Context& context, const FacetMesh& mesh,
                                              const FacetLinks& links, double radius, double margin,
                                              bool keeps_outline, TableMemory& memory);
 
-/// The closed lines around what the mesh covers, to be filled by the even-odd rule; and whether
-/// they have any edge that does not lie on a side of `frame`.
+/// The closed lines around the area of the mesh, to be filled by the even-odd rule; and whether any
+/// of their edges does not lie on a side of `frame`.
 struct Silhouette {
   std::vector<std::vector<Vec2>> loops;
   bool is_frame = true;

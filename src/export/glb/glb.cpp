@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/public_verb.hpp"
+#include "base/try.hpp"
 #include "document/rules.hpp"
 #include "export/glb/glb_file.hpp"
 #include "export/glb/glb_layer.hpp"
@@ -32,12 +33,12 @@ Status check(const Context& context, const Picture& picture, const GlbOptions& o
     return make_error(StatusCode::bad_input,
                       "dpi, size and error of a GLB must be positive numbers");
   }
-  if (Status status = outputs::check_viewport(picture.viewport); !status) return status;
-  if (Status status = rules::check_background(options.background); !status) return status;
+  SFUMATO_TRY(outputs::check_viewport(picture.viewport));
+  SFUMATO_TRY(rules::check_background(options.background));
   return picture::check_picture(context, picture);
 }
 
-/// Of a layer that is shown as triangles.
+/// The mesh of a layer that is shown as triangles.
 struct LayerMesh {
   double largest_scale = 0;  ///< of its instances
   bool is_made = false;
@@ -89,7 +90,7 @@ void GlbWriter::find_scales() {
   for (const PictureItem& item : picture_.stack) {
     const auto* instance = std::get_if<PatchInstance>(&item);
     if (!instance) continue;
-    const double scale = std::sqrt(std::fabs(instance->artboard_from_layer.determinant()));
+    const double scale = outputs::instance_scale(instance->artboard_from_layer);
     double& largest = layers_[instance->layer].largest_scale;
     largest = std::max(largest, scale);
   }
@@ -98,21 +99,19 @@ void GlbWriter::find_scales() {
 /// `place` maps to the artboard, y up, its origin at the viewport's centre.
 Status GlbWriter::add_mesh(std::uint32_t geometry, const GlbFile::Material& material,
                            const Affine& place) {
-  const auto mesh = file_.add_mesh(geometry, material);
-  if (!mesh) return mesh.status();
+  SFUMATO_TRY_ASSIGN(const auto& mesh, file_.add_mesh(geometry, material));
   const double step = outputs::depth_step(side_, picture_.stack.size() + 1);
-  return file_.add_node(*mesh, place, step * static_cast<double>(depth_++));
+  return file_.add_node(mesh, place, step * static_cast<double>(depth_++));
 }
 
 Status GlbWriter::add_background() {
   const auto& color = options_.background ? options_.background : picture_.background;
   if (!color) return ok_status();
   const Box& viewport = picture_.viewport;
-  const auto geometry =
-      file_.add_geometry(outputs::make_glb_box(viewport, viewport.center(), *color));
-  if (!geometry) return geometry.status();
+  SFUMATO_TRY_ASSIGN(const auto& geometry, file_.add_geometry(outputs::make_glb_box(
+                                               viewport, viewport.center(), *color)));
   triangles_ += 2;
-  return add_mesh(*geometry, {}, {});
+  return add_mesh(geometry, {}, {});
 }
 
 Status GlbWriter::make_layer(std::uint32_t layer) {
@@ -122,21 +121,20 @@ Status GlbWriter::make_layer(std::uint32_t layer) {
   Box box;
   for (const Vec2 p : source.vertex_position) box.extend(p);
   made.origin = box.center();
-  const Result<GlbMesh> mesh = outputs::make_glb_layer(
-      context_, source, picture_.interpolation, made.origin, options_.max_error / 255,
-      kSmallestPatchSide * side_ / made.largest_scale);
-  if (!mesh) return mesh.status();
-  const auto geometry = file_.add_geometry(*mesh);
-  if (!geometry) return geometry.status();
-  triangles_ += mesh->index.size() / 3;
-  made.geometry = *geometry;
+  SFUMATO_TRY_ASSIGN(const GlbMesh& mesh,
+                     outputs::make_glb_layer(context_, source, picture_.interpolation, made.origin,
+                                             options_.max_error / 255,
+                                             kSmallestPatchSide * side_ / made.largest_scale));
+  SFUMATO_TRY_ASSIGN(const auto& geometry, file_.add_geometry(mesh));
+  triangles_ += mesh.index.size() / 3;
+  made.geometry = geometry;
   made.is_made = true;
   return ok_status();
 }
 
 Status GlbWriter::add(const PatchInstance& instance) {
   if (!is_drawn(instance)) return ok_status();
-  if (Status status = make_layer(instance.layer); !status) return status;
+  SFUMATO_TRY(make_layer(instance.layer));
   has_blends_ |= instance.blend != BlendMode::normal;
   const LayerMesh& layer = layers_[instance.layer];
   GlbFile::Material material;
@@ -151,16 +149,15 @@ Status GlbWriter::add(const PatchInstance& instance) {
 Status GlbWriter::add_pixels(std::size_t first, std::size_t end) {
   has_pixels_ = true;
   has_blends_ |= outputs::run_blend(picture_, first) != BlendMode::normal;
-  const auto run = outputs::paint_run(context_, picture_, first, end, options_.dpi / kUnitsPerInch);
-  if (!run) return run.status();
-  if (run->box.empty()) return ok_status();
-  const auto image = file_.add_image(run->png);
-  if (!image) return image.status();
+  SFUMATO_TRY_ASSIGN(const auto& run, outputs::paint_run(context_, picture_, first, end,
+                                                         options_.dpi / kUnitsPerInch));
+  if (run.box.empty()) return ok_status();
+  SFUMATO_TRY_ASSIGN(const auto& image, file_.add_image(run.png));
   const Vec2 origin = picture_.viewport.center();
-  const auto geometry = file_.add_geometry(outputs::make_glb_picture(run->box, origin));
-  if (!geometry) return geometry.status();
+  SFUMATO_TRY_ASSIGN(const auto& geometry,
+                     file_.add_geometry(outputs::make_glb_picture(run.box, origin)));
   triangles_ += 2;
-  return add_mesh(*geometry, {group_opacity_.back(), true, *image}, {});
+  return add_mesh(geometry, {group_opacity_.back(), true, image}, {});
 }
 
 Status GlbWriter::add_stack() {
@@ -202,16 +199,15 @@ void GlbWriter::tell(ExportNotes* notes) const {
 
 Result<std::vector<std::uint8_t>> GlbWriter::write(ExportNotes* notes) {
   find_scales();
-  Status status = add_background();
-  if (status) status = add_stack();
-  if (!status) return status;
+  SFUMATO_TRY(add_background());
+  SFUMATO_TRY(add_stack());
   tell(notes);
   return file_.finish(options_.size / side_);
 }
 
 Result<std::vector<std::uint8_t>> write(Context& context, const Picture& picture,
                                         const GlbOptions& options, ExportNotes* notes) {
-  if (Status status = check(context, picture, options); !status) return status;
+  SFUMATO_TRY(check(context, picture, options));
   return GlbWriter(context, picture, options).write(notes);
 }
 

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/output_buffer.hpp"
+#include "base/try.hpp"
 
 namespace sfumato::outputs {
 namespace {
@@ -20,7 +21,7 @@ constexpr int kLinear = 9729, kLinearMipmapLinear = 9987, kClampToEdge = 33071;
 
 constexpr std::uint32_t kGlbMagic = 0x46546C67, kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
 constexpr std::size_t kMostBytes = std::numeric_limits<std::uint32_t>::max();
-/// What a node of a std::map takes beside its value: three pointers and a colour.
+/// The memory of a std::map node besides its value: three pointers and a colour.
 constexpr std::size_t kMapNodeBytes = 4 * sizeof(void*);
 
 using Matrix = std::array<double, 16>;
@@ -35,7 +36,8 @@ bool is_scaled_rotation(const Affine& m) {
   return std::fabs(across) <= 1e-9 * std::hypot(m.a, m.b) * std::hypot(m.c, m.d);
 }
 
-/// The rotation that turns the columns of a matrix into two that are at right angles (Jacobi).
+/// Returns the rotation that turns the columns of a matrix into two that are at right angles
+/// (Jacobi).
 Affine aligning_rotation(const Affine& m) {
   const double p = m.a * m.a + m.b * m.b, q = m.c * m.c + m.d * m.d;
   const double angle = 0.5 * std::atan2(2 * (m.a * m.c + m.b * m.d), p - q);
@@ -63,14 +65,13 @@ Status GlbFile::add_view(const void* data, std::size_t bytes, int target) {
   if (part_bytes_ + size > kMostBytes / 2) {
     return make_error(StatusCode::limit, "a GLB of more than 2 GiB: allow a larger error");
   }
-  Status status = memory_.push_back(context_, views_, {part_bytes_, bytes, target});
+  SFUMATO_TRY(memory_.push_back(context_, views_, {part_bytes_, bytes, target}));
   std::vector<std::uint8_t> part;
-  if (status) status = memory_.reserve(context_, part, size);
-  if (status) {
+  SFUMATO_TRY(memory_.reserve(context_, part, size));
+  {
     const std::span whole(static_cast<const std::uint8_t*>(data), bytes);
-    status = memory_.append(context_, whole, part);
+    SFUMATO_TRY(memory_.append(context_, whole, part));
   }
-  if (!status) return status;
   part.resize(size);
   part_bytes_ += size;
   return memory_.push_back(context_, parts_, std::move(part));
@@ -93,26 +94,23 @@ Result<std::uint32_t> GlbFile::add_geometry(const GlbMesh& mesh) {
     geometry.bounds[k] = low;
     geometry.bounds[3 + k] = high;
   }
-  Status status = add_view(mesh.index.data(), 4 * mesh.index.size(), kElementArrayBuffer);
-  if (status) status = add_view(mesh.position.data(), 4 * mesh.position.size(), kArrayBuffer);
-  if (status && geometry.has_color) {
-    status = add_view(mesh.color.data(), 2 * mesh.color.size(), kArrayBuffer);
+  SFUMATO_TRY(add_view(mesh.index.data(), 4 * mesh.index.size(), kElementArrayBuffer));
+  SFUMATO_TRY(add_view(mesh.position.data(), 4 * mesh.position.size(), kArrayBuffer));
+  if (geometry.has_color) {
+    SFUMATO_TRY(add_view(mesh.color.data(), 2 * mesh.color.size(), kArrayBuffer));
   }
-  if (status && geometry.has_texture) {
-    status = add_view(mesh.texture.data(), 4 * mesh.texture.size(), kArrayBuffer);
+  if (geometry.has_texture) {
+    SFUMATO_TRY(add_view(mesh.texture.data(), 4 * mesh.texture.size(), kArrayBuffer));
   }
-  if (!status) return status;
   accessor_count_ += 2u + geometry.has_color + geometry.has_texture;
-  status = memory_.push_back(context_, geometries_, geometry);
-  if (!status) return status;
+  SFUMATO_TRY(memory_.push_back(context_, geometries_, geometry));
   return static_cast<std::uint32_t>(geometries_.size() - 1);
 }
 
 Result<std::uint32_t> GlbFile::add_image(std::span<const std::uint8_t> png) {
-  Status status = add_view(png.data(), png.size(), 0);
+  SFUMATO_TRY(add_view(png.data(), png.size(), 0));
   const auto view = static_cast<std::uint32_t>(views_.size() - 1);
-  if (status) status = memory_.push_back(context_, image_view_, view);
-  if (!status) return status;
+  SFUMATO_TRY(memory_.push_back(context_, image_view_, view));
   return static_cast<std::uint32_t>(image_view_.size() - 1);
 }
 
@@ -121,9 +119,8 @@ Result<std::uint32_t> GlbFile::number_of(const typename Map::key_type& key, cons
                                          Map& known, std::vector<Item>& items) {
   if (const auto found = known.find(key); found != known.end()) return found->second;
   constexpr std::size_t kNodeBytes = sizeof(typename Map::value_type) + kMapNodeBytes;
-  Status status = map_charge_.add(context_, kNodeBytes, "the GLB");
-  if (status) status = memory_.push_back(context_, items, item);
-  if (!status) return status;
+  SFUMATO_TRY(map_charge_.add(context_, kNodeBytes, "the GLB"));
+  SFUMATO_TRY(memory_.push_back(context_, items, item));
   const auto number = static_cast<std::uint32_t>(items.size() - 1);
   known.emplace(key, number);
   return number;
@@ -151,7 +148,7 @@ Status GlbFile::add_node(std::uint32_t mesh, const Affine& place, double z) {
   return ok_status();
 }
 
-/// Charges what the text has grown by.
+/// Charges the growth of the text.
 Status GlbFile::settle(const JsonWriter& json) {
   return memory_.settle(context_, capacity_bytes(json.text()), json_bytes_);
 }
@@ -165,7 +162,7 @@ Status GlbFile::write_scene(JsonWriter& json, double metres_per_unit) {
     json.key("children").begin_array();
     for (const std::uint32_t node : top_nodes_) {
       json.value(node + 1);
-      if (Status status = settle(json); !status) return status;
+      SFUMATO_TRY(settle(json));
     }
     json.end_array();
   }
@@ -181,7 +178,7 @@ Status GlbFile::write_scene(JsonWriter& json, double metres_per_unit) {
     }
     if (nodes_[i].matrix != matrix_of({}, 0)) write_matrix(json, nodes_[i].matrix);
     json.end_object();
-    if (Status status = settle(json); !status) return status;
+    SFUMATO_TRY(settle(json));
   }
   json.end_array();
   return settle(json);
@@ -204,7 +201,7 @@ Status GlbFile::write_materials(JsonWriter& json) {
     json.key("doubleSided").truth(true);
     json.key("extensions").begin_object().key("KHR_materials_unlit").begin_object().end_object();
     json.end_object().end_object();
-    if (Status status = settle(json); !status) return status;
+    SFUMATO_TRY(settle(json));
   }
   json.end_array();
   return settle(json);
@@ -221,7 +218,7 @@ Status GlbFile::write_meshes(JsonWriter& json) {
     if (geometry.has_texture) json.member("TEXCOORD_0", first + (geometry.has_color ? 3 : 2));
     json.end_object().member("indices", first).member("material", mesh.material);
     json.end_object().end_array().end_object();
-    if (Status status = settle(json); !status) return status;
+    SFUMATO_TRY(settle(json));
   }
   json.end_array();
   return settle(json);
@@ -252,7 +249,7 @@ Status GlbFile::write_accessors(JsonWriter& json) {
       begin(kFloat, "VEC2", geometry.vertices);
       json.end_object();
     }
-    if (Status status = settle(json); !status) return status;
+    SFUMATO_TRY(settle(json));
   }
   json.end_array();
   return settle(json);
@@ -267,7 +264,7 @@ Status GlbFile::write_buffers(JsonWriter& json) {
     json.member("byteLength", view.bytes);
     if (view.target != 0) json.member("target", view.target);
     json.end_object();
-    if (Status status = settle(json); !status) return status;
+    SFUMATO_TRY(settle(json));
   }
   json.end_array();
   return settle(json);
@@ -280,12 +277,12 @@ Status GlbFile::write_images(JsonWriter& json) {
   json.key("images").begin_array();
   for (const std::uint32_t view : image_view_) {
     json.begin_object().member("bufferView", view).member("mimeType", "image/png").end_object();
-    if (Status status = settle(json); !status) return status;
+    SFUMATO_TRY(settle(json));
   }
   json.end_array().key("textures").begin_array();
   for (std::size_t i = 0; i < image_view_.size(); ++i) {
     json.begin_object().member("sampler", 0).member("source", i).end_object();
-    if (Status status = settle(json); !status) return status;
+    SFUMATO_TRY(settle(json));
   }
   json.end_array();
   return settle(json);
@@ -295,20 +292,19 @@ Result<std::vector<std::uint8_t>> GlbFile::finish(double metres_per_unit) {
   JsonWriter json;
   json.begin_object().key("asset").begin_object();
   json.member("version", "2.0").member("generator", "Sfumato").end_object();
-  Status status = write_scene(json, metres_per_unit);
-  if (status && !meshes_.empty()) {
+  SFUMATO_TRY(write_scene(json, metres_per_unit));
+  if (!meshes_.empty()) {
     json.key("extensionsUsed").begin_array().value("KHR_materials_unlit").end_array();
-    status = write_meshes(json);
-    if (status) status = write_materials(json);
-    if (status) status = write_accessors(json);
-    if (status) status = write_buffers(json);
+    SFUMATO_TRY(write_meshes(json));
+    SFUMATO_TRY(write_materials(json));
+    SFUMATO_TRY(write_accessors(json));
+    SFUMATO_TRY(write_buffers(json));
   }
-  if (status && !image_view_.empty()) status = write_images(json);
-  if (!status) return status;
+  if (!image_view_.empty()) SFUMATO_TRY(write_images(json));
   return join(json.end_object().text());
 }
 
-/// The file: a header, the JSON, the binary chunk.
+/// Returns the file: a header, the JSON, the binary chunk.
 Result<std::vector<std::uint8_t>> GlbFile::join(std::string_view json) {
   const std::size_t text_bytes = padded(json.size());
   const std::size_t binary_bytes = part_bytes_ == 0 ? 0 : 8 + part_bytes_;

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "base/charge.hpp"
-#include "base/json.hpp"
 #include "base/table_memory.hpp"
+#include "base/text/json.hpp"
 #include "sfumato/base/affine.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
@@ -51,7 +51,7 @@ class GlbFile {
   /// Adds a mesh at a place in the root's frame: (x, y) → place(x, y), with z. Errors: limit.
   Status add_node(std::uint32_t mesh, const Affine& place, double z);
 
-  /// The file; its root turns units into metres. Nothing more may be added. Errors: limit.
+  /// Returns the file; its root turns units into metres. Nothing more may be added. Errors: limit.
   Result<std::vector<std::uint8_t>> finish(double metres_per_unit);
 
  private:

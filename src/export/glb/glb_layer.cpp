@@ -7,6 +7,7 @@
 #include "base/parallel.hpp"
 #include "base/poll.hpp"
 #include "base/table_memory.hpp"
+#include "base/try.hpp"
 #include "export/facets/facets.hpp"
 #include "export/joined_field.hpp"
 #include "export/poll_interval.hpp"
@@ -17,17 +18,14 @@ namespace {
 
 constexpr std::size_t kVerticesPerTask = 4096;
 
-/// What facets of light are made from.
+/// The input for facets of light.
 Result<PatchLayer> light_layer(Context& context, const PatchLayer& layer, TableMemory& memory) {
   PatchLayer light;
   light.frame = layer.frame;
   light.order = layer.order;
-  Status status = memory.append(context, layer.vertex_position, light.vertex_position);
-  if (status) status = memory.append(context, layer.triangle_vertex, light.triangle_vertex);
-  if (!status) return status;
-  Result<PatchField> color = joined_field(context, layer.color, layer.opacity, memory);
-  if (!color) return color.status();
-  light.color = std::move(*color);
+  SFUMATO_TRY(memory.append(context, layer.vertex_position, light.vertex_position));
+  SFUMATO_TRY(memory.append(context, layer.triangle_vertex, light.triangle_vertex));
+  SFUMATO_TRY_ASSIGN(light.color, joined_field(context, layer.color, layer.opacity, memory));
   return light;
 }
 
@@ -59,32 +57,30 @@ Result<GlbMesh> make_glb_layer(Context& context, const PatchLayer& layer, Interp
   if (layer.triangle_count() == 0) return mesh;
   TableMemory copy("colours and opacity of a layer");
   const Result<PatchLayer> light = light_layer(context, layer, copy);
-  if (!light) return light.status();
+  SFUMATO_TRY(light);
   const FacetSource source{FacetSource::Kind::light, 0};
-  const auto facets = make_facets(context, *light, space, source, max_error, smallest_side);
-  if (!facets) return facets.status();
-  const std::size_t vertices = facets->vertex_position.size();
-  Status status = mesh.memory.reserve(context, mesh.position, 3 * vertices);
-  if (status) status = mesh.memory.resize(context, mesh.color, 4 * vertices);
-  if (status) status = mesh.memory.reserve(context, mesh.index, facets->facet_vertex.size());
-  if (!status) return status;
+  SFUMATO_TRY_ASSIGN(const auto& facets,
+                     make_facets(context, *light, space, source, max_error, smallest_side));
+  const std::size_t vertices = facets.vertex_position.size();
+  SFUMATO_TRY(mesh.memory.reserve(context, mesh.position, 3 * vertices));
+  SFUMATO_TRY(mesh.memory.resize(context, mesh.color, 4 * vertices));
+  SFUMATO_TRY(mesh.memory.reserve(context, mesh.index, facets.facet_vertex.size()));
   RarePoll<kTurnsPerPoll> poll(context);
-  for (const Vec2 p : facets->vertex_position) {
+  for (const Vec2 p : facets.vertex_position) {
     if (poll.cancelled()) return context.cancel_status();
     add_vertex(mesh, p, origin);
   }
-  status =
+  SFUMATO_TRY(
       parallel_for(context, vertices, kVerticesPerTask, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = 4 * begin; i < 4 * end; ++i) {
-          const double value = facets->vertex_value[i];
+          const double value = facets.vertex_value[i];
           mesh.color[i] = share_of_16_bits(i % 4 == 3 ? value : linear_from_code(value));
         }
-      });
-  if (!status) return status;
+      }));
   // Turned over with the y axis, they run the other way.
-  for (std::size_t i = 0; i < facets->facet_vertex.size(); i += 3) {
+  for (std::size_t i = 0; i < facets.facet_vertex.size(); i += 3) {
     if (poll.cancelled()) return context.cancel_status();
-    const std::uint32_t* corner = facets->facet_vertex.data() + i;
+    const std::uint32_t* corner = facets.facet_vertex.data() + i;
     mesh.index.insert(mesh.index.end(), {corner[0], corner[2], corner[1]});
   }
   return mesh;

@@ -8,6 +8,7 @@
 #include "base/output_buffer.hpp"
 #include "base/public_verb.hpp"
 #include "base/table_memory.hpp"
+#include "base/try.hpp"
 #include "codecs/base64.hpp"
 #include "codecs/data_uri_write.hpp"
 #include "codecs/deflate.hpp"
@@ -25,7 +26,8 @@ using outputs::escaped_html;
 using outputs::script_of_module;
 using outputs::squeezed;
 
-/// In the order in which they stand in the page, each after those that it imports; main.js begins.
+/// The scripts in the page's order: each script comes after the scripts that it imports; main.js
+/// begins.
 constexpr std::string_view kScripts[] = {
     "affine.js",       "bytes.js",        "mesh.js",        "field.js",        "gl.js",
     "tables.js",       "paints.js",       "segments.js",    "payload.js",      "layer_tables.js",
@@ -48,7 +50,7 @@ std::string scripts() {
   return text;
 }
 
-/// Name and text of each, all of which a zero byte ends, in zlib's format.
+/// Name and text of each script, each ended by a zero byte, in zlib's format.
 Status append_shaders(const Context& context, OutputBuffer& page) {
   std::string text;
   for (const std::string_view name : kShaders) {
@@ -76,7 +78,7 @@ void append_fallback(const Context& context, const HtmlOptions& options, OutputB
   page += "\">";
 }
 
-/// What stands for the mark {{name}} of the page.
+/// The text that replaces the mark {{name}} of the page.
 Status append_part(const Context& context, std::string_view name, const HtmlOptions& options,
                    std::span<const std::uint8_t> payload, OutputBuffer& page) {
   if (name == "title") page += escaped_html(options.title);
@@ -88,7 +90,7 @@ Status append_part(const Context& context, std::string_view name, const HtmlOpti
   return ok_status();
 }
 
-/// The page with its marks replaced; what replaces them is not looked through.
+/// Returns the page with its marks replaced. Marks in the replacements are not replaced.
 Result<std::vector<std::uint8_t>> filled(const Context& context, const HtmlOptions& options,
                                          std::span<const std::uint8_t> payload) {
   OutputBuffer page(context, "the HTML file");
@@ -97,7 +99,7 @@ Result<std::vector<std::uint8_t>> filled(const Context& context, const HtmlOptio
     page += rest.substr(0, begin);
     const std::size_t end = rest.find("}}", begin);
     const std::string_view name = rest.substr(begin + 2, end - begin - 2);
-    if (Status status = append_part(context, name, options, payload, page); !status) return status;
+    SFUMATO_TRY(append_part(context, name, options, payload, page));
     rest.remove_prefix(end + 2);
   }
   page += rest;
@@ -109,18 +111,17 @@ void note_triangles(const Picture& picture, ExportNotes* notes) {
   for (const PatchLayer& layer : picture.layers) notes->triangle_count += layer.triangle_count();
 }
 
-/// What the page holds of the picture, in zlib's format.
+/// Packs the picture's data for the page in zlib's format.
 Result<std::vector<std::uint8_t>> packed_payload(Context& context, const Picture& picture,
                                                  const std::optional<Rgb>& background,
                                                  TableMemory& memory) {
-  if (Status status = rules::check_background(background); !status) return status;
-  const auto payload =
-      outputs::viewer_payload(context, picture, outputs::viewer_background(picture, background));
-  if (!payload) return payload.status();
+  SFUMATO_TRY(rules::check_background(background));
+  SFUMATO_TRY_ASSIGN(
+      const auto& payload,
+      outputs::viewer_payload(context, picture, outputs::viewer_background(picture, background)));
   ScopedCharge held;
-  Status status = held.add(context, capacity_bytes(*payload), "the viewer's payload");
-  if (!status) return status;
-  return codecs::deflated(context, *payload, memory);
+  SFUMATO_TRY(held.add(context, capacity_bytes(payload), "the viewer's payload"));
+  return codecs::deflated(context, payload, memory);
 }
 
 Result<std::vector<std::uint8_t>> write(Context& context, const Picture& picture,
@@ -128,10 +129,10 @@ Result<std::vector<std::uint8_t>> write(Context& context, const Picture& picture
   if (!options.fallback.empty() && !is_media_type(options.fallback_type))
     return make_error(StatusCode::bad_input, "the fallback picture has no media type of an image");
   TableMemory memory("the viewer's payload");
-  const auto payload = packed_payload(context, picture, options.background, memory);
-  if (!payload) return payload.status();
+  SFUMATO_TRY_ASSIGN(const auto& payload,
+                     packed_payload(context, picture, options.background, memory));
   note_triangles(picture, notes);
-  return filled(context, options, *payload);
+  return filled(context, options, payload);
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "base/utf8.hpp"
+#include "base/text/utf8.hpp"
 
 namespace sfumato::outputs {
 namespace {
@@ -14,7 +14,8 @@ std::string_view without_indentation(std::string_view line) {
   return first == std::string_view::npos ? std::string_view{} : line.substr(first);
 }
 
-/// What of a line is no comment that begins it; `in_comment` says whether one goes over its end.
+/// Returns a line without the comment at its beginning. `in_comment` is whether a comment continues
+/// over its end.
 std::string_view code_of(std::string_view line, bool* in_comment) {
   line = without_indentation(line);
   while (*in_comment || line.starts_with("/*")) {
@@ -26,7 +27,7 @@ std::string_view code_of(std::string_view line, bool* in_comment) {
   return line.starts_with("//") ? std::string_view{} : line;
 }
 
-/// What follows a word and blanks, if the text begins with them.
+/// Returns the text after a word and blanks, if the text begins with them.
 std::string_view behind_word(std::string_view text, std::string_view word) {
   if (!text.starts_with(word)) return {};
   text.remove_prefix(word.size());
@@ -35,8 +36,8 @@ std::string_view behind_word(std::string_view text, std::string_view word) {
   return is_word && next != std::string_view::npos ? text.substr(next) : std::string_view{};
 }
 
-/// Whether a text begins with an import or a list of exports; `import(…)` and `import.meta` are
-/// none.
+/// Returns whether a text begins with an import or a list of exports; `import(…)` and `import.meta`
+/// are none.
 bool begins_with_linkage(std::string_view text) {
   const std::string_view imported = behind_word(text, "import");
   const std::string_view exported = behind_word(text, "export");
@@ -44,7 +45,8 @@ bool begins_with_linkage(std::string_view text) {
          exported.starts_with('*');
 }
 
-/// What follows a statement, and the end of its line where nothing else stands there.
+/// Returns the text after a statement, and after the end of its line if the rest of the line is
+/// empty.
 std::string_view behind_statement(std::string_view text) {
   const std::size_t end = text.find(';');
   if (end == std::string_view::npos) return {};
@@ -57,7 +59,7 @@ bool is_of_word(char c) {
          c == '$' || static_cast<unsigned char>(c) >= 0x80;
 }
 
-/// Whether two characters would be read as one thing without a blank between them.
+/// Returns whether two characters would merge into one token without a blank between them.
 bool would_join(char a, char b) {
   return (is_of_word(a) && is_of_word(b)) || ((a == '+' || a == '-') && a == b);
 }

@@ -43,7 +43,7 @@ class ByteWriter {
 
   const Status& status() const { return bytes_.status(); }
 
-  /// What was written, or why it failed; the charge lasts as long as this object.
+  /// Returns the written bytes, or the error. The charge lasts while this object exists.
   Result<std::vector<std::uint8_t>> finish() { return bytes_.finish(); }
 
  private:

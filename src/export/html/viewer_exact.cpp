@@ -8,24 +8,26 @@
 
 #include "base/poll.hpp"
 #include "base/table_memory.hpp"
+#include "base/try.hpp"
 #include "export/html/viewer_mesh.hpp"
 
 namespace sfumato::outputs {
 namespace {
 
-/// Of the part, should it ever change.
+/// The version of the part, in case it changes.
 constexpr std::uint8_t kExactVersion = 1;
 
-/// What follows of a layer.
+/// Flags of the data that follow for a layer.
 enum class ExactKind : std::uint8_t { none = 0, with_patches = 1, alone = 2 };
 
 constexpr int kMissBytes = 4;
 constexpr double kLargestNumber = 1 << 28;
 
-/// Steps by which a number may miss what was guessed and still follow what came before.
+/// The largest difference in steps from the prediction for a number that still continues the
+/// numbers before it.
 constexpr std::int32_t kSmallMiss = 3;
 
-/// Edges around a vertex that are looked at to find the next side.
+/// The most edges around a vertex that are examined to find the next side.
 constexpr int kEdgesLookedAt = 64;
 
 /// Steps of a colour, and of an opacity: 1/64 of a code value is the most that a number misses.
@@ -39,13 +41,12 @@ std::int32_t quantized(double value, double step) {
   return static_cast<std::int32_t>(std::lround(std::clamp(steps, -kLargestNumber, kLargestNumber)));
 }
 
-/// The same triangles as patches; curves are where a field is not open.
+/// Returns the same triangles as patches; curves are where a field is not open.
 Result<PatchLayer> mesh_of(const Context& context, const ExactLayer& layer, TableMemory& memory) {
   PatchLayer mesh;
-  Status status = memory.assign(context, layer.vertex_position, mesh.vertex_position);
-  if (status) status = memory.assign(context, layer.triangle_vertex, mesh.triangle_vertex);
-  if (status) status = memory.resize(context, mesh.edge_is_curve, mesh.triangle_vertex.size());
-  if (!status) return status;
+  SFUMATO_TRY(memory.assign(context, layer.vertex_position, mesh.vertex_position));
+  SFUMATO_TRY(memory.assign(context, layer.triangle_vertex, mesh.triangle_vertex));
+  SFUMATO_TRY(memory.resize(context, mesh.edge_is_curve, mesh.triangle_vertex.size()));
   for (const ExactField& field : layer.field) {
     for (std::size_t h = 0; h < field.edge.size(); ++h)
       if (field.edge[h] != RayEdge::open) mesh.edge_is_curve[h] = 1;
@@ -53,7 +54,7 @@ Result<PatchLayer> mesh_of(const Context& context, const ExactLayer& layer, Tabl
   return mesh;
 }
 
-/// Half-edges on curves in the order in which what they bear is written: along the curves.
+/// Half-edges on curves in the order of their written attributes: along the curves.
 struct CurveEdge {
   std::uint32_t half_edge;  ///< of the viewer's order
   bool continues;           ///< the one before
@@ -66,20 +67,18 @@ class PatchVertices {
   static constexpr std::uint32_t kNone = 0xffffffff;
 
   Status list(Context& context, const PatchLayer& layer) {
-    const Result<ViewerMesh> mesh = order_for_viewer(context, layer);
-    if (!mesh) return mesh.status();
-    grid_ = grid_of(layer, *mesh);
-    Status status = memory_.resize(context, vertex_, mesh->vertex.size());
-    if (!status) return status;
+    SFUMATO_TRY_ASSIGN(const ViewerMesh& mesh, order_for_viewer(context, layer));
+    grid_ = grid_of(layer, mesh);
+    SFUMATO_TRY(memory_.resize(context, vertex_, mesh.vertex.size()));
     for (std::uint32_t i = 0; i < vertex_.size(); ++i)
-      vertex_[i] = {layer.vertex_position[mesh->vertex[i]], i};
+      vertex_[i] = {layer.vertex_position[mesh.vertex[i]], i};
     return TableMemory::sort(context, vertex_, is_before);
   }
 
-  /// In place of list(): there are none.
+  /// Alternative to list() if there are no half-edges.
   void list_none(const ViewerGrid& grid) { grid_ = grid; }
 
-  /// The number of the one at a position, or kNone.
+  /// Returns the number of the one at a position, or kNone.
   std::uint32_t at(Vec2 position) const {
     const Vertex wanted{position, 0};
     const auto found = std::ranges::lower_bound(vertex_, wanted, is_before);
@@ -126,10 +125,10 @@ class CurveWriter {
 
   const std::vector<CurveEdge>& order() const { return order_; }
   const ViewerGrid& grid() const { return grid_; }
-  /// What positions are relative to.
+  /// Origin of the positions.
   Vec2 middle() const { return patches_.grid().middle(); }
 
-  /// The layer's half-edge.
+  /// Returns the layer's half-edge.
   std::uint32_t source(std::uint32_t h) const {
     const std::uint32_t t = h / 3;
     return 3 * mesh_.triangle[t] + (mesh_.first_corner[t] + h % 3) % 3;
@@ -139,18 +138,19 @@ class CurveWriter {
 
  private:
   Status find_twins() {
-    Status status = memory_.resize(context_, twin_, mesh_.corner_vertex.size(), kNoHalfEdge);
-    for (std::uint32_t h = 0; status && h < twin_.size(); ++h) {
+    SFUMATO_TRY(memory_.resize(context_, twin_, mesh_.corner_vertex.size(), kNoHalfEdge));
+    for (std::uint32_t h = 0; h < twin_.size(); ++h) {
       if (mesh_.mate[h] == kNoHalfEdge) continue;
       twin_[h] = mesh_.mate[h];
       twin_[mesh_.mate[h]] = h;
     }
-    return status;
+    return ok_status();
   }
 
   bool is_curve(std::uint32_t h) const { return layer_.edge_is_curve[source(h)] != 0; }
 
-  /// The edge where rays see what follows on this one at its origin or target.
+  /// Returns the edge whose attributes continue this edge's attributes for rays, at its origin or
+  /// target.
   template <class Turn>
   std::uint32_t neighbour(std::uint32_t h, Turn turn) const {
     std::uint32_t g = turn(h);
@@ -161,7 +161,7 @@ class CurveWriter {
     return is_curve(g) ? g : kNoHalfEdge;
   }
 
-  /// Those at which something begins come first; then closed ones.
+  /// Half-edges that begin a line come first, then closed lines.
   Status find_order() {
     std::vector<std::uint8_t> is_listed;
     const std::size_t count = mesh_.corner_vertex.size();
@@ -182,13 +182,12 @@ class CurveWriter {
     return status;
   }
 
-  /// First those on curves, then the others.
+  /// Vertices on curves come first, then the others.
   Status write_positions() {
     const std::size_t count = mesh_.vertex.size();
-    Status status = memory_.resize_all(context_, count, place_, is_placed_);
+    SFUMATO_TRY(memory_.resize_all(context_, count, place_, is_placed_));
     for (std::vector<std::uint32_t>* table : {&numbers_, &miss_x_, &miss_y_})
-      if (status) status = memory_.reserve(context_, *table, count);
-    if (!status) return status;
+      SFUMATO_TRY(memory_.reserve(context_, *table, count));
     for (CurveEdge& edge : order_) {
       const std::uint32_t a = origin(edge.half_edge), b = target(edge.half_edge);
       put(a);
@@ -250,8 +249,7 @@ class FieldOnCurves {
       : context_(context), field_(field), curves_(curves), step_(step), out_(out) {}
 
   Status run() {
-    Status status = list_sides();
-    if (!status) return status;
+    SFUMATO_TRY(list_sides());
     out_.f32(static_cast<float>(step_));
     for (int c = 0; c < field_.channel_count; ++c) {
       write_numbers(step_, [c](const ExactSide& s) { return std::pair(s.from[c], s.to[c]); });
@@ -272,15 +270,14 @@ class FieldOnCurves {
     std::uint32_t from, to;
   };
 
-  /// Writes what the curves' edges are.
+  /// Writes the kinds of the curves' edges.
   Status list_sides() {
     std::vector<std::uint32_t> index;
-    Status status = memory_.resize(context_, index, field_.edge.size());
-    if (status) status = memory_.reserve(context_, sides_, field_.side.size());
+    SFUMATO_TRY(memory_.resize(context_, index, field_.edge.size()));
+    SFUMATO_TRY(memory_.reserve(context_, sides_, field_.side.size()));
     const std::size_t most = std::max(field_.side.size(), field_.end.size());
-    if (status) status = memory_.reserve(context_, from_miss_, most);
-    if (status) status = memory_.reserve(context_, to_miss_, most);
-    if (!status) return status;
+    SFUMATO_TRY(memory_.reserve(context_, from_miss_, most));
+    SFUMATO_TRY(memory_.reserve(context_, to_miss_, most));
     std::uint32_t sides = 0;
     for (std::size_t h = 0; h < index.size(); ++h)
       if (field_.edge[h] == RayEdge::side) index[h] = sides++;
@@ -298,8 +295,8 @@ class FieldOnCurves {
     return out_.status();
   }
 
-  /// A side begins as the one before ended, and changes as much per length as what came before,
-  /// back to where that was last guessed wrong.
+  /// Predicts that a side begins as the side before it ended, with the same change per length as
+  /// the sides since the last wrong prediction.
   template <class Numbers>
   void write_numbers(double step, Numbers numbers) {
     from_miss_.clear();
@@ -379,12 +376,8 @@ struct ExactMesh {
 };
 
 Status make_mesh(Context& context, const ExactLayer& exact, ExactMesh& made) {
-  Result<PatchLayer> layer = mesh_of(context, exact, made.memory);
-  if (!layer) return layer.status();
-  made.layer = std::move(*layer);
-  Result<ViewerMesh> mesh = order_for_viewer(context, made.layer);
-  if (!mesh) return mesh.status();
-  made.mesh = std::move(*mesh);
+  SFUMATO_TRY_ASSIGN(made.layer, mesh_of(context, exact, made.memory));
+  SFUMATO_TRY_ASSIGN(made.mesh, order_for_viewer(context, made.layer));
   return ok_status();
 }
 
@@ -393,23 +386,21 @@ Status write_layer(Context& context, const ExactLayer& exact, const ExactMesh& m
                    ByteWriter& out) {
   out.f32(static_cast<float>(exact.tolerance));
   CurveWriter curves(context, made.layer, made.mesh, vertices, grid, out);
-  Status status = curves.run();
+  SFUMATO_TRY(curves.run());
   for (const ExactField& field : exact.field) {
-    if (!status) return status;
     const bool is_color = field.channel_count == 3;
     const double step = exact_step(is_color ? space : InterpolationSpace::srgb);
-    status = FieldOnCurves(context, field, curves, step, out).run();
+    SFUMATO_TRY(FieldOnCurves(context, field, curves, step, out).run());
   }
-  return status;
+  return ok_status();
 }
 
 Status write_with_patches(Context& context, const PatchLayer& patches, InterpolationSpace space,
                           ByteWriter& out) {
   ExactMesh made;
-  Status status = make_mesh(context, patches.exact, made);
+  SFUMATO_TRY(make_mesh(context, patches.exact, made));
   PatchVertices vertices;
-  if (status) status = vertices.list(context, patches);
-  if (!status) return status;
+  SFUMATO_TRY(vertices.list(context, patches));
   const ViewerGrid grid = grid_of(made.layer, made.mesh);
   return write_layer(context, patches.exact, made, vertices, grid, space, out);
 }
@@ -430,8 +421,7 @@ Status write_alone(Context& context, const ExactLayer& layer, InterpolationSpace
   }
   out.u8(static_cast<std::uint8_t>(ExactKind::alone));
   ExactMesh made;
-  Status status = make_mesh(context, layer, made);
-  if (!status) return status;
+  SFUMATO_TRY(make_mesh(context, layer, made));
   const ViewerGrid grid = finer(grid_of(made.layer, made.mesh));
   PatchVertices vertices;
   vertices.list_none(grid);
@@ -448,8 +438,7 @@ Status write_exact(Context& context, const Picture& picture, ByteWriter& out) {
     const ExactKind kind = has_fields(layer) ? ExactKind::with_patches : ExactKind::none;
     out.u8(static_cast<std::uint8_t>(kind));
     if (kind == ExactKind::none) continue;
-    Status status = write_with_patches(context, layer, picture.interpolation, out);
-    if (!status) return status;
+    SFUMATO_TRY(write_with_patches(context, layer, picture.interpolation, out));
   }
   return out.status();
 }
@@ -457,7 +446,7 @@ Status write_exact(Context& context, const Picture& picture, ByteWriter& out) {
 Result<std::vector<std::uint8_t>> exact_alone(Context& context, const ExactLayer& layer,
                                               InterpolationSpace space) {
   ByteWriter out(context);
-  if (Status status = write_alone(context, layer, space, out); !status) return status;
+  SFUMATO_TRY(write_alone(context, layer, space, out));
   return out.finish();
 }
 

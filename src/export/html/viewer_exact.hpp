@@ -14,8 +14,8 @@ namespace sfumato::outputs {
 /// layer has any. Errors: limit (memory), cancelled.
 Status write_exact(Context& context, const Picture& picture, ByteWriter& out);
 
-/// The same for a layer by itself, whose positions are on a grid of their own: 26 bits on each
-/// axis. `space`: in which colours are interpolated. Errors: limit (memory), cancelled.
+/// Returns the same for a single layer, whose positions have their own grid: 26 bits on each axis.
+/// `space`: for interpolating colours. Errors: limit (memory), cancelled.
 Result<std::vector<std::uint8_t>> exact_alone(Context& context, const ExactLayer& layer,
                                               InterpolationSpace space);
 

@@ -6,6 +6,7 @@
 
 #include "base/poll.hpp"
 #include "base/table_memory.hpp"
+#include "base/try.hpp"
 #include "picture/patch.hpp"
 
 namespace sfumato::outputs {
@@ -14,7 +15,7 @@ namespace {
 constexpr std::uint32_t kNoNode = std::numeric_limits<std::uint32_t>::max();
 constexpr double kLargestValue = 64;
 
-/// Nodes of a vertex that are looked at to find one again.
+/// The most nodes of a vertex that are examined to find one again.
 constexpr int kNodesLookedAt = 200;
 
 constexpr int kResidualBytes = 3;
@@ -39,14 +40,12 @@ class FieldWriter {
   }
 
   Status run() {
-    Status status = memory_.resize(context_, node_, mesh_.triangle_count() * kNodesPerTriangle);
-    if (status) status = memory_.resize(context_, first_at_vertex_, mesh_.vertex.size(), kNoNode);
-    if (!status) return status;
+    SFUMATO_TRY(memory_.resize(context_, node_, mesh_.triangle_count() * kNodesPerTriangle));
+    SFUMATO_TRY(memory_.resize(context_, first_at_vertex_, mesh_.vertex.size(), kNoNode));
     for (double step : step_) out_.f32(static_cast<float>(step));
     for (const auto part :
          {&FieldWriter::add_corners, &FieldWriter::add_edges, &FieldWriter::add_center}) {
-      status = for_each_triangle(part);
-      if (!status) return status;
+      SFUMATO_TRY(for_each_triangle(part));
       flush();
     }
     return out_.status();
@@ -57,25 +56,25 @@ class FieldWriter {
     RarePoll<4096> poll(context_);
     for (std::uint32_t t = 0; t < mesh_.triangle_count(); ++t) {
       if (poll.cancelled()) return context_.cancel_status();
-      if (Status status = make_room(); !status) return status;
+      SFUMATO_TRY(make_room());
       (this->*body)(t);
     }
     return ok_status();
   }
 
-  /// For what one triangle can add.
+  /// Reserves memory for the data of one triangle.
   Status make_room() {
-    Status status = memory_.make_room(context_, source_, kNodesPerTriangle);
-    if (status) status = memory_.make_room(context_, next_at_vertex_, kNodesPerTriangle);
-    if (status) status = memory_.make_room(context_, value_, kNodesPerTriangle * channels_);
-    if (status) status = memory_.make_room(context_, codes_, kNodesPerTriangle);
-    for (std::size_t c = 0; c < channels_ && status; ++c) {
-      status = memory_.make_room(context_, misses_[c], kNodesPerTriangle);
+    SFUMATO_TRY(memory_.make_room(context_, source_, kNodesPerTriangle));
+    SFUMATO_TRY(memory_.make_room(context_, next_at_vertex_, kNodesPerTriangle));
+    SFUMATO_TRY(memory_.make_room(context_, value_, kNodesPerTriangle * channels_));
+    SFUMATO_TRY(memory_.make_room(context_, codes_, kNodesPerTriangle));
+    for (std::size_t c = 0; c < channels_; ++c) {
+      SFUMATO_TRY(memory_.make_room(context_, misses_[c], kNodesPerTriangle));
     }
-    return status;
+    return ok_status();
   }
 
-  /// The layer's node of a slot (PatchField's order) of triangle t in the viewer's order.
+  /// Returns the layer's node of a slot (PatchField's order) of triangle t in the viewer's order.
   std::uint32_t source(std::uint32_t t, std::uint32_t slot) const {
     const std::uint32_t turn = mesh_.first_corner[t];
     std::uint32_t from = slot;
@@ -92,7 +91,7 @@ class FieldWriter {
     return value_[channels_ * node + channel];
   }
 
-  /// A node of its own for a slot; guess(channel) foretells its value.
+  /// Adds a new node for a slot; guess(channel) predicts its value.
   template <class Guess>
   void add_node(std::uint32_t t, std::uint32_t slot, const Guess& guess) {
     const std::uint32_t from = source(t, slot);
@@ -187,7 +186,7 @@ class FieldWriter {
     return true;
   }
 
-  /// What a quadratic polynomial has in the centre.
+  /// Adds the node of the centre, predicted as the value of a quadratic polynomial there.
   void add_center(std::uint32_t t) {
     add_node(t, kCenterNode, [&](std::size_t c) {
       std::int32_t corners = 0, edges = 0;

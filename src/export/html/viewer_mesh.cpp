@@ -7,13 +7,15 @@
 
 #include "base/poll.hpp"
 #include "base/table_memory.hpp"
+#include "base/try.hpp"
 
 namespace sfumato::outputs {
 namespace {
 
 constexpr std::uint32_t kUnseen = std::numeric_limits<std::uint32_t>::max();
 
-/// Triangles on one edge that are looked at to find the next: more than two are no triangulation.
+/// The most triangles on one edge that are examined to find the next; a triangulation has at most
+/// two.
 constexpr std::size_t kTrianglesOnEdge = 4;
 
 /// Cells of the grid along an axis.
@@ -21,16 +23,15 @@ constexpr double kGridCells = (1 << 22) - 1;
 constexpr int kGridMiddle = 1 << 21;
 
 /// Walks over the triangles and numbers them. A gate is a half-edge whose other side was not
-/// looked at yet.
+/// visited yet.
 class Walker {
  public:
   Walker(Context& context, const PatchLayer& layer, ViewerMesh& mesh)
       : context_(context), layer_(layer), mesh_(mesh), codes_(context) {}
 
   Status run() {
-    Status status = make_tables();
-    if (status) status = find_edges();
-    if (!status) return status;
+    SFUMATO_TRY(make_tables());
+    SFUMATO_TRY(find_edges());
     for (std::uint32_t t = 0; t < layer_.triangle_count(); ++t) {
       if (is_placed_[t]) continue;
       for (std::uint32_t k = 0; k < 3; ++k) {
@@ -39,11 +40,10 @@ class Walker {
         see(vertex, kNoHalfEdge);
       }
       place(t, 0);
-      if (status = follow_gates(); !status) return status;
+      SFUMATO_TRY(follow_gates());
     }
-    const auto codes = codes_.finish();
-    if (!codes) return codes.status();
-    return mesh_.memory.append(context_, *codes, mesh_.codes);
+    SFUMATO_TRY_ASSIGN(const auto& codes, codes_.finish());
+    return mesh_.memory.append(context_, codes, mesh_.codes);
   }
 
  private:
@@ -51,18 +51,17 @@ class Walker {
   Status make_tables() {
     const std::size_t triangles = layer_.triangle_count(), corners = 3 * triangles;
     const std::size_t vertices = layer_.vertex_position.size();
-    Status status = memory_.resize_all(context_, corners, edge_, half_edge_);
-    if (status) status = memory_.reserve(context_, gates_, corners);
-    if (status) status = memory_.resize(context_, is_placed_, triangles);
-    if (status) status = memory_.resize(context_, vertex_number_, vertices, kUnseen);
+    SFUMATO_TRY(memory_.resize_all(context_, corners, edge_, half_edge_));
+    SFUMATO_TRY(memory_.reserve(context_, gates_, corners));
+    SFUMATO_TRY(memory_.resize(context_, is_placed_, triangles));
+    SFUMATO_TRY(memory_.resize(context_, vertex_number_, vertices, kUnseen));
     TableMemory& kept = mesh_.memory;
-    if (status) status = kept.reserve(context_, mesh_.triangle, triangles);
-    if (status) status = kept.reserve(context_, mesh_.first_corner, triangles);
-    if (status) status = kept.reserve(context_, mesh_.corner_vertex, corners);
-    if (status) status = kept.reserve(context_, mesh_.mate, corners);
-    if (status) status = kept.reserve(context_, mesh_.vertex, vertices);
-    if (status) status = kept.reserve(context_, mesh_.apex, vertices);
-    return status;
+    SFUMATO_TRY(kept.reserve(context_, mesh_.triangle, triangles));
+    SFUMATO_TRY(kept.reserve(context_, mesh_.first_corner, triangles));
+    SFUMATO_TRY(kept.reserve(context_, mesh_.corner_vertex, corners));
+    SFUMATO_TRY(kept.reserve(context_, mesh_.mate, corners));
+    SFUMATO_TRY(kept.reserve(context_, mesh_.vertex, vertices));
+    return kept.reserve(context_, mesh_.apex, vertices);
   }
 
   /// Half-edges on one edge get one number, and are found by it.
@@ -77,29 +76,27 @@ class Walker {
     };
     TableMemory memory("the viewer's triangles");
     std::vector<Key> keys;
-    Status status = memory.resize(context_, keys, edge_.size());
-    if (!status) return status;
+    SFUMATO_TRY(memory.resize(context_, keys, edge_.size()));
     for (std::uint32_t h = 0; h < keys.size(); ++h) {
       const std::uint32_t a = start(h), b = end(h);
       keys[h] = {std::min(a, b), std::max(a, b), h};
     }
-    status = TableMemory::sort(context_, keys, [](const Key& a, const Key& b) { return a < b; });
-    if (!status) return status;
+    SFUMATO_TRY(
+        TableMemory::sort(context_, keys, [](const Key& a, const Key& b) { return a < b; }));
     RarePoll<65536> poll(context_);
     for (std::size_t i = 0; i < keys.size(); ++i) {
       if (poll.cancelled()) return context_.cancel_status();
       const bool is_new =
           i == 0 || keys[i].low != keys[i - 1].low || keys[i].high != keys[i - 1].high;
-      if (is_new) status = memory_.push_back(context_, first_half_edge_, i);
-      if (!status) return status;
+      if (is_new) SFUMATO_TRY(memory_.push_back(context_, first_half_edge_, i));
       half_edge_[i] = keys[i].half_edge;
       edge_[keys[i].half_edge] = static_cast<std::uint32_t>(first_half_edge_.size() - 1);
     }
-    status = memory_.resize(context_, last_on_edge_, first_half_edge_.size(), kNoHalfEdge);
+    Status status = memory_.resize(context_, last_on_edge_, first_half_edge_.size(), kNoHalfEdge);
     return status ? memory_.push_back(context_, first_half_edge_, keys.size()) : status;
   }
 
-  /// Of the layer's half-edges.
+  /// Indices of the layer's half-edges.
   std::uint32_t start(std::uint32_t h) const { return layer_.triangle_vertex[h]; }
   std::uint32_t end(std::uint32_t h) const { return layer_.triangle_vertex[next_half_edge(h)]; }
 
@@ -159,7 +156,7 @@ class Walker {
     std::uint32_t edge;
   };
 
-  /// The layer's half-edge on the other side, of a triangle that has no place yet.
+  /// Returns the layer's half-edge on the other side, of a triangle that has no place yet.
   std::uint32_t across(const Gate& gate) const {
     const std::uint32_t from = mesh_.vertex[mesh_.corner_vertex[next_half_edge(gate.half_edge)]];
     const std::size_t first = first_half_edge_[gate.edge];
@@ -204,8 +201,7 @@ Status write_positions(const Context& context, const PatchLayer& layer, const Vi
   TableMemory memory("the viewer's positions");
   std::vector<GridPoint> grid;
   std::vector<std::uint32_t> miss_x, miss_y;
-  Status status = memory.resize_all(context, mesh.vertex.size(), grid, miss_x, miss_y);
-  if (!status) return status;
+  SFUMATO_TRY(memory.resize_all(context, mesh.vertex.size(), grid, miss_x, miss_y));
   for (std::uint32_t i = 0; i < grid.size(); ++i) {
     grid[i] = cells.nearest(layer.vertex_position[mesh.vertex[i]]);
     const GridPoint guess = predicted(mesh, grid, i);
@@ -222,7 +218,7 @@ Status write_positions(const Context& context, const PatchLayer& layer, const Vi
 
 Result<ViewerMesh> order_for_viewer(Context& context, const PatchLayer& layer) {
   ViewerMesh mesh;
-  if (Status status = Walker(context, layer, mesh).run(); !status) return status;
+  SFUMATO_TRY(Walker(context, layer, mesh).run());
   return mesh;
 }
 
@@ -276,7 +272,7 @@ Status write_mesh(const Context& context, const PatchLayer& layer, const ViewerM
   out.varint(mesh.triangle_count());
   out.varint(mesh.vertex.size());
   out.counted(mesh.codes);
-  if (Status status = write_positions(context, layer, mesh, out); !status) return status;
+  SFUMATO_TRY(write_positions(context, layer, mesh, out));
   write_curves(layer, mesh, out);
   return out.status();
 }

@@ -12,9 +12,9 @@
 
 namespace sfumato::outputs {
 
-/// The triangles of a layer in the order in which the viewer reads them. If possible each is
-/// adjacent to an earlier one, so that most of its data is already known. Half-edge 3t + k runs
-/// from corner k of triangle t to the next.
+/// The triangles of a layer in the order of the viewer. If possible each is adjacent to an earlier
+/// one, so that most of its data is already known. Half-edge 3t + k runs from corner k of triangle
+/// t to the next.
 struct ViewerMesh {
   std::vector<std::uint32_t> triangle;       ///< of the layer
   std::vector<std::uint8_t> first_corner;    ///< the layer's corner that is corner 0 here
@@ -48,11 +48,11 @@ struct ViewerGrid {
   Place place(GridPoint point) const;
   /// The same, relative to another point of the layer frame.
   Place place(GridPoint point, Vec2 origin) const;
-  /// The grid's middle, layer frame.
+  /// Returns the grid's middle, layer frame.
   Vec2 middle() const;
 };
 
-/// The smallest that holds the vertices.
+/// Returns the smallest that holds the vertices.
 ViewerGrid grid_of(const PatchLayer& layer, const ViewerMesh& mesh);
 
 /// Its corner and step.

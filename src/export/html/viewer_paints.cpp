@@ -8,13 +8,14 @@
 
 #include "base/charge.hpp"
 #include "base/table_memory.hpp"
+#include "base/try.hpp"
 #include "codecs/data_uri_write.hpp"
 #include "display/paint_table.hpp"
 
 namespace sfumato::outputs {
 namespace {
 
-/// What a paint has besides its values in the table.
+/// The data of a paint besides its values in the table.
 enum class PaintFile : std::uint8_t { none, png, jpeg };
 
 /// Browsers turn pictures as their Exif data say; the texture's texels lie as the file has them.
@@ -39,10 +40,9 @@ Status write_texture(Context& context, const Texture& texture, ByteWriter& out) 
     return out.status();
   }
   const auto png = codecs::texture_png(context, texture);
-  if (!png) return png.status();
+  SFUMATO_TRY(png);
   ScopedCharge held;
-  Status status = held.add(context, capacity_bytes(*png), "a texture's file");
-  if (!status) return status;
+  SFUMATO_TRY(held.add(context, capacity_bytes(*png), "a texture's file"));
   write_file(texture, PaintFile::png, *png, out);
   return out.status();
 }
@@ -59,7 +59,7 @@ std::vector<bool> used_shaders(const Picture& picture) {
 Status write_values(const Context& context, const std::vector<float>& values, ByteWriter& out) {
   TableMemory memory("the viewer's paints");
   std::vector<std::uint32_t> bits;
-  if (Status status = memory.resize(context, bits, values.size()); !status) return status;
+  SFUMATO_TRY(memory.resize(context, bits, values.size()));
   std::transform(values.begin(), values.end(), bits.begin(),
                  [](float value) { return std::bit_cast<std::uint32_t>(value); });
   out.varint(values.size() / 4);
@@ -70,23 +70,22 @@ Status write_values(const Context& context, const std::vector<float>& values, By
 }  // namespace
 
 Status write_paints(Context& context, const Picture& picture, ByteWriter& out) {
-  const Result<display::PaintTable> table =
-      display::make_paint_table(context, picture, display::PaintTexels::counted);
-  if (!table) return table.status();
-  if (Status status = write_values(context, table->values, out); !status) return status;
-  out.varint(table->texel_count);
+  SFUMATO_TRY_ASSIGN(const display::PaintTable& table,
+                     display::make_paint_table(context, picture, display::PaintTexels::counted));
+  SFUMATO_TRY(write_values(context, table.values, out));
+  out.varint(table.texel_count);
   const std::vector<bool> is_used = used_shaders(picture);
   out.varint(picture.shaders.size());
   for (std::size_t i = 0; i < picture.shaders.size(); ++i) {
-    const Affine& m = table->paint_from_layer[i];
-    out.varint(table->first_value[i]);
+    const Affine& m = table.paint_from_layer[i];
+    out.varint(table.first_value[i]);
     for (double value : {m.a, m.b, m.c, m.d, m.e, m.f}) out.f64(value);
     const auto* texture = std::get_if<Texture>(&picture.shaders[i].paint);
     if (!texture || !is_used[i]) {
       out.u8(static_cast<std::uint8_t>(PaintFile::none));
       continue;
     }
-    if (Status status = write_texture(context, *texture, out); !status) return status;
+    SFUMATO_TRY(write_texture(context, *texture, out));
   }
   return out.status();
 }

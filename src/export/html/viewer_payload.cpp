@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "base/limit_error.hpp"
+#include "base/try.hpp"
 #include "document/rules.hpp"
 #include "export/html/viewer_exact.hpp"
 #include "export/html/viewer_field.hpp"
@@ -64,16 +65,14 @@ class PayloadWriter {
     write_box(picture_.viewport, out_);
     out_.u8(static_cast<std::uint8_t>(picture_.interpolation));
     for (float value : {background.r, background.g, background.b}) out_.f32(value);
-    if (Status status = write_paints(context_, picture_, out_); !status) return status;
+    SFUMATO_TRY(write_paints(context_, picture_, out_));
     out_.varint(picture_.layers.size());
     for (const PatchLayer& layer : picture_.layers) {
-      Status status = tables_ == Tables::with ? write_layer(layer) : write_bare(layer);
-      if (!status) return status;
+      SFUMATO_TRY(tables_ == Tables::with ? write_layer(layer) : write_bare(layer));
     }
     out_.varint(picture_.stack.size());
     for (const PictureItem& item : picture_.stack) {
-      Status status = std::visit([this](const auto& x) { return write_item(x); }, item);
-      if (!status) return status;
+      SFUMATO_TRY(std::visit([this](const auto& x) { return write_item(x); }, item));
     }
     if (tables_ == Tables::with) return write_exact(context_, picture_, out_);
     return out_.status();
@@ -83,18 +82,16 @@ class PayloadWriter {
 
  private:
   Status write_layer(const PatchLayer& layer) {
-    Result<ViewerMesh> mesh = order_for_viewer(context_, layer);
-    if (!mesh) return mesh.status();
+    SFUMATO_TRY_ASSIGN(auto&& mesh, order_for_viewer(context_, layer));
     out_.u8(static_cast<std::uint8_t>(layer.order));
-    Status status = write_mesh(context_, layer, *mesh, out_);
-    if (!status) return status;
+    SFUMATO_TRY(write_mesh(context_, layer, mesh, out_));
     write_shaders(layer.color, out_);
-    status = write_field(context_, layer.color, *mesh, viewer_step(picture_.interpolation), out_);
-    if (!status) return status;
+    SFUMATO_TRY(
+        write_field(context_, layer.color, mesh, viewer_step(picture_.interpolation), out_));
     out_.u8(layer.opacity.channel_count > 0 ? 1 : 0);
     if (layer.opacity.channel_count == 0) return ok_status();
     write_shaders(layer.opacity, out_);
-    return write_field(context_, layer.opacity, *mesh, viewer_step(InterpolationSpace::srgb), out_);
+    return write_field(context_, layer.opacity, mesh, viewer_step(InterpolationSpace::srgb), out_);
   }
 
   Status write_bare(const PatchLayer& layer) {
@@ -146,7 +143,7 @@ class PayloadWriter {
 Result<std::vector<std::uint8_t>> written(Context& context, const Picture& picture,
                                           const Rgb& background, Tables tables) {
   PayloadWriter writer(context, picture, tables);
-  if (Status status = writer.run(background); !status) return status;
+  SFUMATO_TRY(writer.run(background));
   return writer.finish();
 }
 
@@ -158,15 +155,15 @@ Rgb viewer_background(const Picture& picture, const std::optional<Rgb>& wanted) 
 
 Result<std::vector<std::uint8_t>> viewer_payload(Context& context, const Picture& picture,
                                                  const Rgb& background) {
-  if (Status status = picture::check_picture(context, picture); !status) return status;
-  if (Status status = check_boxes(picture); !status) return status;
-  if (Status status = check_size(context.limits, picture); !status) return status;
+  SFUMATO_TRY(picture::check_picture(context, picture));
+  SFUMATO_TRY(check_boxes(picture));
+  SFUMATO_TRY(check_size(context.limits, picture));
   return written(context, picture, background, Tables::with);
 }
 
 Result<std::vector<std::uint8_t>> viewer_stack(Context& context, const Picture& picture,
                                                const Rgb& background) {
-  if (Status status = check_boxes(picture); !status) return status;
+  SFUMATO_TRY(check_boxes(picture));
   return written(context, picture, background, Tables::without);
 }
 

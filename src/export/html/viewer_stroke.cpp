@@ -8,6 +8,7 @@
 
 #include "base/limit_error.hpp"
 #include "base/table_memory.hpp"
+#include "base/try.hpp"
 #include "curves/stroke_segments.hpp"
 
 namespace sfumato::outputs {
@@ -31,8 +32,8 @@ float rounded(float value, int bits) {
   return std::bit_cast<float>((code + half) & ~((half << 1) - 1));
 }
 
-/// What is stored of a segment: where it starts, how it goes on, its attributes at its start and at
-/// its end.
+/// The stored data of a segment: its start, its direction, and its attributes at its start and its
+/// end.
 struct StoredSegment {
   std::array<float, 2> start;
   std::array<float, 6> coefficient;
@@ -61,17 +62,16 @@ std::uint32_t difference(float value, float guess) {
   return std::bit_cast<std::uint32_t>(value) ^ std::bit_cast<std::uint32_t>(guess);
 }
 
-/// Columns of numbers, each as planes. A segment is expected to go on where the one before ended:
-/// what is stored of its start is the bits that differ.
+/// Columns of numbers, each as planes. A segment is predicted to start at the end of the segment
+/// before; its start is stored as the differing bits.
 Status write_segments(const Context& context, const curves::StrokeSegments& segments, Vec2 origin,
                       ByteWriter& out) {
   const std::size_t count = segments.segment.size();
   TableMemory memory("a local curve");
   std::vector<StoredSegment> rows;
   std::vector<std::uint32_t> column;
-  Status status = memory.reserve(context, rows, count);
-  if (status) status = memory.resize(context, column, count);
-  if (!status) return status;
+  SFUMATO_TRY(memory.reserve(context, rows, count));
+  SFUMATO_TRY(memory.resize(context, column, count));
   for (const curves::StrokeSegment& segment : segments.segment)
     rows.push_back(stored(segment, origin));
   const auto write = [&](int bytes, const auto& value) {
@@ -120,9 +120,7 @@ Status write_stroke(Context& context, const LocalStroke& stroke, InterpolationSp
     options.smallest_radius =
         std::max(viewport.width(), viewport.height()) * kSmallestRadius / scale;
     options.nodes_per_radius = kNodesPerRadius;
-    Result<curves::StrokeSegments> made = curves::stroke_segments(context, curve, options);
-    if (!made) return made.status();
-    segments = std::move(*made);
+    SFUMATO_TRY_ASSIGN(segments, curves::stroke_segments(context, curve, options));
   }
   const std::size_t count = segments.segment.size();
   *segment_count += count;

@@ -9,10 +9,10 @@
 
 namespace sfumato::outputs {
 
-/// A local curve as the segments from which the viewer makes nodes at any zoom (docs/viewer.md,
+/// Writes a local curve as segments, which the viewer turns into nodes at any zoom (docs/viewer.md,
 /// "Strokes"). Segments that do not reach into `viewport`, artboard units, are left out.
 ///
-/// segment_count  number of segments written so far; increased by those of this stroke.
+/// segment_count  number of segments written so far; increased by the segments of this stroke.
 /// Errors: limit (segments, memory), cancelled. Cost: O(segments).
 Status write_stroke(Context& context, const LocalStroke& stroke, InterpolationSpace space,
                     const Box& viewport, std::size_t* segment_count, ByteWriter& out);

@@ -11,6 +11,7 @@
 #include <variant>
 
 #include "base/public_verb.hpp"
+#include "base/try.hpp"
 #include "export/page.hpp"
 #include "export/pdf/pdf_content.hpp"
 #include "export/pdf/pdf_layer.hpp"
@@ -24,7 +25,7 @@ namespace {
 
 using Resource = PdfContent::Resource;
 
-/// Of a page, in its own units; larger pages have larger units.
+/// The largest side of a page in its own units; larger pages have larger units.
 constexpr double kMostPageUnits = 14400;
 
 /// Poppler's Splash takes 0.4 to 1 ms for a patch (34,000 of blur.svg 13 s): more of them are too
@@ -37,7 +38,7 @@ bool is_composited(float opacity, BlendMode blend) {
   return opacity < 1 || blend != BlendMode::normal;
 }
 
-/// What an instance of a layer paints: its colours, its opacity, and a mask for each shader.
+/// The paint of a layer's instance: its colours, its opacity, and a mask for each shader.
 double painted_patches(const PatchLayer& layer) {
   const std::size_t meshes = 1 + (layer.opacity.channel_count > 0 ? 1 : 0) +
                              layer.color.shader.size() + layer.opacity.shader.size();
@@ -74,7 +75,7 @@ class PdfWriter {
   void begin_page();
   PdfRef add_page();
 
-  /// A group that is open, and what stands in it; the first is the page.
+  /// An open group and its content; the first is the page.
   struct Level {
     GroupBegin group;
     PdfContent content;
@@ -105,7 +106,7 @@ void PdfWriter::add_layers() {
     const PatchInstance* instance = std::get_if<PatchInstance>(&item);
     if (!instance) continue;
     PdfLayerOptions& layer = layers[instance->layer];
-    const double scale = std::sqrt(std::fabs(instance->artboard_from_layer.determinant()));
+    const double scale = instance_scale(instance->artboard_from_layer);
     layer.points_per_unit = std::max(layer.points_per_unit, scale * points_per_unit_);
     patches[instance->layer] += painted_patches(picture_.layers[instance->layer]);
     layer.is_group = layer.is_group || is_composited(instance->opacity, instance->blend);
@@ -201,7 +202,7 @@ void PdfWriter::paint_background() {
                              pdf_number(box.height()) + " re f");
 }
 
-/// How much larger than a point the page's unit is.
+/// Returns how much larger than a point the page's unit is.
 double user_unit_of(const Page& page) {
   return std::max(1.0, std::max(page.width, page.height) / kMostPageUnits);
 }
@@ -247,19 +248,23 @@ Result<std::vector<std::uint8_t>> PdfWriter::write() {
 }
 
 Status check(const Context& context, const Picture& picture, const PdfOptions& options) {
-  if (Status status = check_viewport(picture.viewport); !status) return status;
-  if (!is_positive(options.page_width_pt.value_or(1)))
-    return make_error(StatusCode::bad_input, "a page width that is no positive number");
+  SFUMATO_TRY(check_viewport(picture.viewport));
+  if (!(options.page_width_pt.value_or(1) > 0))
+    return make_error(StatusCode::bad_input, "the width of a page must be a positive number");
   if (!is_positive(options.dpi) || !is_positive(options.max_error))
-    return make_error(StatusCode::bad_input, "a resolution or error that is no positive number");
+    return make_error(StatusCode::bad_input,
+                      "the resolution and the error must be positive numbers");
   if (options.flatten > PdfFlatten::never)
     return make_error(StatusCode::bad_input, "an unknown way to flatten a PDF");
+  Status page =
+      check_page(picture.viewport, points_per_unit(options.page_width_pt, picture.viewport));
+  if (!page) return page;
   return picture::check_picture(context, picture);
 }
 
 Result<std::vector<std::uint8_t>> write(Context& context, const Picture& picture,
                                         const PdfOptions& options, ExportNotes* notes) {
-  if (Status status = check(context, picture, options); !status) return status;
+  SFUMATO_TRY(check(context, picture, options));
   ExportNotes unread;
   return PdfWriter(context, picture, options,
                    points_per_unit(options.page_width_pt, picture.viewport),

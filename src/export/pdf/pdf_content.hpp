@@ -28,7 +28,7 @@ class PdfContent {
   /// "/R12" for an object, which becomes one of the stream's resources.
   std::string name(Resource kind, PdfRef ref);
 
-  /// Whether nothing was added; false after a failure.
+  /// Returns whether nothing was added; false after a failure.
   bool empty() const { return text_.status().ok() && text_.size() == 0; }
   std::string_view text() const { return text_.text(); }
   /// "/Resources << ... >>".

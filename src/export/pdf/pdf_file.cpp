@@ -4,8 +4,9 @@
 #include <cmath>
 #include <utility>
 
-#include "base/number_text.hpp"
-#include "base/utf8.hpp"
+#include "base/text/ascii.hpp"
+#include "base/text/number_text.hpp"
+#include "base/text/utf8.hpp"
 #include "codecs/deflate.hpp"
 
 namespace sfumato::outputs {
@@ -15,12 +16,11 @@ constexpr double kLargestPdfNumber = 3e38;  ///< readers may hold numbers in sin
 constexpr int kDigits = 9;
 constexpr int kMostDecimals = 18;
 
-/// The four bytes tell programs that guess that the file is not text.
+/// The four bytes show programs that guess the type that the file is not text.
 constexpr std::string_view kHeader = "%PDF-1.7\n%\xE2\xE3\xCF\xD3\n";
 
 void append_hex(unsigned unit, std::string* text) {
-  constexpr char kDigit[] = "0123456789ABCDEF";
-  for (int shift = 12; shift >= 0; shift -= 4) *text += kDigit[unit >> shift & 15];
+  for (int shift = 12; shift >= 0; shift -= 4) *text += kUpperHexDigits[unit >> shift & 15];
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ namespace sfumato::outputs {
 /// The number of an object of a PDF file, from 1.
 using PdfRef = int;
 
-/// A number in PDF's syntax: nine significant digits, no exponent. Precondition: finite.
+/// Returns a number in PDF's syntax: nine significant digits, no exponent. Precondition: finite.
 std::string pdf_number(double value);
 /// "[x0 y0 x1 y1]".
 std::string pdf_rectangle(const Box& box);
@@ -38,17 +38,17 @@ class PdfFile {
   /// Adds an object without a stream: "<< /Type /Page >>".
   PdfRef add(std::string_view object);
 
-  /// Adds a deflated stream; `entries` are those of its dictionary except Length and Filter.
+  /// Adds a deflated stream; `entries` are the entries of its dictionary except Length and Filter.
   /// Errors, in status(): limit (memory), cancelled, out_of_memory; the result is then not a valid
   /// object.
   PdfRef add_stream(std::string_view entries, std::span<const std::uint8_t> bytes);
   PdfRef add_stream(std::string_view entries, std::string_view text);
 
-  /// The first error; everything added after it is dropped.
+  /// Returns the first error; everything added after it is dropped.
   const Status& status() const { return bytes_.status(); }
   void fail(Status status) { bytes_.fail(std::move(status)); }
 
-  /// The whole file. Nothing may be added afterwards.
+  /// Returns the whole file. Nothing may be added afterwards.
   Result<std::vector<std::uint8_t>> finish(PdfRef root, PdfRef info);
 
  private:

@@ -21,17 +21,17 @@ using Resource = PdfContent::Resource;
 
 /// How far the first painting of a mesh is moved, points.
 constexpr double kShift = 0.09;
-/// Of the bands along curves, points: more than two pixels of a screen.
+/// The width of the bands along curves, points: more than two pixels of a screen.
 constexpr double kBandWidth = 1.75;
 
-/// How far colours go on beyond a layer's last curve, points: a pixel that the curve cuts has its
-/// centre in there, and a narrow gap keeps the colours of both its sides.
+/// How far colours continue beyond a layer's last curve, points. A pixel that the curve cuts has
+/// its centre there, and a narrow gap keeps the colours of both sides.
 constexpr double kBeyondWidth = 1;
 
 /// How exactly points of paths are written, points of the page.
 constexpr double kPathStep = 0.002;
 
-/// A power of ten of steps, each kPathStep or less, to a unit.
+/// Returns a power of ten of steps, each kPathStep or less, to a unit.
 double steps_per_unit(double points_per_unit) {
   return std::pow(10, std::ceil(std::log10(points_per_unit / kPathStep)));
 }
@@ -85,7 +85,7 @@ class PdfLayerWriter {
 
   bool is_mixed_elsewhere() const;
   bool has_opacity() const { return layer_.opacity.channel_count > 0; }
-  /// Whether a path is the mask.
+  /// Returns whether a path is the mask.
   bool is_outlined() const { return !has_opacity() && has_ends(edges_); }
   double pixels_per_unit() const { return options_.points_per_unit * options_.dpi / 72; }
   void paint_facets(const FacetSource& source, PdfContent* content);
@@ -112,7 +112,7 @@ class PdfLayerWriter {
   Box box_;  ///< with the bands around it
 };
 
-/// Whether colours of shaders are mixed in a space that source-over knows nothing of.
+/// Returns whether colours of shaders are mixed in a space that source-over knows nothing of.
 bool PdfLayerWriter::is_mixed_elsewhere() const {
   return picture_.interpolation != InterpolationSpace::srgb && !layer_.color.shader.empty();
 }
@@ -158,7 +158,8 @@ void PdfLayerWriter::paint_clipped(const FacetMesh& mesh, const PdfContent& whit
   const Box box = decode_box(mesh.vertex_position);
   const PdfRef state = add_mask(file_, white.make_mask_form(file_, box));
   PdfContent clipped(context_);
-  // Twice, as the mesh: what lies below has another colour, and would show in pixels left out.
+  // Painted twice, like the mesh: the layer below has another colour and would show in uncovered
+  // pixels.
   notes_->triangle_count += mesh.facet_vertex.size() / 3;
   paint_mesh(add_mesh(context_, file_, mesh, box), kShift / options_.points_per_unit, &clipped);
   const PdfRef form = mesh.channel_count == 1 ? clipped.make_mask_form(file_, box)
@@ -173,7 +174,7 @@ void PdfLayerWriter::paint_once(const FacetMesh& mesh, PdfContent* content) {
   if (ref != 0) content->add(content->name(Resource::shading, ref) + " sh");
 }
 
-/// The triangles where a channel is not 0.
+/// Returns the triangles where a channel is not 0.
 Box PdfLayerWriter::box_of_weight(const PatchField& field, std::size_t channel) const {
   Box box;
   const auto stride = static_cast<std::size_t>(field.channel_count);
@@ -185,14 +186,14 @@ Box PdfLayerWriter::box_of_weight(const PatchField& field, std::size_t channel) 
   return box;
 }
 
-/// A shader's pixels, and what they show on the whole.
+/// A shader's pixels and their mean.
 PdfLayerWriter::Paint PdfLayerWriter::add_shader(bool is_opacity, std::uint32_t shader) {
   const PatchField& field = is_opacity ? layer_.opacity : layer_.color;
   Paint paint;
   paint.box = box_of_weight(field, (is_opacity ? 1u : 3u) + shader);
   if (!(paint.box.width() > 0 && paint.box.height() > 0)) return paint;
-  // Bands carry weights across curves and beyond them; without the paint there, opacity would show
-  // at its ends, and the mean colour at those of an outline.
+  // Bands carry weights across curves and beyond them. Without the paint there, opacity would show
+  // at its ends, and the mean colour at the ends of an outline.
   if (is_opacity || is_outlined()) paint.box = paint.box.grown_by(band_width());
   const Result<PixelPart> part = shader_pixels(context_, picture_.shaders[field.shader[shader]],
                                                is_opacity, paint.box, pixels_per_unit());
@@ -211,8 +212,9 @@ PdfLayerWriter::Paint PdfLayerWriter::add_shader(bool is_opacity, std::uint32_t 
   return paint;
 }
 
-/// Colour or opacity: what the curves give, and the shaders over it under masks of their shares, so
-/// that the last has all of its weight and each leaves to those below what they need.
+/// Colour or opacity: first the curves' own values, then the shaders over them under masks of their
+/// shares. The last shader has all of its weight, and each shader leaves the needed share to the
+/// shaders below.
 void PdfLayerWriter::paint_field(bool is_opacity, PdfContent* content) {
   const PatchField& field = is_opacity ? layer_.opacity : layer_.color;
   std::vector<Paint> paints;

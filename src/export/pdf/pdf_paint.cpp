@@ -4,6 +4,7 @@
 
 #include "base/poll.hpp"
 #include "base/table_memory.hpp"
+#include "base/try.hpp"
 #include "export/facets/mesh_bytes.hpp"
 #include "export/poll_interval.hpp"
 
@@ -30,8 +31,7 @@ Result<std::vector<std::uint8_t>> planes(Context& context, const Image& image, i
   const auto stride = static_cast<std::size_t>(channel_count(image.format));
   const std::size_t pixels = image.bytes.size() / stride;
   std::vector<std::uint8_t> bytes;
-  Status status = memory.reserve(context, bytes, pixels * static_cast<std::size_t>(count));
-  if (!status) return status;
+  SFUMATO_TRY(memory.reserve(context, bytes, pixels * static_cast<std::size_t>(count)));
   RarePoll<kTurnsPerPoll> poll(context);
   for (std::size_t i = 0; i < pixels; ++i) {
     if (poll.cancelled()) return context.cancel_status();
@@ -43,6 +43,9 @@ Result<std::vector<std::uint8_t>> planes(Context& context, const Image& image, i
 
 PdfRef add_planes(Context& context, PdfFile* file, const Image& image, int first, int count,
                   const std::string& entries) {
+  if (first == 0 && count == channel_count(image.format)) {
+    return file->add_stream(entries, image.bytes);
+  }
   TableMemory memory("an image");
   const auto bytes = planes(context, image, first, count, memory);
   if (bytes) return file->add_stream(entries, *bytes);

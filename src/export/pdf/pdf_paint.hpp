@@ -6,7 +6,7 @@
 #include "export/pixel_part.hpp"
 #include "sfumato/export/export_notes.hpp"
 
-/// The objects from which a PDF's pictures are made.
+/// The objects of a PDF's pictures.
 namespace sfumato::outputs {
 
 /// A mesh as a shading; 0 if it has no facets. `box` contains its vertices.

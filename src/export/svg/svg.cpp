@@ -8,9 +8,10 @@
 
 #include "base/charge.hpp"
 #include "base/limit_error.hpp"
-#include "base/number_text.hpp"
 #include "base/output_buffer.hpp"
 #include "base/public_verb.hpp"
+#include "base/text/number_text.hpp"
+#include "base/try.hpp"
 #include "codecs/data_uri_write.hpp"
 #include "document/blend_names.hpp"
 #include "document/rules.hpp"
@@ -42,17 +43,18 @@ double pixels_per_unit(const SvgOptions& options) {
 Status check(const Context& context, const Picture& picture, const SvgOptions& options) {
   if (!(options.scale > 0) || !(options.dpi > 0) || !(pixels_per_unit(options) > 0) ||
       !std::isfinite(pixels_per_unit(options))) {
-    return make_error(StatusCode::bad_input, "scale or dpi of an SVG that is no positive number");
+    return make_error(StatusCode::bad_input,
+                      "the scale and dpi of an SVG must be positive numbers");
   }
   if (!(options.max_error > 0) || !std::isfinite(options.max_error)) {
     return make_error(StatusCode::bad_input,
-                      "an error of an SVG's colours that is no positive number");
+                      "the largest error of an SVG's colours must be a positive number");
   }
   if (options.mode > SvgMode::vector) {
     return make_error(StatusCode::bad_input, "an unknown mode of SVG");
   }
-  if (Status status = outputs::check_viewport(picture.viewport); !status) return status;
-  if (Status status = rules::check_background(options.background); !status) return status;
+  SFUMATO_TRY(outputs::check_viewport(picture.viewport));
+  SFUMATO_TRY(rules::check_background(options.background));
   return picture::check_picture(context, picture);
 }
 
@@ -102,16 +104,13 @@ Result<std::vector<std::uint8_t>> image_file(Context& context, const Picture& pi
   raster.height = side(viewport.height());
   raster.background = options.background;
   raster.format = options.background || picture.background ? PixelFormat::rgb8 : PixelFormat::rgba8;
-  const Result<Image> image = rasterize(context, picture, raster);
-  if (!image) return image.status();
-  const auto png = encode_png(context, *image);
-  if (!png) return png.status();
+  SFUMATO_TRY_ASSIGN(const Image& image, rasterize(context, picture, raster));
+  SFUMATO_TRY_ASSIGN(const auto& png, encode_png(context, image));
   ScopedCharge held;
-  Status status = held.add(context, capacity_bytes(*png), "the image as PNG");
-  if (!status) return status;
+  SFUMATO_TRY(held.add(context, capacity_bytes(png), "the image as PNG"));
   OutputBuffer text(context, "the image as SVG");
   begin_file(text, viewport, options.scale);
-  append_image(context, viewport, BlendMode::normal, *png, text);
+  append_image(context, viewport, BlendMode::normal, png, text);
   text += kFileEnd;
   return text.finish();
 }
@@ -141,7 +140,7 @@ class VectorWriter {
 
  private:
   void find_uses();
-  /// Whether triangles of an item are drawn.
+  /// Returns whether triangles of an item are drawn.
   bool is_drawn(const PatchInstance& instance) const;
   Status check_count(std::uint64_t triangles) const;
   Status make_layers();
@@ -178,7 +177,8 @@ void VectorWriter::find_uses() {
     LayerUse& use = uses_[instance->layer];
     const double scale = scale_of(instance->artboard_from_layer);
     use.smallest_scale = use.count == 0 ? scale : std::min(use.smallest_scale, scale);
-    use.largest_scale = std::max(use.largest_scale, scale);
+    use.largest_scale =
+        std::max(use.largest_scale, outputs::instance_scale(instance->artboard_from_layer));
     ++use.count;
   }
 }
@@ -197,8 +197,7 @@ Status VectorWriter::make_layers() {
   for (std::size_t i = 0; i < uses_.size(); ++i) {
     painted += uses_[i].count * picture_.layers[i].triangle_count();
   }
-  Status status = check_count(painted);
-  if (!status) return status;
+  SFUMATO_TRY(check_count(painted));
   painted = 0;
   const Box& viewport = picture_.viewport;
   const double pixel = std::max(viewport.width(), viewport.height()) / kNominalSide;
@@ -208,14 +207,12 @@ Status VectorWriter::make_layers() {
     if (use.count == 0) continue;
     const outputs::SvgScale scale{options_.max_error / 255, pixel, use.smallest_scale,
                                   use.largest_scale};
-    Result<SvgLayer> layer =
-        outputs::make_svg_layer(context_, picture_.layers[i], picture_.interpolation, scale);
-    if (!layer) return layer.status();
-    stored_ += layer->facet_count();
-    painted += use.count * layer->facet_count();
-    status = check_count(painted);
-    if (!status) return status;
-    layers_[i] = std::move(*layer);
+    SFUMATO_TRY_ASSIGN(auto&& layer, outputs::make_svg_layer(context_, picture_.layers[i],
+                                                             picture_.interpolation, scale));
+    stored_ += layer.facet_count();
+    painted += use.count * layer.facet_count();
+    SFUMATO_TRY(check_count(painted));
+    layers_[i] = std::move(layer);
   }
   if (notes_ && painted > limits::kSvgTrianglesSlow) {
     notes_->lost.push_back("an SVG of " + std::to_string(painted) +
@@ -252,10 +249,10 @@ Status VectorWriter::write_layers() {
 }
 
 Status VectorWriter::write_pixels(std::size_t first, std::size_t end) {
-  const auto part = outputs::paint_run(context_, picture_, first, end, pixels_per_unit(options_));
-  if (!part) return part.status();
-  if (part->box.empty()) return ok_status();
-  append_image(context_, part->box, outputs::run_blend(picture_, first), part->png, text_);
+  SFUMATO_TRY_ASSIGN(const auto& part,
+                     outputs::paint_run(context_, picture_, first, end, pixels_per_unit(options_)));
+  if (part.box.empty()) return ok_status();
+  append_image(context_, part.box, outputs::run_blend(picture_, first), part.png, text_);
   return text_.status();
 }
 
@@ -264,7 +261,7 @@ Status VectorWriter::write_stack() {
   for (std::size_t i = 0; i < stack.size(); ++i) {
     if (outputs::needs_pixels(picture_, stack[i])) {
       const std::size_t end = outputs::pixel_run_end(picture_, i);
-      if (Status status = write_pixels(i, end); !status) return status;
+      SFUMATO_TRY(write_pixels(i, end));
       i = end - 1;
     } else if (const auto* group = std::get_if<GroupBegin>(&stack[i])) {
       const bool is_plain = group->opacity == 1 && group->blend == BlendMode::normal;
@@ -286,7 +283,7 @@ Status VectorWriter::write_stack() {
 
 Result<std::vector<std::uint8_t>> VectorWriter::write() {
   find_uses();
-  if (Status status = make_layers(); !status) return status;
+  SFUMATO_TRY(make_layers());
   tell();
   begin_file(text_, picture_.viewport, options_.scale);
   if (const auto& color = options_.background ? options_.background : picture_.background) {
@@ -294,16 +291,15 @@ Result<std::vector<std::uint8_t>> VectorWriter::write() {
     append_box(text_, picture_.viewport);
     text_ += " fill=\"" + color_text(*color) + "\"/>\n";
   }
-  Status status = write_layers();
-  if (status) status = write_stack();
-  if (!status) return status;
+  SFUMATO_TRY(write_layers());
+  SFUMATO_TRY(write_stack());
   text_ += kFileEnd;
   return text_.finish();
 }
 
 Result<std::vector<std::uint8_t>> write(Context& context, const Picture& picture,
                                         const SvgOptions& options, ExportNotes* notes) {
-  if (Status status = check(context, picture, options); !status) return status;
+  SFUMATO_TRY(check(context, picture, options));
   if (options.mode == SvgMode::image) return image_file(context, picture, options);
   return VectorWriter(context, picture, options, notes).write();
 }

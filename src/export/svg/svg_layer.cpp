@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/try.hpp"
 #include "export/svg/svg_text.hpp"
 
 namespace sfumato::outputs {
@@ -12,9 +13,9 @@ namespace {
 /// The layer's longer side in steps of its grid, at least, if no instance is much smaller than
 /// others.
 constexpr double kGridSteps = 5e4;
-/// A step in nominal pixels: at least so many in the smallest instance, as cairo (librsvg,
-/// Inkscape) gives up where gradients have units below 2^-15 pixels; but never more in the largest
-/// one.
+/// A step in nominal pixels: at least this many in the smallest instance, because cairo (librsvg,
+/// Inkscape) gives up if gradients have units below 2^-15 pixels; but never more in the largest
+/// instance.
 constexpr double kSmallestStep = 1e-2;
 constexpr double kLargestStep = 1.0 / 16;
 /// Sides of facets in the largest instance, nominal pixels: patches are not cut any shorter.
@@ -30,7 +31,8 @@ constexpr double kReachOutside = 3;
 constexpr double kSmallRadius = 1;
 constexpr double kSmallMargin = 1;
 
-/// The grid on a layer: numbers are whole and short. Pixels are nominal, in the layer's frame.
+/// Returns the grid on a layer: numbers are whole and short. Pixels are nominal, in the layer's
+/// frame.
 Affine grid_of(const Box& box, double pixel, double largest_pixel) {
   const double side = std::max(box.width(), box.height());
   if (!(side > 0)) return {};
@@ -41,7 +43,7 @@ Affine grid_of(const Box& box, double pixel, double largest_pixel) {
   return {step, 0, 0, step, rounded(box.min.x), rounded(box.min.y)};
 }
 
-/// Writes one layer, what it refers to first.
+/// Writes one layer, after the elements that it refers to.
 class SvgLayerWriter {
  public:
   SvgLayerWriter(Context& context, const SvgLayer& layer, SvgIds& ids, OutputBuffer& text)
@@ -54,7 +56,7 @@ class SvgLayerWriter {
   Status write(const std::string& id);
 
  private:
-  /// Both return the attribute that refers to what they wrote.
+  /// Both return the attribute that refers to the written element.
   std::string write_clip(const Silhouette& shape);
   Result<std::string> write_mask();
   Result<SvgMesh> mesh_of(const FacetMesh& facets, const FacetLinks& links, double outside);
@@ -68,15 +70,14 @@ class SvgLayerWriter {
 
 Result<SvgMesh> SvgLayerWriter::mesh_of(const FacetMesh& facets, const FacetLinks& links,
                                         double outside) {
-  auto outlines = underlapped(context_, facets, links, {layer_.reach.inside, outside});
-  if (!outlines) return outlines.status();
+  SFUMATO_TRY_ASSIGN(auto&& outlines,
+                     underlapped(context_, facets, links, {layer_.reach.inside, outside}));
   SvgMesh mesh;
   mesh.mesh = &facets;
-  mesh.outlines = std::move(*outlines);
-  auto small = small_facets(context_, facets, links, layer_.pixel * kSmallRadius,
-                            layer_.pixel * kSmallMargin, outside == 0, mesh.memory);
-  if (!small) return small.status();
-  mesh.small = std::move(*small);
+  mesh.outlines = std::move(outlines);
+  SFUMATO_TRY_ASSIGN(mesh.small,
+                     small_facets(context_, facets, links, layer_.pixel * kSmallRadius,
+                                  layer_.pixel * kSmallMargin, outside == 0, mesh.memory));
   mesh.grid_from_layer = grid_from_layer_;
   return mesh;
 }
@@ -98,13 +99,10 @@ std::string SvgLayerWriter::write_clip(const Silhouette& shape) {
 /// The opacity as grey.
 Result<std::string> SvgLayerWriter::write_mask() {
   const FacetMesh& facets = layer_.opacity;
-  const Result<FacetLinks> links = link_facets(context_, facets);
-  if (!links) return links.status();
-  Result<SvgMesh> mesh = mesh_of(facets, *links, 0);
-  if (!mesh) return mesh.status();
-  const Result<Silhouette> shape = silhouette(context_, facets, *links, layer_.frame);
-  if (!shape) return shape.status();
-  if (!shape->is_frame && !mesh->small.empty()) mesh->small_clip = write_clip(*shape);
+  SFUMATO_TRY_ASSIGN(const FacetLinks& links, link_facets(context_, facets));
+  SFUMATO_TRY_ASSIGN(auto&& mesh, mesh_of(facets, links, 0));
+  SFUMATO_TRY_ASSIGN(const Silhouette& shape, silhouette(context_, facets, links, layer_.frame));
+  if (!shape.is_frame && !mesh.small.empty()) mesh.small_clip = write_clip(shape);
   const std::string id = short_id(ids_.next++);
   const Vec2 size = grid_from_layer_(layer_.box.max);
   std::string line =
@@ -113,34 +111,29 @@ Result<std::string> SvgLayerWriter::write_mask() {
   line += "\" height=\"";
   append_number(line, size.y + 2, 0);
   text_ += line += "\">\n";
-  Status status = append_channel(context_, *mesh, 0, kWhite, ids_, text_);
-  if (!status) return status;
+  SFUMATO_TRY(append_channel(context_, mesh, 0, kWhite, ids_, text_));
   text_ += "</mask>\n";
   return " mask=\"url(#" + id + ")\"";
 }
 
 Status SvgLayerWriter::write(const std::string& id) {
-  const Result<FacetLinks> links = link_facets(context_, layer_.color);
-  if (!links) return links.status();
-  const Result<Silhouette> shape = silhouette(context_, layer_.color, *links, layer_.frame);
-  if (!shape) return shape.status();
+  SFUMATO_TRY_ASSIGN(const FacetLinks& links, link_facets(context_, layer_.color));
+  SFUMATO_TRY_ASSIGN(const Silhouette& shape,
+                     silhouette(context_, layer_.color, links, layer_.frame));
   std::string shown;
   if (!layer_.opacity.facet_vertex.empty()) {
-    Result<std::string> mask = write_mask();
-    if (!mask) return mask.status();
-    shown = std::move(*mask);
-  } else if (!shape->is_frame) {
-    shown = write_clip(*shape);
+    SFUMATO_TRY_ASSIGN(shown, write_mask());
+  } else if (!shape.is_frame) {
+    shown = write_clip(shape);
   }
-  const auto mesh = mesh_of(layer_.color, *links, shape->is_frame ? 0 : layer_.reach.outside);
-  if (!mesh) return mesh.status();
+  SFUMATO_TRY_ASSIGN(const auto& mesh,
+                     mesh_of(layer_.color, links, shape.is_frame ? 0 : layer_.reach.outside));
   text_ += "<g id=\"" + id + "\"" + transform_attribute(layer_.layer_from_grid) + shown +
            " style=\"isolation:isolate\">\n";
   int channel = 0;
   for (const Ink& ink : {kRed, kGreen, kBlue}) {
     text_ += channel == 0 ? "<g>\n" : "<g style=\"mix-blend-mode:screen\">\n";
-    Status status = append_channel(context_, *mesh, channel++, ink, ids_, text_);
-    if (!status) return status;
+    SFUMATO_TRY(append_channel(context_, mesh, channel++, ink, ids_, text_));
     text_ += "</g>\n";
   }
   text_ += "</g>\n";
@@ -154,16 +147,12 @@ Result<SvgLayer> make_svg_layer(Context& context, const PatchLayer& layer, Inter
   const double pixel = scale.pixel / scale.smallest;
   const double largest_pixel = scale.pixel / scale.largest;
   SvgLayer result;
-  Result<FacetMesh> color =
-      make_facets(context, layer, space, {}, scale.max_error, kSmallestSide * largest_pixel);
-  if (!color) return color.status();
-  result.color = std::move(*color);
+  SFUMATO_TRY_ASSIGN(result.color, make_facets(context, layer, space, {}, scale.max_error,
+                                               kSmallestSide * largest_pixel));
   if (layer.opacity.channel_count > 0) {
     const FacetSource source{FacetSource::Kind::opacity, 0};
-    Result<FacetMesh> opacity = make_facets(context, layer, space, source, scale.max_error,
-                                            kSmallestMaskSide * largest_pixel);
-    if (!opacity) return opacity.status();
-    result.opacity = std::move(*opacity);
+    SFUMATO_TRY_ASSIGN(result.opacity, make_facets(context, layer, space, source, scale.max_error,
+                                                   kSmallestMaskSide * largest_pixel));
   }
   for (const Vec2 p : result.color.vertex_position) result.box.extend(p);
   result.layer_from_grid = grid_of(result.box, pixel, largest_pixel);

@@ -14,7 +14,7 @@ struct SvgLayer {
   FacetMesh opacity;  ///< empty: opaque
   Affine layer_from_grid;
   Box box;           ///< of the facets
-  Box frame;         ///< of the layer; where the mesh ends at it, the picture ends
+  Box frame;         ///< of the layer; the picture ends where the mesh ends at it
   double pixel = 1;  ///< pixel size in the smallest instance, layer frame
   UnderlapReach reach;
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/poll.hpp"
+#include "base/try.hpp"
 #include "export/svg/svg_text.hpp"
 
 namespace sfumato::outputs {
@@ -13,7 +14,7 @@ namespace {
 constexpr std::uint32_t kFacetsPerPoll = 1024;
 /// A facet with less difference than this in a channel has one value there.
 constexpr double kFlat = 1.5 / 255;
-/// So is one with less area, in squares of the grid.
+/// A facet with less area, in squares of the grid, is also small.
 constexpr double kSmallestArea = 1e-3;
 /// Ends of a gradient are rounded to this share of its length or less: a quarter of a code value.
 constexpr double kEndRounding = 1e-3;
@@ -38,7 +39,7 @@ class SvgMeshWriter {
   Status append(Context& context, int channel, OutputBuffer& text);
 
  private:
-  /// What lies below small facets: the values of their centres.
+  /// The ground below small facets: the values of their centres.
   Status append_small(const Context& context, int channel, OutputBuffer& text) const;
   Affinity affinity(std::uint32_t facet, int channel) const;
   std::string gradient(const Affinity& field, std::string& text);
@@ -116,7 +117,7 @@ Status SvgMeshWriter::append_small(const Context& context, int channel, OutputBu
 
 Status SvgMeshWriter::append(Context& context, int channel, OutputBuffer& text) {
   const auto count = static_cast<std::uint32_t>(mesh_.mesh->facet_vertex.size() / 3);
-  if (Status status = append_small(context, channel, text); !status) return status;
+  SFUMATO_TRY(append_small(context, channel, text));
   std::vector<Vec2> outline;
   std::string path, line;
   RarePoll<kFacetsPerPoll> poll(context);

@@ -11,13 +11,13 @@
 
 namespace sfumato::outputs {
 
-/// Numbers from which ids are made, unique in a file.
+/// Numbers for ids, unique in a file.
 struct SvgIds {
   std::uint64_t next = 0;
 };
 
-/// A channel of paint: the id of the gradient with its stops, the first of which is black, and the
-/// last stop.
+/// A channel of paint: the id of the gradient with its stops (the first is black), and the last
+/// stop.
 struct Ink {
   const char* stops;
   std::array<int, 3> full;
@@ -29,7 +29,7 @@ inline constexpr Ink kRed{"R", {255, 0, 0}}, kGreen{"G", {0, 255, 0}}, kBlue{"B"
 /// The gradient with the stops of an ink, to which the gradients of triangles refer.
 void append_stops(const Ink& ink, OutputBuffer& text);
 
-/// Facets in the form in which they are painted.
+/// Facets ready for painting.
 struct SvgMesh {
   const FacetMesh* mesh = nullptr;
   FacetOutlines outlines;

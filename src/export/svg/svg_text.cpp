@@ -3,14 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/number_text.hpp"
+#include "base/text/ascii.hpp"
+#include "base/text/number_text.hpp"
 
 namespace sfumato::outputs {
 namespace {
 
-/// Whole numbers are below 2^53.
-std::int64_t whole(double value) {
-  return std::llround(value);
+/// Below this every whole number is a double.
+constexpr double kWholeNumbersEnd = 0x1p53;
+
+bool is_writable(Vec2 p) {
+  return std::fabs(p.x) < kWholeNumbersEnd && std::fabs(p.y) < kWholeNumbersEnd;
 }
 
 double power_of_ten(int power) {
@@ -20,7 +23,7 @@ double power_of_ten(int power) {
 }  // namespace
 
 void append_number(std::string& text, double value, int power) {
-  std::int64_t steps = whole(value * power_of_ten(-power));
+  std::int64_t steps = std::llround(value * power_of_ten(-power));
   if (steps == 0) {
     text += '0';
     return;
@@ -46,6 +49,7 @@ void append_numbers(std::string& text, Vec2 values, int power) {
 }
 
 void append_closed_path(std::string& text, std::span<const Vec2> points) {
+  if (!std::ranges::all_of(points, is_writable)) return;
   const std::size_t begin = text.size();
   std::size_t steps = 0;
   Vec2 last;
@@ -81,7 +85,6 @@ std::string short_id(std::uint64_t number) {
 }
 
 void append_color(std::string& text, int r, int g, int b) {
-  constexpr const char* kHexDigits = "0123456789abcdef";
   const bool is_short = r % 17 == 0 && g % 17 == 0 && b % 17 == 0;
   text += '#';
   for (const int channel : {r, g, b}) {

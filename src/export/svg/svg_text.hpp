@@ -17,11 +17,11 @@ void append_number(std::string& text, double value, int power);
 /// Two numbers, with a blank between them if the second has no sign.
 void append_numbers(std::string& text, Vec2 values, int power);
 
-/// "M10 20l3-4 5 6z" of points rounded to whole numbers; nothing if fewer than three of them differ
-/// from their predecessors.
+/// Appends "M10 20l3-4 5 6z", with points rounded to whole numbers. Appends nothing if fewer than
+/// three points differ from their predecessors, or if a point is not finite or beyond 2^53.
 void append_closed_path(std::string& text, std::span<const Vec2> points);
 
-/// The id with this number: "a", "b", … "z", "aa".
+/// Returns the id with this number: "a", "b", … "z", "aa".
 std::string short_id(std::uint64_t number);
 
 /// "#rrggbb" or "#rgb"; channels of 8 bits.

@@ -4,10 +4,11 @@
 #include <string>
 #include <variant>
 
-#include "base/number_text.hpp"
 #include "base/output_buffer.hpp"
 #include "base/poll.hpp"
 #include "base/public_verb.hpp"
+#include "base/text/number_text.hpp"
+#include "base/try.hpp"
 #include "document/blend_names.hpp"
 #include "export/page.hpp"
 #include "export/poll_interval.hpp"
@@ -114,14 +115,13 @@ Status write_stack(const Context& context, const Picture& picture, OutputBuffer&
 }
 
 Status write_layer(const Context& context, const PatchLayer& layer, OutputBuffer& file) {
-  const Result<LayerTables> made = list_tables(context, layer);
-  if (!made) return made.status();
+  SFUMATO_TRY_ASSIGN(const LayerTables& made, list_tables(context, layer));
   constexpr const char* kOrders[] = {"linear", "quadratic", "cubic"};
   file += "{\"frame\":" + (layer.frame.empty() ? "null" : json_box(layer.frame));
   file += std::string(",\"order\":\"") + kOrders[static_cast<std::size_t>(layer.order)] + '"';
-  for (const Table& table : made->tables) {
+  for (const Table& table : made.tables) {
     file += ",\n\"" + std::string(table.name) + "\":";
-    if (Status status = write_table(context, table, file); !status) return status;
+    SFUMATO_TRY(write_table(context, table, file));
   }
   file += '}';
   return file.status();
@@ -129,8 +129,8 @@ Status write_layer(const Context& context, const PatchLayer& layer, OutputBuffer
 
 Result<std::vector<std::uint8_t>> write_json(const Context& context, const Picture& picture,
                                              ExportNotes* notes) {
-  if (Status status = check_viewport(picture.viewport); !status) return status;
-  if (Status status = picture::check_picture(context, picture); !status) return status;
+  SFUMATO_TRY(check_viewport(picture.viewport));
+  SFUMATO_TRY(picture::check_picture(context, picture));
   OutputBuffer file(context, "the JSON");
   file +=
       "{\"format\":\"sfumato tables\",\"version\":1,\n\"artboard\":" + json_box(picture.artboard) +
@@ -141,10 +141,10 @@ Result<std::vector<std::uint8_t>> write_json(const Context& context, const Pictu
   for (const PatchLayer& layer : picture.layers) {
     if (!is_first) file += ",\n";
     is_first = false;
-    if (Status status = write_layer(context, layer, file); !status) return status;
+    SFUMATO_TRY(write_layer(context, layer, file));
   }
   file += ']';
-  if (Status status = write_stack(context, picture, file); !status) return status;
+  SFUMATO_TRY(write_stack(context, picture, file));
   file += "}\n";
   note_omissions(picture, notes);
   return file.finish();

@@ -6,6 +6,7 @@
 
 #include "base/output_buffer.hpp"
 #include "base/public_verb.hpp"
+#include "base/try.hpp"
 #include "codecs/zip_writer.hpp"
 #include "export/page.hpp"
 #include "export/tables/table_list.hpp"
@@ -19,7 +20,7 @@ namespace {
 using Bytes = std::span<const std::uint8_t>;
 
 constexpr char kByteOrder = std::endian::native == std::endian::little ? '<' : '>';
-/// What the data of an array begins at a multiple of, in its own file.
+/// The data of an array begin at a multiple of this in their file.
 constexpr std::size_t kAlignment = 64;
 /// Letters of the longest blend mode, "color-dodge".
 constexpr std::size_t kBlendLetters = 11;
@@ -34,7 +35,7 @@ std::string type_text(NumberType type) {
   return std::string(1, kByteOrder) + kTypes[static_cast<std::size_t>(type)];
 }
 
-/// The header of NumPy's format 1.0 (numpy.lib.format).
+/// Returns the header of NumPy's format 1.0 (numpy.lib.format).
 std::string array_header(const std::string& type, const std::string& shape) {
   std::string text = "{'descr': '" + type + "', 'fortran_order': False, 'shape': " + shape + ", }";
   constexpr std::size_t kPrefix = 10;
@@ -59,7 +60,7 @@ class NpzWriter {
     add(name, array_header(type_text(table.type), shape + ")"), table.bytes);
   }
 
-  /// An array of words, in UTF-32 as NumPy has them; without `is_list` the only one by itself.
+  /// Writes an array of words in UTF-32, as NumPy has them; without `is_list` a single word.
   void add_words(const std::string& name, std::span<const std::string_view> words,
                  std::size_t letters, bool is_list = true) {
     TableMemory memory("words of an NPZ");
@@ -106,20 +107,18 @@ void add_picture(const Picture& picture, NpzWriter& npz) {
 
 Result<std::vector<std::uint8_t>> write_npz(const Context& context, const Picture& picture,
                                             ExportNotes* notes) {
-  if (Status status = check_viewport(picture.viewport); !status) return status;
-  if (Status status = picture::check_picture(context, picture); !status) return status;
+  SFUMATO_TRY(check_viewport(picture.viewport));
+  SFUMATO_TRY(picture::check_picture(context, picture));
   OutputBuffer file(context, "the NPZ");
   NpzWriter npz(context, file);
   add_picture(picture, npz);
-  const Result<InstanceTables> instances = list_instances(context, picture);
-  if (!instances) return instances.status();
-  npz.add("instances", table_of("", kInstanceColumns, instances->row));
-  npz.add_words("blends", instances->blend, kBlendLetters);
+  SFUMATO_TRY_ASSIGN(const InstanceTables& instances, list_instances(context, picture));
+  npz.add("instances", table_of("", kInstanceColumns, instances.row));
+  npz.add_words("blends", instances.blend, kBlendLetters);
   for (std::size_t i = 0; i < picture.layers.size(); ++i) {
-    const Result<LayerTables> layer = list_tables(context, picture.layers[i]);
-    if (!layer) return layer.status();
+    SFUMATO_TRY_ASSIGN(const LayerTables& layer, list_tables(context, picture.layers[i]));
     const std::string prefix = "layer" + std::to_string(i) + "/";
-    for (const Table& table : layer->tables) npz.add(prefix + std::string(table.name), table);
+    for (const Table& table : layer.tables) npz.add(prefix + std::string(table.name), table);
     if (!file.status()) return file.status();
   }
   npz.finish();

@@ -11,6 +11,7 @@
 #include "base/output_buffer.hpp"
 #include "base/poll.hpp"
 #include "base/public_verb.hpp"
+#include "base/try.hpp"
 #include "export/joined_field.hpp"
 #include "export/page.hpp"
 #include "export/poll_interval.hpp"
@@ -100,18 +101,17 @@ Status PlyWriter::list_placed() {
     } else if (const auto* instance = std::get_if<PatchInstance>(&item)) {
       if (picture_.layers[instance->layer].triangle_count() == 0) continue;
       const PlacedInstance placed{instance, opacity.back() * instance->opacity};
-      if (Status status = memory_.push_back(context_, placed_, placed); !status) return status;
+      SFUMATO_TRY(memory_.push_back(context_, placed_, placed));
     }
   }
   return ok_status();
 }
 
-/// Takes out the nodes that no triangle has: those of triangles that showed nothing.
+/// Removes the nodes that no triangle uses: nodes of triangles that showed nothing.
 Status drop_unused(const Context& context, PatchField& field, std::vector<Vec2>& position) {
   TableMemory scratch("the vertices of a PLY");
   std::vector<std::uint32_t> place;
-  Status status = scratch.resize(context, place, position.size());
-  if (!status) return status;
+  SFUMATO_TRY(scratch.resize(context, place, position.size()));
   RarePoll<kWritesPerPoll> poll(context);
   std::uint32_t kept = 0;
   for (std::size_t i = 0; i < position.size(); ++i) {
@@ -133,14 +133,11 @@ Status drop_unused(const Context& context, PatchField& field, std::vector<Vec2>&
 }
 
 Status PlyWriter::make_layer(Context& context, const PatchLayer& layer, LayerMesh& mesh) {
-  Result<PatchField> field = joined_field(context, layer.color, layer.opacity, memory_);
-  if (!field) return field.status();
-  mesh.field = std::move(*field);
-  Status status = find_node_positions(context, layer, mesh.field, memory_, mesh.position);
-  if (status) status = drop_unused(context, mesh.field, mesh.position);
+  SFUMATO_TRY_ASSIGN(mesh.field, joined_field(context, layer.color, layer.opacity, memory_));
+  SFUMATO_TRY(find_node_positions(context, layer, mesh.field, memory_, mesh.position));
+  SFUMATO_TRY(drop_unused(context, mesh.field, mesh.position));
   const std::size_t nodes = mesh.position.size();
-  if (status) status = memory_.reserve(context, mesh.srgb, nodes);
-  if (!status) return status;
+  SFUMATO_TRY(memory_.reserve(context, mesh.srgb, nodes));
   RarePoll<kWritesPerPoll> poll(context);
   for (std::size_t i = 0; i < nodes; ++i) {
     if (poll.cancelled()) return context.cancel_status();
@@ -208,12 +205,12 @@ Status PlyWriter::write_faces(const PlacedInstance& placed, std::uint32_t first,
 }
 
 Result<std::vector<std::uint8_t>> PlyWriter::write(Context& context) {
-  if (Status status = list_placed(); !status) return status;
+  SFUMATO_TRY(list_placed());
   for (const PlacedInstance& placed : placed_) {
     const PatchLayer& layer = picture_.layers[placed.instance->layer];
     std::optional<LayerMesh>& mesh = layers_[placed.instance->layer];
     if (!mesh) {
-      if (Status status = make_layer(context, layer, mesh.emplace()); !status) return status;
+      SFUMATO_TRY(make_layer(context, layer, mesh.emplace()));
     }
     vertices_ += mesh->position.size();
     faces_ += std::uint64_t{kFaces.size()} * layer.triangle_count();
@@ -227,12 +224,11 @@ Result<std::vector<std::uint8_t>> PlyWriter::write(Context& context) {
   const double side = std::max(viewport.width(), viewport.height());
   const double step = depth_step(side, placed_.size() + 1);
   for (std::size_t i = 0; i < placed_.size(); ++i) {
-    Status status = write_vertices(placed_[i], step * static_cast<double>(i), file);
-    if (!status) return status;
+    SFUMATO_TRY(write_vertices(placed_[i], step * static_cast<double>(i), file));
   }
   std::uint32_t first = 0;
   for (const PlacedInstance& placed : placed_) {
-    if (Status status = write_faces(placed, first, file); !status) return status;
+    SFUMATO_TRY(write_faces(placed, first, file));
     first += static_cast<std::uint32_t>(layers_[placed.instance->layer]->position.size());
   }
   return file.finish();
@@ -240,8 +236,8 @@ Result<std::vector<std::uint8_t>> PlyWriter::write(Context& context) {
 
 Result<std::vector<std::uint8_t>> write_ply(Context& context, const Picture& picture,
                                             ExportNotes* notes) {
-  if (Status status = check_viewport(picture.viewport); !status) return status;
-  if (Status status = picture::check_picture(context, picture); !status) return status;
+  SFUMATO_TRY(check_viewport(picture.viewport));
+  SFUMATO_TRY(picture::check_picture(context, picture));
   Result<std::vector<std::uint8_t>> file = PlyWriter(context, picture).write(context);
   if (file) note_omissions(picture, notes);
   return file;

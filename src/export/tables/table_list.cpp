@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "base/poll.hpp"
+#include "base/try.hpp"
 #include "document/blend_names.hpp"
 #include "export/poll_interval.hpp"
 #include "picture/patch.hpp"
@@ -21,10 +22,9 @@ std::size_t node_count(const PatchField& field) {
 
 Status list_soft_edges(const Context& context, const PatchLayer& layer, LayerTables& made) {
   const std::size_t count = layer.soft_edge.size();
-  Status status = made.memory.reserve(context, made.soft_edge_side, 2 * count);
-  if (status) status = made.memory.reserve(context, made.soft_edge_reach, 2 * count);
-  if (status) status = made.memory.reserve(context, made.soft_edge_contrast, count);
-  if (!status) return status;
+  SFUMATO_TRY(made.memory.reserve(context, made.soft_edge_side, 2 * count));
+  SFUMATO_TRY(made.memory.reserve(context, made.soft_edge_reach, 2 * count));
+  SFUMATO_TRY(made.memory.reserve(context, made.soft_edge_contrast, count));
   RarePoll<kWritesPerPoll> poll(context);
   for (const SoftEdge& edge : layer.soft_edge) {
     if (poll.cancelled()) return context.cancel_status();
@@ -99,9 +99,8 @@ Result<InstanceTables> list_instances(const Context& context, const Picture& pic
     const auto* instance = std::get_if<PatchInstance>(&item);
     if (!instance) continue;
     const Affine& m = instance->artboard_from_layer;
-    Status status = made.memory.make_room(context, made.row, kInstanceColumns);
-    if (status) status = made.memory.push_back(context, made.blend, blend_name(instance->blend));
-    if (!status) return status;
+    SFUMATO_TRY(made.memory.make_room(context, made.row, kInstanceColumns));
+    SFUMATO_TRY(made.memory.push_back(context, made.blend, blend_name(instance->blend)));
     made.row.insert(made.row.end(), {static_cast<double>(instance->layer), m.a, m.b, m.c, m.d, m.e,
                                      m.f, static_cast<double>(instance->opacity)});
   }

@@ -33,7 +33,7 @@ struct Table {
   std::size_t rows() const { return bytes.size() / (columns * size_of(type)); }
 };
 
-/// A vector's numbers as a table; `columns` numbers to a row. Vec2 counts as two doubles.
+/// Returns a vector's numbers as a table; `columns` numbers to a row. Vec2 counts as two doubles.
 template <class Item>
 Table table_of(std::string_view name, std::size_t columns, const std::vector<Item>& items) {
   constexpr NumberType kType = std::is_same_v<Item, std::uint8_t>    ? NumberType::u8
@@ -47,8 +47,8 @@ Table table_of(std::string_view name, std::size_t columns, const std::vector<Ite
           {reinterpret_cast<const std::uint8_t*>(items.data()), items.size() * sizeof(Item)}};
 }
 
-/// The tables of one layer: of what the layer holds, and of what is made for them here. They are
-/// good as long as both are.
+/// The tables of one layer: views of the layer's data and of data made here. They are valid while
+/// both exist.
 struct LayerTables {
   std::vector<Vec2> color_position;    ///< of each colour node, layer frame
   std::vector<Vec2> opacity_position;  ///< of each opacity node
@@ -83,7 +83,7 @@ Result<InstanceTables> list_instances(const Context& context, const Picture& pic
 /// CSS's name of the space: "srgb", "linear" or "oklab".
 std::string_view space_name(InterpolationSpace space);
 
-/// Adds to the notes, unless null, what tables of meshes leave out of the picture.
+/// Adds to the notes, unless null, the parts of the picture that tables of meshes leave out.
 void note_omissions(const Picture& picture, ExportNotes* notes);
 
 }  // namespace sfumato::outputs

@@ -19,7 +19,7 @@ struct Declaration {
 /// a block's contents". Nested rules are skipped. Calls `sink` with each declaration in order; the
 /// caller decides whether name and value are known.
 ///
-/// in_block    the text goes on after the block: a '}' ends the block and is consumed
+/// in_block    the text continues after the block: a '}' ends the block and is consumed
 /// Returns     whether anything but declarations was skipped.
 /// Cost        linear in the text.
 bool read_declarations(Tokenizer& tokens, bool in_block,

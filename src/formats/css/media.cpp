@@ -29,7 +29,8 @@ Media negated(Media media) {
   return media == Media::matches ? Media::differs : Media::matches;
 }
 
-/// A type with what is asked besides. `token`: the type; then what ends the query.
+/// Reads a media type and its further conditions. `token`: the type; then the token that ends the
+/// query.
 Media type_query(Tokenizer& tokens, Token& token) {
   for (const std::string_view reserved : {"not", "only", "and", "or", "layer"}) {
     if (is_word(token, reserved)) return Media::differs;
@@ -40,7 +41,7 @@ Media type_query(Tokenizer& tokens, Token& token) {
   return fits && is_word(token, "and") ? Media::unknown : Media::differs;
 }
 
-/// One query. `token`: its first; then some token in it or the one that ends it.
+/// Reads one query. `token`: its first token; then a token in it or the token that ends it.
 Media query(Tokenizer& tokens, Token& token) {
   if (token.is(open_paren)) return Media::unknown;
   const bool is_negated = is_word(token, "not");

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -12,19 +13,40 @@ namespace sfumato::css {
 
 /// The CSS properties that are read from documents.
 enum class Property : std::uint8_t {
+  background_color,  ///< of the outermost <svg>
   clip_path,
+  clip_rule,
   color,
+  color_interpolation,
+  cx,
+  cy,
+  d,
   display,
   fill,
   fill_opacity,
   fill_rule,
   filter,
+  flood_color,
+  flood_opacity,
+  font_size,
+  height,
+  image_rendering,
   isolation,
+  marker_end,
+  marker_mid,
+  marker_start,
   mask,
+  mask_type,
   mix_blend_mode,
   opacity,
   overflow,
   paint_order,
+  r,
+  rotate,
+  rx,
+  ry,
+  scale,
+  shape_rendering,
   stop_color,
   stop_opacity,
   stroke,
@@ -38,28 +60,57 @@ enum class Property : std::uint8_t {
   transform,
   transform_box,
   transform_origin,
-  visibility
+  translate,
+  vector_effect,
+  visibility,
+  width,
+  x,
+  y,
+  custom  ///< one whose name begins with "--"; not among the kPropertyCount
 };
 
-inline constexpr std::size_t kPropertyCount = 27;
+inline constexpr std::size_t kPropertyCount = static_cast<std::size_t>(Property::custom);
 
-/// The name, such as "clip-path"; null-terminated.
+/// A property that is read, or a custom one.
+struct PropertyName {
+  Property property = Property::custom;
+  std::string_view custom{};
+
+  friend bool operator==(const PropertyName&, const PropertyName&) = default;
+  friend auto operator<=>(const PropertyName&, const PropertyName&) = default;
+};
+
+/// Returns the name, such as "clip-path"; null-terminated.
 const char* property_name(Property property);
 
-/// The property with this name as written: in any case, with escapes.
+/// Returns the property with this name as written: in any case, with escapes.
 std::optional<Property> property_of(std::string_view raw_name);
 
-/// Whether an element without a value takes its parent's.
+/// Returns whether an element without a value takes its parent's.
 bool is_inherited(Property property);
 
 /// The keywords that any property accepts.
 enum class WideKeyword : std::uint8_t { none, inherit, initial, unset, revert, revert_layer };
 
-/// The keyword that a value is; WideKeyword::none for other values.
+/// Returns the keyword that a value is; WideKeyword::none for other values.
 WideKeyword wide_keyword(std::string_view value, TextPoll& poll);
 
-/// Whether CSS keeps a declaration with this value, as far as the property is understood here.
-bool is_value(Property property, std::string_view value, TextPoll& poll);
+/// Where a value stands. In an attribute lengths need no unit, and `transform` and `d` have the
+/// syntax of SVG.
+enum class ValueSyntax : std::uint8_t { declaration, attribute };
+
+/// Returns whether CSS keeps a declaration with this value, as far as the property is understood
+/// here. A value with var() is kept. Values of attributes in SVG's own syntax are not checked.
+bool is_value(Property property, std::string_view value, TextPoll& poll,
+              ValueSyntax syntax = ValueSyntax::declaration);
+
+/// Returns whether a value of `width`, `height`, `rx` or `ry` is `auto` or a word that SVG takes
+/// for it.
+bool is_auto_size(std::string_view value, TextPoll& poll);
+
+/// Returns the path data of the property `d`: path("…") in a declaration. Empty for `none`; no
+/// value if it is invalid or written with escapes.
+std::optional<std::string_view> path_data_of(std::string_view value, TextPoll& poll);
 
 /// "; did you mean screen?" for a value that CSS drops; empty if no word is similar.
 std::string value_hint(Property property, std::string_view value, TextPoll& poll);

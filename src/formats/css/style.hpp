@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string_view>
 
@@ -10,14 +11,17 @@
 
 namespace sfumato::css {
 
+/// Custom properties of one block of declarations.
+inline constexpr std::size_t kVariablesPerBlock = 10'000;
+
 /// The value of a property from one source.
 struct Setting {
   std::string_view value{};  ///< raw; valid
   bool is_important = false;
 };
 
-/// The properties that a block of declarations sets. Of several declarations of one property the
-/// last important one wins, else the last. Declarations that CSS drops set nothing.
+/// Holds the properties that a block of declarations sets. The last important declaration of a
+/// property wins, else the last declaration. Declarations that CSS drops set nothing.
 class Style {
  public:
   /// Adds the next declaration.
@@ -26,15 +30,26 @@ class Style {
   const std::optional<Setting>& operator[](Property property) const {
     return settings_[static_cast<std::size_t>(property)];
   }
-  /// The number of declarations added, of any property.
+  /// Returns the custom properties, by name.
+  const std::map<std::string_view, Setting>& variables() const { return variables_; }
+  /// Returns whether the block sets no property that is read.
+  bool empty() const;
+  /// Returns the number of declarations added, of any property.
   std::size_t declaration_count() const { return declaration_count_; }
-  /// The first declaration of a known property that was dropped.
+  /// Returns the first declaration of a known or a custom property that was dropped.
   const std::optional<Declaration>& dropped() const { return dropped_; }
 
  private:
   void set(Property property, const Declaration& declaration);
+  void set_background(const Declaration& declaration, TextPoll& poll);
+  void set_markers(const Declaration& declaration, TextPoll& poll);
+  void set_variable(const Declaration& declaration, TextPoll& poll);
+  void drop(const Declaration& declaration) {
+    if (!dropped_) dropped_ = declaration;
+  }
 
   std::array<std::optional<Setting>, kPropertyCount> settings_{};
+  std::map<std::string_view, Setting> variables_;
   std::size_t declaration_count_ = 0;
   std::optional<Declaration> dropped_;
 };

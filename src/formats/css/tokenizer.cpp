@@ -3,21 +3,20 @@
 #include <algorithm>
 #include <array>
 
-#include "base/ascii.hpp"
-#include "base/number.hpp"
+#include "base/text/ascii.hpp"
+#include "base/text/number.hpp"
+#include "base/text/utf8.hpp"
 
 namespace sfumato::css {
 namespace {
 
 using enum TokenType;
 
-/// Of brackets within each other.
+/// The deepest nesting of brackets.
 constexpr std::size_t kMostBrackets = 1000;
 
-constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
-
 bool is_hex(char c) {
-  return is_digit(c) || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F');
+  return hex_value(c) != kNoHexDigit;
 }
 
 bool is_name_start(char c) {
@@ -31,32 +30,6 @@ bool is_name(char c) {
 
 bool is_newline(char c) {
   return c == '\n' || c == '\r' || c == '\f';
-}
-
-void append_utf8(std::uint32_t code, std::string& text) {
-  const auto tail = [&](int shift) { text += static_cast<char>(0x80 | (code >> shift & 0x3F)); };
-  if (code == 0 || code > 0x10FFFF || (code >= 0xD800 && code < 0xE000)) {
-    text += kReplacement;
-  } else if (code < 0x80) {
-    text += static_cast<char>(code);
-  } else if (code < 0x800) {
-    text += static_cast<char>(0xC0 | code >> 6);
-    tail(0);
-  } else if (code < 0x10000) {
-    text += static_cast<char>(0xE0 | code >> 12);
-    tail(6);
-    tail(0);
-  } else {
-    text += static_cast<char>(0xF0 | code >> 18);
-    tail(12);
-    tail(6);
-    tail(0);
-  }
-}
-
-std::uint32_t hex_value(char c) {
-  if (is_digit(c)) return static_cast<std::uint32_t>(c - '0');
-  return static_cast<std::uint32_t>((c | 0x20) - 'a' + 10);
 }
 
 std::size_t newline_length(std::string_view text, std::size_t at) {
@@ -73,7 +46,7 @@ std::size_t escape_end(std::string_view text, std::size_t at) {
   return i < text.size() && is_ascii_blank(text[i]) ? i + 1 : i;
 }
 
-/// The bracket that ends what a token opens; 0 where it opens nothing.
+/// Returns the bracket that closes the block that a token opens; 0 if it opens none.
 char closing(TokenType type) {
   if (type == function || type == open_paren) return ')';
   if (type == open_square) return ']';
@@ -86,8 +59,7 @@ Tokenizer::Tokenizer(std::string_view text, TextPoll& poll) : text_(text), poll_
   if (!poll_.go_on(std::min(text.size(), TextPoll::kBytes))) at_ = text_.size();
 }
 
-/// Tells the poll of each block of the text that was walked through; where work stops goes to the
-/// end.
+/// Polls for each part of the text that was read. If the work stops, moves to the end.
 void Tokenizer::pace() {
   if (at_ - told_ < TextPoll::kBytes) return;
   const bool goes_on = poll_.go_on(at_ - told_);
@@ -274,7 +246,7 @@ Token Tokenizer::rest_of_bad_url(std::size_t begin) {
   return {bad_url, since(begin)};
 }
 
-/// Brackets, signs, and what is none of them.
+/// Reads brackets, signs, and other single characters.
 Token Tokenizer::take_other() {
   static constexpr std::string_view kSigns = ":;,[](){}";
   static constexpr std::array kTypes{colon,      semicolon,   comma,      open_square, close_square,
@@ -317,11 +289,11 @@ std::string unescaped(std::string_view raw) {
     const std::size_t next = newline > 0 ? i + 1 + newline : escape_end(raw, i);
     if (newline == 0 && i + 1 < raw.size()) {
       if (is_hex(raw[i + 1])) {
-        std::uint32_t code = 0;
+        char32_t code = 0;
         for (std::size_t k = i + 1; k < next && is_hex(raw[k]); ++k) {
-          code = 16 * code + hex_value(raw[k]);
+          code = 16 * code + static_cast<char32_t>(hex_value(raw[k]));
         }
-        append_utf8(code, text);
+        append_utf8(text, code != 0 && is_scalar_value(code) ? code : kReplacement);
       } else {
         text += raw.substr(i + 1, next - i - 1);
       }

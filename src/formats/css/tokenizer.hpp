@@ -83,7 +83,7 @@ class Tokenizer {
   Tokenizer(std::string_view text, TextPoll& poll);
 
   Token next();
-  /// The position of the next token, or of a comment before it.
+  /// Returns the position of the next token, or of a comment before it.
   std::size_t position() const { return at_; }
   /// Goes back to a position.
   void rewind(std::size_t position) { at_ = told_ = position; }
@@ -121,10 +121,11 @@ class Tokenizer {
   std::size_t told_ = 0;  ///< the position up to which the poll has counted
 };
 
-/// A name or a string with its escapes replaced by the characters in UTF-8.
+/// Returns a name or a string with its escapes replaced by the characters in UTF-8.
 std::string unescaped(std::string_view raw);
 
-/// Whether a name equals `lower`, which is in lower case, apart from ASCII case and escapes.
+/// Returns whether a name equals `lower`, which is in lower case, apart from ASCII case and
+/// escapes.
 bool is_named(std::string_view raw, std::string_view lower);
 
 /// Consumes the rest of the component that begins with `first`: for a bracket or a function

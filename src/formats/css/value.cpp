@@ -2,16 +2,17 @@
 
 #include <algorithm>
 #include <array>
+#include <numbers>
 
-#include "base/ascii.hpp"
-#include "base/number.hpp"
+#include "base/text/ascii.hpp"
+#include "base/text/number.hpp"
 
 namespace sfumato::css {
 namespace {
 
 using enum TokenType;
 
-/// What is longer is no reference within a document.
+/// A longer text is not a reference within a document.
 constexpr std::size_t kLongestUrl = std::size_t{1} << 16;
 
 /// Escapes included.
@@ -41,6 +42,17 @@ std::optional<double> number_of(const Token& token) {
   return parse_number(token.value);
 }
 
+std::optional<double> degrees_of(const Token& token) {
+  const auto value = number_of(token);
+  if (!value || token.is(number)) return token.is(number) ? value : std::nullopt;
+  if (!token.is(dimension)) return std::nullopt;
+  if (is_named(token.unit, "deg")) return value;
+  if (is_named(token.unit, "grad")) return *value * 0.9;
+  if (is_named(token.unit, "rad")) return *value * (180 / std::numbers::pi);
+  if (is_named(token.unit, "turn")) return *value * 360;
+  return std::nullopt;
+}
+
 std::optional<std::string> keyword_of(std::string_view text, TextPoll& poll) {
   const auto token = only_token(text, poll);
   if (!token || !token->is(ident) || token->value.size() > kLongestKeyword) return std::nullopt;
@@ -56,22 +68,23 @@ std::optional<double> share_of(std::string_view text, TextPoll& poll) {
 }
 
 std::optional<PaintOrder> paint_order_of(std::string_view text, TextPoll& poll) {
-  if (keyword_of(text, poll) == "normal") return PaintOrder::fill_first;
-  // Each at most once; those that are left out follow in this order.
+  if (keyword_of(text, poll) == "normal") return kNormalPaintOrder;
+  // Each occurs at most once; missing ones follow in this order.
   constexpr std::array<std::string_view, 3> kParts{"fill", "stroke", "markers"};
-  std::array<std::size_t, kParts.size()> place{};  // from 1; 0: left out
+  PaintOrder order = kNormalPaintOrder;
+  auto named = order.begin();
   Tokenizer tokens(text, poll);
-  std::size_t count = 0;
   for (Token token = next_solid(tokens); !token.is(end); token = next_solid(tokens)) {
-    const auto is_token = [&](std::string_view part) { return is_named(token.value, part); };
-    const auto part =
-        static_cast<std::size_t>(std::ranges::find_if(kParts, is_token) - kParts.begin());
-    if (!token.is(ident) || part == kParts.size() || place[part] > 0) return std::nullopt;
-    place[part] = ++count;
+    const auto is_token = [&](PaintPart part) {
+      return is_named(token.value, kParts[static_cast<std::size_t>(part)]);
+    };
+    const auto part = std::find_if(named, order.end(), is_token);
+    if (!token.is(ident) || part == order.end()) return std::nullopt;
+    std::rotate(named, part, part + 1);
+    ++named;
   }
-  if (count == 0) return std::nullopt;
-  const bool stroke_first = place[1] > 0 && (place[0] == 0 || place[1] < place[0]);
-  return stroke_first ? PaintOrder::stroke_first : PaintOrder::fill_first;
+  if (named == order.begin()) return std::nullopt;
+  return order;
 }
 
 std::optional<std::string> take_url(Tokenizer& tokens, const Token& first) {

@@ -1,16 +1,16 @@
 #include "sfumato/formats/orzan/orzan.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <optional>
 #include <utility>
 
 #include "base/limit_error.hpp"
-#include "base/number.hpp"
 #include "base/poll.hpp"
 #include "base/public_verb.hpp"
 #include "base/table_memory.hpp"
+#include "base/text/number.hpp"
+#include "base/try.hpp"
+#include "document/gaussian.hpp"
 #include "formats/text/warnings.hpp"
 #include "formats/text/xml_source.hpp"
 #include "sfumato/base/limits.hpp"
@@ -18,15 +18,16 @@
 namespace sfumato {
 namespace {
 
-// FORMAT.md, "Other inputs": across the curve our transition then has the slope of a Gaussian of
-// standard deviation 1.
-const double kRadiusOfSigma = 3 * std::sqrt(2 * std::numbers::pi) / 4;
-
 /// globalID counts tenths of a piece.
 constexpr double kIdsPerPiece = 10;
+/// The largest globalID of published drawings lies up to 33 past the end of its curve. Programs
+/// that number stops from 0 to 10000, whatever the number of pieces, go further.
+constexpr double kMostIdsPastEnd = 100;
+/// A larger globalID is a mistake of one stop.
+constexpr double kMostIds = 1e6;
 
-/// How a file names things. Orzan's own files hold the picture transposed, as matrix indices and in
-/// the byte order of a bitmap. `scene` files mean what they say, but their left is our right.
+/// The conventions of a file. Orzan's own files hold the picture transposed, as matrix indices and
+/// in the byte order of a bitmap. `scene` files are not transposed, but their left is our right.
 struct Dialect {
   const char* right_coordinate;  ///< attribute that grows to the right
   const char* down_coordinate;
@@ -49,7 +50,9 @@ class OrzanReader {
   Status read_curve_sets(pugi::xml_node root);
   Status reserve_curves(pugi::xml_node root, std::size_t count);
   Status read_curve_set(pugi::xml_node set);
+  Status add_curve(pugi::xml_node element);
   Status read_curve(pugi::xml_node element, Curve& curve);
+  double ids_per_piece(pugi::xml_node element, const Curve& curve);
   Status read_curve_part(pugi::xml_node part, Curve& curve);
   Status read_control_points(pugi::xml_node curve_element, Curve& curve);
   Status read_colors(pugi::xml_node set, const char* name, Side& side);
@@ -62,7 +65,7 @@ class OrzanReader {
   template <class Value, class ReadOne>
   Status read_stops(pugi::xml_node set, const char* name, StopList<Value>& list, ReadOne read_one);
   template <class Value>
-  void finish_stops(StopList<Value>& list, std::size_t piece_count);
+  void finish_stops(StopList<Value>& list, std::size_t piece_count, double ids_per_piece);
   /// Counts the children of that name and warns of others.
   std::size_t count_children(pugi::xml_node set, const char* name);
 
@@ -83,6 +86,8 @@ class OrzanReader {
   TableMemory stop_memory_{"stops"};
   std::size_t control_point_count_ = 0;
   std::size_t stop_count_ = 0;
+  std::size_t curve_number_ = 0;
+  std::optional<Status> first_error_;  ///< of a curve that is left out
 };
 
 std::string tag(pugi::xml_node element) {
@@ -93,26 +98,26 @@ Result<ReadDocument> OrzanReader::read() {
   const pugi::xml_node root = xml_.root();
   const std::string_view name = root.name();
   if (name != "curve_set" && name != "scene") {
-    return error_at(root, "the document is a " + tag(root) + "; expected <curve_set> or <scene>");
+    return error_at(root, "the document is a " + tag(root) + "; use <curve_set> or <scene>");
   }
   dialect_ = name == "scene" ? kScene : kOrzan;
-  if (Status status = read_canvas(root); !status) return status;
+  SFUMATO_TRY(read_canvas(root));
   document_.layers.push_back({"curves", {}});
   document_.stack.push_back(LayerInstance{});
-  if (Status status = read_curve_sets(root); !status) return status;
+  SFUMATO_TRY(read_curve_sets(root));
   if (document_.layers.front().curves.empty()) {
     warn("/no curves", root, "the document has no curves: the picture is empty");
   }
-  if (Status status = validate(context_, document_); !status) return status;
+  SFUMATO_TRY(validate(context_, document_));
   return ReadDocument{std::move(document_), warnings_.take(), DocumentFormat::orzan};
 }
 
 Status OrzanReader::read_canvas(pugi::xml_node root) {
   Vec2 size;
-  if (Status status = coordinate_in(root, "image_width", size.x); !status) return status;
-  if (Status status = coordinate_in(root, "image_height", size.y); !status) return status;
+  SFUMATO_TRY(coordinate_in(root, "image_width", size.x));
+  SFUMATO_TRY(coordinate_in(root, "image_height", size.y));
   if (!(size.x > 0 && size.y > 0)) {
-    return error_at(root, "the canvas has no area; expected image_width and image_height above 0");
+    return error_at(root, "the canvas has no area; use image_width and image_height above 0");
   }
   document_.artboard = {{0, 0}, size};
   return ok_status();
@@ -136,11 +141,12 @@ Status OrzanReader::read_curve_sets(pugi::xml_node root) {
   for (const pugi::xml_node set : sets) {
     for ([[maybe_unused]] const pugi::xml_node curve : set.children("curve")) ++curve_count;
   }
-  if (Status status = reserve_curves(root, curve_count); !status) return status;
+  SFUMATO_TRY(reserve_curves(root, curve_count));
   for (const pugi::xml_node set : sets) {
-    if (Status status = read_curve_set(set); !status) return status;
+    SFUMATO_TRY(read_curve_set(set));
   }
-  return ok_status();
+  const bool has_curves = !document_.layers.front().curves.empty();
+  return first_error_ && !has_curves ? *first_error_ : ok_status();
 }
 
 Status OrzanReader::reserve_curves(pugi::xml_node root, std::size_t count) {
@@ -151,28 +157,73 @@ Status OrzanReader::reserve_curves(pugi::xml_node root, std::size_t count) {
 }
 
 Status OrzanReader::read_curve_set(pugi::xml_node set) {
-  std::vector<Curve>& curves = document_.layers.front().curves;
   for (const pugi::xml_node child : set.children()) {
     if (child.type() != pugi::node_element) continue;
     if (poll_.cancelled()) return context_.cancel_status();
     if (std::string_view(child.name()) != "curve") {
       ignore(child);
-    } else if (Status status = read_curve(child, curves.emplace_back()); !status) {
+    } else if (Status status = add_curve(child); !status) {
       return status;
     }
   }
   return ok_status();
 }
 
+/// Leaves out a curve that cannot be read, with a warning.
+Status OrzanReader::add_curve(pugi::xml_node element) {
+  std::vector<Curve>& curves = document_.layers.front().curves;
+  ++curve_number_;
+  Curve& curve = curves.emplace_back();
+  Status status = read_curve(element, curve);
+  if (status.code != StatusCode::bad_input) return status;
+  point_memory_.free(curve.control_points);
+  for (Side* const side : {&curve.left, &curve.right}) {
+    stop_memory_.free(side->color.stops.stops);
+    stop_memory_.free(side->blur_radius.stops);
+  }
+  curves.pop_back();
+  const std::string number = std::to_string(curve_number_);
+  if (warnings_.is_new("/curve " + number)) {
+    warnings_.add("curve " + number + " is left out: " + status.message, status.where);
+  }
+  if (!first_error_) first_error_ = std::move(status);
+  return ok_status();
+}
+
+/// Returns how many globalIDs a piece has: 10, or fewer or more where they go far past the curve's
+/// end.
+double OrzanReader::ids_per_piece(pugi::xml_node element, const Curve& curve) {
+  double largest = 0;
+  const auto look = [&largest](const auto& list) {
+    for (const auto& stop : list.stops) {
+      if (stop.offset <= kMostIds) largest = std::max(largest, stop.offset);
+    }
+  };
+  look(curve.left.color.stops);
+  look(curve.right.color.stops);
+  look(curve.left.blur_radius);
+  const auto pieces = static_cast<double>(curve.piece_count());
+  if (largest <= kIdsPerPiece * pieces + kMostIdsPastEnd) return kIdsPerPiece;
+  warn(
+      "/ids", element,
+      "stops are numbered past the end of the curve, which has at most 10 for each piece; they are "
+      "scaled, so that the last one is at the end");
+  return largest / pieces;
+}
+
 Status OrzanReader::read_curve(pugi::xml_node element, Curve& curve) {
-  if (Status status = read_control_points(element, curve); !status) return status;
+  SFUMATO_TRY(read_control_points(element, curve));
+  if (element.attribute("connects")) {
+    warn("/portal", element, "portals (connects) are not read; the curve is an ordinary one");
+  }
   for (const pugi::xml_node part : element.children()) {
     if (part.type() != pugi::node_element) continue;
-    if (Status status = read_curve_part(part, curve); !status) return status;
+    SFUMATO_TRY(read_curve_part(part, curve));
   }
-  finish_stops(curve.left.color.stops, curve.piece_count());
-  finish_stops(curve.right.color.stops, curve.piece_count());
-  finish_stops(curve.left.blur_radius, curve.piece_count());
+  const double ids = ids_per_piece(element, curve);
+  finish_stops(curve.left.color.stops, curve.piece_count(), ids);
+  finish_stops(curve.right.color.stops, curve.piece_count(), ids);
+  finish_stops(curve.left.blur_radius, curve.piece_count(), ids);
   const auto is_sharp = [](const Stop<float>& stop) { return stop.value == 0; };
   ScalarStops &left = curve.left.blur_radius, &right = curve.right.blur_radius;
   if (std::ranges::all_of(left.stops, is_sharp)) {
@@ -180,8 +231,7 @@ Status OrzanReader::read_curve(pugi::xml_node element, Curve& curve) {
     left = {};
   }
   right.space = left.space;
-  Status status = stop_memory_.append(context_, left.stops, right.stops);
-  if (!status) return status;
+  SFUMATO_TRY(stop_memory_.append(context_, left.stops, right.stops));
   if (dialect_.sides_swapped) std::swap(curve.left, curve.right);
   return ok_status();
 }
@@ -203,19 +253,17 @@ Status OrzanReader::read_control_points(pugi::xml_node curve_element, Curve& cur
   if (count < 4 || count % 3 != 1) {
     return error_at(set ? set : curve_element,
                     "the curve has " + std::to_string(count) +
-                        " control points; expected 3n+1 of them (4, 7, 10, …)");
+                        " control points; use 3n+1 of them (4, 7, 10, …)");
   }
   control_point_count_ += count;
   if (control_point_count_ > context_.limits.control_points) {
     return limit_error(context_.limits, &Limits::control_points, "control points", xml_.place(set));
   }
-  Status reserved = point_memory_.reserve(context_, curve.control_points, count);
-  if (!reserved) return reserved;
+  SFUMATO_TRY(point_memory_.reserve(context_, curve.control_points, count));
   for (const pugi::xml_node element : set.children("control_point")) {
     Vec2& point = curve.control_points.emplace_back();
-    Status status = coordinate_in(element, dialect_.right_coordinate, point.x);
-    if (status) status = coordinate_in(element, dialect_.down_coordinate, point.y);
-    if (!status) return status;
+    SFUMATO_TRY(coordinate_in(element, dialect_.right_coordinate, point.x));
+    SFUMATO_TRY(coordinate_in(element, dialect_.down_coordinate, point.y));
   }
   return ok_status();
 }
@@ -246,28 +294,27 @@ Status OrzanReader::read_stops(pugi::xml_node set, const char* name, StopList<Va
                        xml_.place(set));
   }
   // A curve may have many sets of one kind.
-  Status reserved = stop_memory_.make_room(context_, list.stops, count);
-  if (!reserved) return reserved;
+  SFUMATO_TRY(stop_memory_.make_room(context_, list.stops, count));
   for (const pugi::xml_node element : set.children(name)) {
     Stop<Value>& stop = list.stops.emplace_back();
-    Status status = number_in(element, "globalID", stop.offset);
-    if (status) status = read_one(element, stop);
-    if (!status) return status;
+    SFUMATO_TRY(number_in(element, "globalID", stop.offset));
+    SFUMATO_TRY(read_one(element, stop));
   }
   return ok_status();
 }
 
 /// Sorts stably, then turns globalIDs into parameters, clamped to the curve.
 template <class Value>
-void OrzanReader::finish_stops(StopList<Value>& list, std::size_t piece_count) {
+void OrzanReader::finish_stops(StopList<Value>& list, std::size_t piece_count,
+                               double ids_per_piece) {
   std::ranges::stable_sort(list.stops, {}, &Stop<Value>::offset);
   for (Stop<Value>& stop : list.stops) {
-    stop.offset = std::clamp(stop.offset / kIdsPerPiece, 0.0, static_cast<double>(piece_count));
+    stop.offset = std::clamp(stop.offset / ids_per_piece, 0.0, static_cast<double>(piece_count));
   }
 }
 
 Status OrzanReader::read_colors(pugi::xml_node set, const char* name, Side& side) {
-  // A Neumann side lets nothing through and has no colour of its own.
+  // A Neumann side lets nothing through and has no colour.
   if (std::string_view(set.attribute("boundary").value()) == "Neumann") {
     side.color = {ShaderKind::barrier, {}, 0};
     return ok_status();
@@ -281,15 +328,14 @@ Status OrzanReader::read_colors(pugi::xml_node set, const char* name, Side& side
 }
 
 Status OrzanReader::read_color(pugi::xml_node element, Stop<Rgb>& stop) {
-  Status status = read_channel(element, dialect_.red, stop.value.r);
-  if (status) status = read_channel(element, "G", stop.value.g);
-  if (status) status = read_channel(element, dialect_.blue, stop.value.b);
-  return status;
+  SFUMATO_TRY(read_channel(element, dialect_.red, stop.value.r));
+  SFUMATO_TRY(read_channel(element, "G", stop.value.g));
+  return read_channel(element, dialect_.blue, stop.value.b);
 }
 
 Status OrzanReader::read_channel(pugi::xml_node element, const char* name, float& channel) {
   double code_value = 0;
-  if (Status status = number_in(element, name, code_value); !status) return status;
+  SFUMATO_TRY(number_in(element, name, code_value));
   if (code_value < 0 || code_value > 255) {
     warn("/colour", element, "colours outside 0 to 255 are clamped to that range");
     code_value = std::clamp(code_value, 0.0, 255.0);
@@ -301,12 +347,12 @@ Status OrzanReader::read_channel(pugi::xml_node element, const char* name, float
 Status OrzanReader::read_blur(pugi::xml_node set, Curve& curve) {
   const auto read_one = [this](pugi::xml_node element, Stop<float>& stop) {
     double sigma = 0;
-    if (Status status = coordinate_in(element, "value", sigma); !status) return status;
+    SFUMATO_TRY(coordinate_in(element, "value", sigma));
     if (sigma < 0) {
       warn("/blur", element, "a best_scale below 0 is read as 0");
       sigma = 0;
     }
-    stop.value = static_cast<float>(std::min(kRadiusOfSigma * sigma, limits::kCoordinate));
+    stop.value = static_cast<float>(std::min(kBlurRadiusOfSigma * sigma, limits::kCoordinate));
     return ok_status();
   };
   return read_stops(set, "best_scale", curve.left.blur_radius, read_one);
@@ -317,7 +363,7 @@ Status OrzanReader::read_weight(pugi::xml_node set, Curve& curve) {
   std::optional<double> constant;
   for (const pugi::xml_node element : set.children("weight")) {
     double weight = 0;
-    if (Status status = coordinate_in(element, "w", weight); !status) return status;
+    SFUMATO_TRY(coordinate_in(element, "w", weight));
     if (!constant) constant = weight;
     if (weight != *constant || !(weight > 0)) {
       warn("/weight", element,
@@ -337,18 +383,18 @@ Status OrzanReader::number_in(pugi::xml_node element, const char* name, double& 
   if (!number) {
     return error_at(element, std::string(name) + " of " + tag(element) + " is \"" +
                                  std::string(attribute.value()).substr(0, 64) +
-                                 "\"; expected a finite number");
+                                 "\"; use a finite number");
   }
   value = *number;
   return ok_status();
 }
 
 Status OrzanReader::coordinate_in(pugi::xml_node element, const char* name, double& value) {
-  if (Status status = number_in(element, name, value); !status) return status;
+  SFUMATO_TRY(number_in(element, name, value));
   if (std::abs(value) <= limits::kCoordinate) return ok_status();
   return error_at(element, std::string(name) + " of " + tag(element) + " is " +
                                std::string(element.attribute(name).value()).substr(0, 64) +
-                               "; expected a magnitude of at most " +
+                               "; use a magnitude of at most " +
                                std::to_string(static_cast<long>(limits::kCoordinate)));
 }
 

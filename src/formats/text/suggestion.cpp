@@ -12,7 +12,7 @@ namespace {
 /// Longer words are not misspelt: they are something else.
 constexpr std::size_t kLongestWord = 32;
 
-/// Of a text that a message quotes.
+/// The most bytes of a text that a message quotes.
 constexpr std::size_t kQuotedBytes = 48;
 
 /// Insertions, deletions, replacements and exchanges of neighbours (optimal string alignment).

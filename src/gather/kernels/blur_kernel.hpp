@@ -7,9 +7,9 @@
 /// it varies (docs/mathematics.md, blur radii).
 namespace sfumato::gather::inline SFUMATO_ISA {
 
-/// curves::front_share in lanes: β with one radius. The prose under eq. 8 says that it falls "to 0"
-/// at distance R; the formula, and the limit R → 0, say 1. R == 0 is chosen by select, not by
-/// dividing: 0/0 would poison whole lanes. Precondition: distance and radius >= 0.
+/// Computes curves::front_share in lanes: β with one radius. The prose under eq. 8 says that it
+/// falls "to 0" at distance R; the formula, and the limit R → 0, say 1. R == 0 is handled by
+/// select, not by dividing: 0/0 would spoil whole lanes. Precondition: distance and radius >= 0.
 template <class F>
 SFUMATO_INLINE F front_share(const F& distance, const F& radius) {
   const F x = F(0.5f) + F(0.5f) * distance / radius;
@@ -43,15 +43,16 @@ inline constexpr float kBlurNode[kBlurNodes] = {-0.997719817f, -0.94261046f, -0.
 inline constexpr float kBlurNodeWeight[kBlurNodes] = {0.0057848131f, 0.0611113173f, 0.178130346f,
                                                       0.289783588f,  0.299650256f,  0.165539679f};
 
-/// Gauss's rule in the angle, by τ with tan(angle off the middle / 2) = τ tan(D / 4): all of it is
-/// rational then. With k = tan²(D / 4), A = r_far (1 - τ)(1 + kτ), B = r_near (1 + τ)(1 - kτ):
+/// Integrates by Gauss's rule in the angle, by τ with tan(angle off the middle / 2) = τ tan(D / 4):
+/// all of it is rational then. With k = tan²(D / 4), A = r_far (1 - τ)(1 + kτ), B = r_near (1 +
+/// τ)(1 - kτ):
 ///
 ///     w dθ ∝ (A + B)² / (1 + kτ²)³ dτ,   T = B / (A + B),
 ///     r⊥/R = r⊥ (A + B) / (R_near A + R_far B)
 ///
 /// Nodes are densest at the near end (τ = 2x² - 1), where 1 - β = (1 - y)² (2 + y) / 4, y = r⊥/R,
-/// changes fastest. With six nodes the error of the mean is at most 0.001, however the radius
-/// grows.
+/// changes fastest. With six nodes the error of the mean is at most 0.001, for any growth of the
+/// radius.
 template <class F>
 SFUMATO_INLINE BackMeans<F> back_means(const GrowingBlur<F>& part) {
   const F cosine = min(max(part.cosine, F(-1)), F(1));

@@ -13,8 +13,8 @@ struct PartWeight {
   F lean;    ///< w₂ - w₁
 };
 
-/// h₁ = (D - s c) / (2 s³) as a function of c = cos D in [0, 1]: relative error 4e-6.
-/// h₂ = (s - D c) / s³ needs no polynomial of its own: it is 1 - 2 c h₁, for every D.
+/// Returns h₁ = (D - s c) / (2 s³) as a function of c = cos D in [0, 1]: relative error 4e-6. h₂ =
+/// (s - D c) / s³ needs no separate polynomial: it is 1 - 2 c h₁, for every D.
 template <class F>
 SFUMATO_INLINE F h1_of_cosine(const F& c) {
   const F c2 = c * c;
@@ -25,19 +25,19 @@ SFUMATO_INLINE F h1_of_cosine(const F& c) {
   return odd * c + even;
 }
 
-/// The visible part from q1 (right end) to q2 (left end), relative to the point, with
-/// G₁ = s h₁ and G₂ = s (1 - 2 c h₁), reduces to
+/// Computes the weight of the visible part from q1 (right end) to q2 (left end), relative to the
+/// point. With G₁ = s h₁ and G₂ = s (1 - 2 c h₁), it reduces to
 ///
 ///     W = u₁u₂ s (1 + h₁ u₁u₂ |q2 - q1|²)      w₂ - w₁ = u₁u₂ s h₁ u₁u₂ (r₁² - r₂²)
 ///
 /// with u₁u₂ = 1/√(r₁² r₂²): no angle, no normal, no distance, and all terms of W positive.
 ///
-/// cross_q   q1 × q2 in its most precise form, used where D <= 90°. Above 90° the point is near the
-///           segment, q1 × q2 itself is better, and s is kept off 0, as the point may lie on the
-///           segment. Below 90° s may be 0: a part seen edge-on near a tip must not get a weight
-///           from a clamp.
-/// length_squared   |q2 - q1|²
-/// lanes     the lanes to compute; the others get 0.
+/// - `cross_q`: q1 × q2 in its most precise form, used where D <= 90°. Above 90° the point is near
+///   the segment, q1 × q2 itself is better, and s is kept off 0, as the point may lie on the
+///   segment. Below 90° s may be 0: a part seen edge-on near a tip must not get a weight from a
+///   clamp.
+/// - `length_squared`: |q2 - q1|²
+/// - `lanes`: the lanes to compute; the others get 0.
 template <class F>
 SFUMATO_INLINE PartWeight<F> part_weight(const F& q1x, const F& q1y, const F& q2x, const F& q2y,
                                          const F& cross_q, const F& length_squared,

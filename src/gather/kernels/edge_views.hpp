@@ -6,15 +6,15 @@
 
 namespace sfumato::gather::inline SFUMATO_ISA {
 
-/// An edge as seen by one register of lanes.
+/// An edge seen by the lanes of one register.
 template <int W>
 struct EdgeView {
   const HitEdge* edge;
-  int row;         ///< which register of the packet
+  int row;         ///< the register of the packet
   LaneBits lanes;  ///< W bits
 };
 
-/// An edge of which some of the lanes see a part.
+/// An edge that some of the lanes see partly.
 template <int W>
 struct CutEdgeView : EdgeView<W> {
   LaneBits whole_right;
@@ -26,8 +26,8 @@ struct CutEdgeView : EdgeView<W> {
 /// The visible edges of one packet. They are collected and then integrated several at a time,
 /// because the closed form is one long chain of dependent steps and several chains side by side use
 /// the processor fully. There is one list for edges that every lane sees whole and one for edges
-/// that are cut for some lanes. When the lists are emptied depends on the packet alone, not on W,
-/// and so does the order of every lane's sum.
+/// that are cut for some lanes. Only the packet, not W, determines when the lists are emptied, and
+/// therefore the order of every lane's sum.
 ///
 /// Sums   derives from this; its sum_all(views, seen, part) gets kTogether visible parts at a time,
 ///        and negligible_share() is the share of the weight found so far below which a window is
@@ -38,7 +38,7 @@ class EdgeViews {
   static constexpr int kLanes = W;
   static constexpr int K = kPacketLanes / W;
 
-  /// Precondition: is_hit(code), and the window has lanes.
+  /// Adds an edge. Precondition: is_hit(code), and the window has lanes.
   SFUMATO_INLINE void add(const SceneView& scene, EdgeCode code,
                           const Window<Lanes<W, K>>& window) {
     const HitEdge* edge = &scene.hit_edge[hit_index(code)];
@@ -51,10 +51,10 @@ class EdgeViews {
     }
   }
 
-  /// Weight below which a window is not followed.
+  /// Returns the weight below which a window is not followed.
   SFUMATO_INLINE const Lanes<W, K>& negligible_weight() const { return negligible_; }
 
-  /// Integrates what was added so far.
+  /// Integrates the views that were added so far.
   void flush() {
     flush(whole_, kWholeEdges);
     flush(cut_, kCutEdges);
@@ -121,7 +121,7 @@ class EdgeViews {
     negligible_ = weight_ * Lanes<W, K>(sums().negligible_share());
   }
 
-  /// The same number of each view, one per lane.
+  /// Returns the same number of each view, one per lane.
   template <class Get>
   SFUMATO_INLINE static F side_by_side(Get get) {
     F r;
@@ -208,7 +208,7 @@ class EdgeViews {
     L lean;  ///< the weight's mean place on the edge, from -1 at a to 1 at b, times the weight
   };
 
-  /// Where a ray cuts the line through a along e, as a fraction of e, clamped to the edge.
+  /// Returns where a ray cuts the line through a along e, as a fraction of e, clamped to the edge.
   SFUMATO_INLINE static F cut(const Direction<F>& a, const Direction<F>& e,
                               const Direction<F>& ray) {
     const F t = (a.y * ray.x - a.x * ray.y) * reciprocal(e.x * ray.y - e.y * ray.x);

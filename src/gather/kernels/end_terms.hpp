@@ -53,14 +53,14 @@ class EndTerms {
     mix(end, positive_share(end, d, sqrt(select(lanes, r_squared, F(1)))), mixed);
   }
 
-  /// τ of a point at d from the end, |d| = r.
+  /// Returns τ of a point at d from the end, |d| = r.
   SFUMATO_INLINE static F positive_share(const EndTerm& end, const Direction<F>& d, const F& r) {
     const F sine = F(end.bend) * r;
     const F cosine = sqrt(max(F(1) - sine * sine, F(0)));
     const Direction<F> u{cosine * d.x + sine * d.y, cosine * d.y - sine * d.x};  // unbent
     const F across = F(end.direction_x) * u.y - F(end.direction_y) * u.x;
     const F ahead = F(end.direction_x) * u.x + F(end.direction_y) * u.y;
-    // The greater of sin(|φ|/2) and cos(φ/2), in which nothing cancels.
+    // The greater of sin(|φ|/2) and cos(φ/2), which has no cancellation.
     const F greater = sqrt(F(0.5f) * (r + abs(ahead)) / r);
     const F other = across / (r + r) / greater;
     const auto is_positive = across > F(0);

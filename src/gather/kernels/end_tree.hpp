@@ -13,7 +13,7 @@ SFUMATO_INLINE bool overlap(const EndBox& a, const EndBox& b) {
   return a.x0 <= b.x1 && b.x0 <= a.x1 && a.y0 <= b.y1 && b.y0 <= a.y1;
 }
 
-/// Leaves that the box meets, in the order of their ends, until `visit` says false.
+/// Visits the leaves that the box meets, in the order of their ends, until `visit` returns false.
 template <class Visit>
 SFUMATO_INLINE void visit_leaves(const EndTree& tree, const EndBox& box, Visit visit) {
   if (tree.leaf_count == 0) return;

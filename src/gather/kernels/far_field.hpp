@@ -13,15 +13,16 @@ inline constexpr int kFarDirections = 16;
 /// Levels of a far field at most: 512 of the smallest squares in a row.
 inline constexpr int kFarLevels = 10;
 
-/// What the numbers of a far field are, per length that a ray travels: curves that it meets, their
-/// weight, their weight times their value; after that, for each image-domain shader the weight of
-/// the sides that have it.
+/// The numbers of a far field, per length that a ray travels: curves that it meets, their weight,
+/// their weight times their value; after that, for each image-domain shader the weight of the sides
+/// that have it.
 inline constexpr int kFarOpacity = 0;
 inline constexpr int kFarWeight = 1;
 inline constexpr int kFarValue = 2;
 
-/// Means over squares of what rays meet in each of the directions. The squares of a level tile the
-/// field; those of the next are twice as large, and the last level is one square.
+/// Means over squares of the curves that rays meet in each of the directions. The squares of a
+/// level tile the field; the squares of the next level are twice as large, and the last level is
+/// one square.
 struct FarField {
   const float* mean = nullptr;  ///< null: there is none
   float x0 = 0, y0 = 0;         ///< the field's corner
@@ -30,19 +31,19 @@ struct FarField {
   int level_count = 1;
   int first[kFarLevels] = {};  ///< per level: squares before its own in `mean`
   int numbers = 0;             ///< for each direction of a square
-  float nearest = 0;           ///< what is nearer to a point than this, it does not tell of
+  float nearest = 0;           ///< the field does not count curves nearer to a point than this
 };
 
 /// tan(π/16) and tan(3π/16): the borders of directions.
 inline constexpr float kFirstBorder = 0.198912367f;
 inline constexpr float kSecondBorder = 0.668178638f;
 
-/// The nearest of the directions. Precondition: not (0, 0).
+/// Returns the nearest of the directions. Precondition: not (0, 0).
 SFUMATO_INLINE int far_direction(float x, float y) {
   const float across = x < 0 ? -x : x, up = y < 0 ? -y : y;
   const bool is_steep = up > across;
   const float longer = is_steep ? up : across, shorter = is_steep ? across : up;
-  // Without branches: no guess at them would be any good.
+  // Without branches, which could not be predicted.
   int direction = (shorter > kFirstBorder * longer) + (shorter > kSecondBorder * longer);
   direction += is_steep * (kFarDirections / 4 - 2 * direction);
   direction += (x < 0) * (kFarDirections / 2 - 2 * direction);
@@ -50,10 +51,11 @@ SFUMATO_INLINE int far_direction(float x, float y) {
   return direction % kFarDirections;
 }
 
-/// The squares asked are as large as what they stand for.
+/// The size of a square relative to the window that it represents.
 inline constexpr float kFarCellShare = 1.5f;
 
-/// The numbers around (x, y), seen in a direction from so far away, or null outside the field.
+/// Returns the numbers around (x, y), seen in a direction from this distance, or null outside the
+/// field.
 SFUMATO_INLINE const float* far_mean(const FarField& far, float x, float y, int direction,
                                      float distance) {
   // The level by the exponent of how many of the smallest squares a side would have.

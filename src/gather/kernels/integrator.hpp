@@ -9,9 +9,9 @@
 
 namespace sfumato::gather::inline SFUMATO_ISA {
 
-/// In place of kNegligible where a far field tells what about the window would have added. At the
-/// nodes of the mesh among 1,000 to 10,000 specks of half a pixel it costs at most 0.05 for half of
-/// them, 0.2 for 99 of 100 and 0.4 for any; among 10,000 strokes of two pixels 0.6 for any.
+/// Replaces kNegligible where a far field estimates the contribution of the window. At the nodes of
+/// the mesh among 1,000 to 10,000 specks of half a pixel it costs at most 0.05 for half of them,
+/// 0.2 for 99 of 100 and 0.4 for any; among 10,000 strokes of two pixels 0.6 for any.
 inline constexpr float kEstimated = 5e-4f;
 
 /// A radius that differs from its mean on the edge by at most this share c is treated as constant.
@@ -19,10 +19,10 @@ inline constexpr float kEstimated = 5e-4f;
 /// curves few radii vary more.
 inline constexpr float kEvenChange = 1.0f / 32;
 
-/// W and Σ w z of one packet.
+/// Computes W and Σ w z of one packet.
 ///
 /// kChannels: of the values, 3 or 4.
-/// kBlends: sides have blur radii or image-domain shaders (SceneView::blend is there).
+/// kBlends: sides have blur radii or image-domain shaders (SceneView::blend exists).
 template <int W, int kChannels, bool kBlends>
 class Integrator : public EdgeViews<W, Integrator<W, kChannels, kBlends>> {
   using Views = EdgeViews<W, Integrator>;
@@ -47,7 +47,7 @@ class Integrator : public EdgeViews<W, Integrator<W, kChannels, kBlends>> {
     for (auto& channel : value_) channel = Lanes<W, K>(0);
   }
 
-  /// Adds what is told of a window: numbers of a far field, times `weight`.
+  /// Adds the estimate for a window: numbers of a far field, times `weight`.
   SFUMATO_INLINE void add_mean(const float* mean, const Lanes<W, K>& weight) {
     using A = Lanes<W, K>;
     weight_ = weight_ + weight * A(mean[kFarWeight]);
@@ -114,7 +114,7 @@ class Integrator : public EdgeViews<W, Integrator<W, kChannels, kBlends>> {
     }
   }
 
-  // Eq. 11: the share β of a part's weight goes to the side that is seen, the rest to its back.
+  // Applies eq. 11: the share β of a part's weight goes to the visible side, the rest to its back.
   SFUMATO_INLINE void sum_blended(const EdgeView<W>& view, const Seen<Lanes<W>>& s,
                                   const Part<Lanes<W>>& part) {
     const HitBlend& blend = blend_[view.edge - first_hit_];
@@ -153,8 +153,8 @@ class Integrator : public EdgeViews<W, Integrator<W, kChannels, kBlends>> {
     return {part.weight * back, part.lean * back};
   }
 
-  /// Where the radius is below the distance, β is 1, so that only the rest of the part is
-  /// integrated. Arguments are passed by value: references would keep them in memory also for edges
+  /// Integrates where the radius is below the distance only over the rest of the part, because β is
+  /// 1 there. Arguments are passed by value: references would keep them in memory also for edges
   /// that never come here.
   __attribute__((noinline)) static BackPart back_of_growing(const HitBlend& blend, Seen<Lanes<W>> s,
                                                             Part<Lanes<W>> part) {
@@ -187,7 +187,7 @@ class Integrator : public EdgeViews<W, Integrator<W, kChannels, kBlends>> {
     return {zero_unless(lanes, weight * mean.share), zero_unless(lanes, weight * place)};
   }
 
-  /// A part's share of one side's shader.
+  /// Adds a part's share of one side's shader.
   SFUMATO_INLINE void add_side(const EdgeView<W>& view, const Lanes<W>& weight,
                                const Lanes<W>& lean, std::int32_t shader,
                                const float (&middle)[kValueChannels],
@@ -198,7 +198,7 @@ class Integrator : public EdgeViews<W, Integrator<W, kChannels, kBlends>> {
   }
 
   Lanes<W, K> value_[kChannels];
-  const HitEdge* first_hit_ = nullptr;  ///< this and the rest: where kBlends
+  const HitEdge* first_hit_ = nullptr;  ///< this and the rest: only where kBlends
   const HitBlend* blend_ = nullptr;
   float* share_ = nullptr;
   int shader_count_ = 0;

@@ -17,7 +17,8 @@ bool walk_packets(const SceneView& scene, const PacketBatch& batch, const Packet
   return true;
 }
 
-/// Gathers a batch of packets with W lanes to a register. False: the stack is too small.
+/// Gathers a batch of packets with W lanes to a register. Returns false where the stack is too
+/// small.
 template <int W>
 bool gather_packets(const SceneView& scene, const PacketBatch& batch, const PacketStack& stack) {
   if (scene.blend) return walk_packets<W, kValueChannels, true>(scene, batch, stack);

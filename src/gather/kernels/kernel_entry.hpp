@@ -5,8 +5,8 @@
 
 namespace sfumato::gather {
 
-/// The exact gather of a batch of packets: kernel.hpp compiled for one instruction set. False: the
-/// stack is too small, results are incomplete.
+/// The exact gather of a batch of packets: kernel.hpp compiled for one instruction set. Returns
+/// false where the stack is too small; results are then incomplete.
 using PacketKernel = bool(const SceneView& scene, const PacketBatch& batch,
                           const PacketStack& stack);
 

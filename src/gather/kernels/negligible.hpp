@@ -7,8 +7,8 @@ namespace sfumato::gather {
 /// roses and portrait.svg at most 0.02 for 99 nodes of 100 and 0.05 for any.
 inline constexpr float kNegligible = 6e-5f;
 
-/// The same of point_walk.glsl, for which it is cheaper to be exact: among 200 strokes it takes 3
-/// of 100 steps more than with kNegligible, for a seventh of the error.
+/// The same for point_walk.glsl, where more exactness costs less: among 200 strokes it takes 3 of
+/// 100 steps more than with kNegligible, for a seventh of the error.
 inline constexpr float kPointNegligible = 1e-5f;
 
 }  // namespace sfumato::gather

@@ -15,12 +15,12 @@
 /// the same bits for every W.
 namespace sfumato::gather::inline SFUMATO_ISA {
 
-/// Windows that reach this many triangles deep wait until all that is nearer is integrated. The
-/// weight is then nearly known, and more of what is far turns out to be negligible: 10,000 specks
-/// are drawn in 0.4 of the time.
+/// Windows that reach this many triangles deep wait until all nearer windows are integrated. The
+/// weight is then nearly known, and more of the far windows turn out to be negligible: 10,000
+/// specks are drawn in 0.4 of the time.
 inline constexpr int kNearDepth = 12;
 
-/// Sums   an EdgeViews, with begin() and end(); where kTakesMeans is set, a far field may stand for
+/// Sums   an EdgeViews, with begin() and end(); where kTakesMeans is set, a far field may represent
 ///        windows that are not followed
 template <class Sums>
 class PacketWalk {
@@ -31,7 +31,7 @@ class PacketWalk {
   PacketWalk(const SceneView& scene, const PacketStack& stack)
       : scene_(scene), stack_(reinterpret_cast<Waiting*>(stack.slot)), capacity_(stack.capacity) {}
 
-  /// False where the stack is too small; nothing is stored then.
+  /// Runs the walk. Returns false where the stack is too small; nothing is stored then.
   bool run(const PacketInput& packet, typename Sums::Result& out) {
     px_ = F::load(packet.x);
     py_ = F::load(packet.y);
@@ -63,7 +63,7 @@ class PacketWalk {
 
   bool is_full() const { return size_ + far_size_ == capacity_; }
 
-  /// Precondition: not is_full().
+  /// Pushes a window. Precondition: not is_full().
   SFUMATO_INLINE void push(const Window<F>& window, EdgeCode edge, int depth) {
     put(stack_[size_++], window, edge, depth);
   }
@@ -74,13 +74,13 @@ class PacketWalk {
     to.depth = depth;
   }
 
-  /// Moves the windows that are far to the stack, which is empty.
+  /// Moves the far windows to the stack, which is empty.
   void take_far() {
     for (; far_size_ > 0; --far_size_) stack_[size_++] = stack_[capacity_ - far_size_];
   }
 
-  /// Follows what is on the stack up to a depth; what goes on from there is far. False: the stack
-  /// is too small.
+  /// Follows the windows on the stack up to a depth; windows that continue from there are far.
+  /// Returns false where the stack is too small.
   bool follow_all(int depth) {
     depth_limit_ = depth;
     while (size_ > 0) {
@@ -145,9 +145,9 @@ class PacketWalk {
     return F(edge.normal_x) * px_ + (F(edge.normal_y) * py_ + F(edge.offset));
   }
 
-  // Behind an edge at distance d nothing is nearer than d, so that a window of angle D weighs at
-  // most D/d² (weights k are at most 1). tan D is used as an upper bound of D below 90°; above, cos
-  // D is negative and nothing is dropped.
+  // Returns the lanes whose window is negligible. Behind an edge at distance d no curve is nearer
+  // than d, so that a window of angle D weighs at most D/d² (weights k are at most 1). tan D is
+  // used as an upper bound of D below 90°; above, cos D is negative and nothing is dropped.
   SFUMATO_INLINE LaneBits negligible(const Window<F>& w, const EdgeBeyond& beyond) const {
     const F d = distance_of(beyond);
     const F sine = w.right.x * w.left.y - w.right.y * w.left.x;
@@ -161,11 +161,11 @@ class PacketWalk {
     return mask_bits(abs(sine) < least * (d * d) * cosine);
   }
 
-  /// Adds about what a window that is not followed would have, for all lanes by one look at the far
-  /// field. Where rays meet curves with density λ, one that begins at distance t weighs
-  /// ∫ λ e^{-λ(r - t)} / r² dr on average, which is λ / (t (1 + 1.25 λt)) within a sixth, and half
-  /// of it comes from within 2 t. Both are below 1 / t²: an estimate is off by no more than what a
-  /// window without one is.
+  /// Adds an estimate of the contribution of a window that is not followed, for all lanes by one
+  /// access to the far field. Where rays meet curves with density λ, one that begins at distance t
+  /// weighs ∫ λ e^{-λ(r - t)} / r² dr on average, which is λ / (t (1 + 1.25 λt)) within a sixth,
+  /// and half of it comes from within 2 t. Both are below 1 / t²: the error of an estimate is no
+  /// larger than that of dropping the window.
   __attribute__((noinline)) void estimate(const EdgeBeyond& beyond, LaneBits lanes) {
     const F distance = distance_of(beyond);
     lanes &= mask_bits(distance > F(scene_.far.nearest));
@@ -186,11 +186,11 @@ class PacketWalk {
     sums_.add_mean(mean, zero_unless(F::Mask::from_bits(lanes), weight));
   }
 
-  static constexpr float kFarPlace = 1.7f;  ///< where to look, in units of t
+  static constexpr float kFarPlace = 1.7f;  ///< the place in the far field, in units of t
   static constexpr float kFarBend = 1.25f;
   static constexpr float kLeastAhead = 1e-4f;  ///< keeps t finite
 
-  /// The direction of the middle of a lane's window; its length is of no meaning.
+  /// Returns the direction of the middle of a lane's window; its length is meaningless.
   Direction<float> middle_of_dropped(int lane) const {
     const Direction<float> right{dropped_.right.x[lane], dropped_.right.y[lane]};
     const Direction<float> left{dropped_.left.x[lane], dropped_.left.y[lane]};
@@ -200,7 +200,7 @@ class PacketWalk {
             right.y * left_length + left.y * right_length};
   }
 
-  /// D / (t (1 + bend t)), with 2 tan(D / 2) for D.
+  /// Returns D / (t (1 + bend t)), with 2 tan(D / 2) for D.
   SFUMATO_INLINE F weight_of_dropped(const F& t, float bend) const {
     const Direction<F>& right = dropped_.right;
     const Direction<F>& left = dropped_.left;
@@ -211,7 +211,7 @@ class PacketWalk {
     return (sine + sine) * reciprocal((lengths + cosine) * (t * (F(1) + F(bend) * t)));
   }
 
-  /// A window that leaves the packet's triangles.
+  /// Starts the walk with a window that leaves the packet's triangles.
   void start(const Window<F>& window, EdgeCode edge) {
     if (edge == kBorder || window.lanes == 0) return;
     if (is_hit(edge)) {
@@ -225,8 +225,8 @@ class PacketWalk {
     return {F(t.x[k]) - px_, F(t.y[k]) - py_};
   }
 
-  /// The windows of a triangle's own points through its edge k. Their signs are not tested, because
-  /// a point may lie on the edge, which it then sees under 180 degrees.
+  /// Returns the windows of a triangle's own points through its edge k. Their signs are not tested,
+  /// because a point may lie on the edge, which it then sees under 180 degrees.
   SFUMATO_INLINE Window<F> own_window(const PacketTriangle& member, const SceneTriangle& t,
                                       int k) const {
     const LaneBits lanes = (1u << member.lane_end) - (1u << member.lane_begin);
@@ -238,9 +238,9 @@ class PacketWalk {
     for (int k = 0; k < 3; ++k) start(own_window(packet.triangle[0], t, k), t.edge[k]);
   }
 
-  /// The windows of all lanes that leave `member` through its edge k: those of its own points, and
-  /// those that entered through the two other edges. These have different lanes and therefore form
-  /// one window.
+  /// Returns the windows of all lanes that leave `member` through its edge k: the windows of its
+  /// own points, and the windows that entered through the two other edges. These have different
+  /// lanes and therefore form one window.
   Window<F> leaving(const PacketTriangle& member, const Window<F> (&entering)[3], int k) const {
     const SceneTriangle& t = scene_.triangle[member.triangle];
     const int next = (k + 1) % 3, previous = (k + 2) % 3;
@@ -295,15 +295,15 @@ class PacketWalk {
   }
 
   const SceneView& scene_;
-  Waiting* stack_;  ///< the windows that are far come from its end towards the others
+  Waiting* stack_;  ///< the far windows fill it from its end towards the others
   int capacity_;
   int size_ = 0;
   int far_size_ = 0;
   int depth_limit_ = 0;
   std::int64_t steps_left_ = 0;
   F px_, py_;
-  Window<F> dropped_;  ///< what estimate() is asked about: to refer to the window that is walked
-                       ///< would keep it in memory, at twice the time
+  Window<F> dropped_;  ///< the argument of estimate(): a reference to the walked window would keep
+                       ///< it in memory, at twice the time
   Sums sums_;
 };
 

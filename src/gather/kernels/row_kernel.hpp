@@ -4,7 +4,8 @@
 #include "gather/kernels/packet_walk.hpp"
 #include "gather/kernels/row_layout.hpp"
 
-/// The exact gather of packets that tells what the points see, in place of a sum of values.
+/// The exact gather of packets for rows: it reports the edges that the points see, instead of a sum
+/// of values.
 namespace sfumato::gather::inline SFUMATO_ISA {
 
 template <int W>
@@ -67,8 +68,8 @@ class RowViews : public EdgeViews<W, RowViews<W>> {
   RowView out_[kRoom];
 };
 
-/// Walks one packet with W lanes to a register. False: the stack is too small, and what was given
-/// to the taker is not all.
+/// Walks one packet with W lanes to a register. Returns false where the stack is too small; the
+/// taker has then received only a part.
 template <int W>
 bool find_rows(const SceneView& scene, const PacketInput& packet, const RowTaker& taker,
                const PacketStack& stack) {

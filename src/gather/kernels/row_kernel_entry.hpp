@@ -5,8 +5,8 @@
 
 namespace sfumato::gather {
 
-/// What the points of one packet see: row_kernel.hpp compiled for one instruction set. False: the
-/// stack is too small, and what was given to the taker is not all.
+/// Finds the edges that the points of one packet see: row_kernel.hpp compiled for one instruction
+/// set. Returns false where the stack is too small; the taker has then received only a part.
 using RowKernel = bool(const SceneView& scene, const PacketInput& packet, const RowTaker& taker,
                        const PacketStack& stack);
 

@@ -5,12 +5,13 @@
 #include "base/inline.hpp"
 #include "gather/kernels/far_field.hpp"
 
-/// The layer as the kernels read it: plain structures in single precision, coordinates relative to
-/// the scene's origin. Kernels are compiled for several instruction sets and use no other types.
+/// The layer in the layout of the kernels: plain structures in single precision, coordinates
+/// relative to the scene's origin. Kernels are compiled for several instruction sets and use no
+/// other types.
 namespace sfumato::gather {
 
-/// What lies at an edge of a triangle, as one number: an EdgeBeyond to walk through (>= 0), kBorder
-/// (the border, or a barrier: it stops rays and adds nothing), or a HitEdge.
+/// The effect of an edge of a triangle on rays, as one number: an EdgeBeyond to walk through (>=
+/// 0), kBorder (the border, or a barrier: it stops rays and adds nothing), or a HitEdge.
 using EdgeCode = std::int32_t;
 inline constexpr EdgeCode kBorder = -1;
 
@@ -20,7 +21,7 @@ SFUMATO_INLINE constexpr EdgeCode hit_code(std::uint32_t index) {
 SFUMATO_INLINE constexpr bool is_hit(EdgeCode code) {
   return code <= -2;
 }
-/// Precondition: is_hit(code).
+/// Returns the index of a hit edge. Precondition: is_hit(code).
 SFUMATO_INLINE constexpr std::uint32_t hit_index(EdgeCode code) {
   return static_cast<std::uint32_t>(-2 - code);
 }
@@ -37,7 +38,7 @@ struct alignas(32) EdgeBeyond {
   float offset;
 };
 
-/// Channels of a curve_domain value, of which SegmentAttributes::base_channels are used.
+/// Channels of a curve_domain value. SegmentAttributes::base_channels of them are used.
 inline constexpr int kValueChannels = 4;
 
 /// A half-edge a → b that stops rays, seen from its own triangle: a is the right end, b the left.
@@ -69,7 +70,7 @@ struct SceneTriangle {
   float x[3];
   float y[3];
   EdgeCode edge[3];
-  std::int32_t twin[3];  ///< half-edge on the other side, whatever lies between; -1 on the hull
+  std::int32_t twin[3];  ///< half-edge on the other side, whatever is between them; -1 on the hull
 };
 
 /// A rectangle; the default is empty.
@@ -78,7 +79,7 @@ struct EndBox {
   float x1 = -__builtin_huge_valf(), y1 = -__builtin_huge_valf();
 };
 
-/// The term of a FreeEnd, whose members it has.
+/// The term of a FreeEnd, with the same members.
 struct EndTerm {
   float x, y;
   float direction_x, direction_y;
@@ -95,11 +96,11 @@ inline constexpr float kEndKnee = 25;
 
 inline constexpr std::uint32_t kEndsPerLeaf = 4;
 
-/// The children of node i are 2 i and 2 i + 1; the root is 1. Of the leaves, the last nodes, each
-/// has the next kEndsPerLeaf terms.
+/// A tree of boxes. The children of node i are 2 i and 2 i + 1; the root is 1. The leaves are the
+/// last nodes; each leaf has the next kEndsPerLeaf terms.
 struct EndTree {
   const EndTerm* term = nullptr;
-  const EndBox* box = nullptr;  ///< per node: what its terms reach
+  const EndBox* box = nullptr;  ///< per node: the reach of its terms
   std::uint32_t term_count = 0;
   std::uint32_t leaf_count = 0;  ///< a power of two; 0 where there are no terms
 };
@@ -120,7 +121,7 @@ inline constexpr int kPacketLanes = 16;
 inline constexpr int kPacketTriangles = 8;
 
 /// Lanes [lane_begin, lane_end) of a packet are points of `triangle`. The triangles of a packet
-/// form a tree over edges that rays pass in both directions; parents stand before children.
+/// form a tree over edges that rays pass in both directions; parents come before children.
 struct PacketTriangle {
   std::uint32_t triangle;
   std::uint32_t first_point;  ///< of lane_begin, in packing order

@@ -4,7 +4,7 @@
 
 #include "base/lanes.hpp"
 
-/// Windows: the directions in which the points of a packet see through an edge of the visibility
+/// Windows: ranges of directions from the points of a packet through an edge of the visibility
 /// mesh.
 namespace sfumato::gather::inline SFUMATO_ISA {
 
@@ -22,8 +22,8 @@ SFUMATO_INLINE Direction<F> select(const typename F::Mask& mask, const Direction
 /// Lanes of a packet as bits: lane i is bit i.
 using LaneBits = std::uint32_t;
 
-/// The directions in which each lane sees an edge: from `right` counter-clockwise (cross > 0) to
-/// `left`. Both point to mesh vertices, relative to the lane's point.
+/// The range of directions towards an edge, for each lane: from `right` counter-clockwise (cross >
+/// 0) to `left`. Both point to mesh vertices, relative to the lane's point.
 template <class F>
 struct Window {
   Direction<F> right;
@@ -33,13 +33,13 @@ struct Window {
   LaneBits whole_left;
 };
 
-/// How a window splits at a triangle's apex.
+/// The parts of a window that is split at a triangle's apex.
 template <class F>
 struct Split {
   Direction<F> apex;
   typename F::Mask turns_right;  ///< the window reaches right of the apex
   typename F::Mask turns_left;
-  LaneBits right;  ///< the window's own lanes of these
+  LaneBits right;  ///< the lanes of the window that turn right
   LaneBits left;
 
   SFUMATO_INLINE Split(const Window<F>& w, const Direction<F>& apex_direction)

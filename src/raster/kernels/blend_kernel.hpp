@@ -42,7 +42,7 @@ SFUMATO_INLINE Lanes<W> soft_light(const Lanes<W>& b, const Lanes<W>& s) {
   return b + twice * select(s <= F(0.5f), b * (F(1) - b), d - b);
 }
 
-/// B(Cb, Cs) of the separable modes.
+/// Returns B(Cb, Cs) of the separable modes.
 template <int W, BlendMode kMode>
 SFUMATO_INLINE Lanes<W> separable(const Lanes<W>& b, const Lanes<W>& s) {
   if constexpr (kMode == BlendMode::multiply) return b * s;
@@ -75,7 +75,7 @@ SFUMATO_INLINE Lanes<W> greatest(const Rgb3<W>& c) {
   return max(c.r, max(c.g, c.b));
 }
 
-/// center + (c - center) scale.
+/// Returns center + (c - center) scale.
 template <int W>
 SFUMATO_INLINE Rgb3<W> scaled_about(const Rgb3<W>& c, const Lanes<W>& center,
                                     const Lanes<W>& scale) {
@@ -83,7 +83,7 @@ SFUMATO_INLINE Rgb3<W> scaled_about(const Rgb3<W>& c, const Lanes<W>& center,
           center + (c.b - center) * scale};
 }
 
-/// SetLum with its ClipColor.
+/// Computes SetLum with its ClipColor.
 template <int W>
 SFUMATO_INLINE Rgb3<W> with_luminosity(const Rgb3<W>& c, const Lanes<W>& luminosity) {
   using F = Lanes<W>;
@@ -97,7 +97,8 @@ SFUMATO_INLINE Rgb3<W> with_luminosity(const Rgb3<W>& c, const Lanes<W>& luminos
   return scaled_about(scaled_about(moved, center, from_below), center, from_above);
 }
 
-/// SetSat: the least channel becomes 0, the greatest `saturation`, the other stays in proportion.
+/// Computes SetSat: the least channel becomes 0, the greatest `saturation`, the other stays in
+/// proportion.
 template <int W>
 SFUMATO_INLINE Rgb3<W> with_saturation(const Rgb3<W>& c, const Lanes<W>& saturation) {
   using F = Lanes<W>;
@@ -150,15 +151,15 @@ SFUMATO_INLINE Rgb3<W> unpremultiplied(const Rgba<W>& pixel) {
   return {divided(pixel.color.r), divided(pixel.color.g), divided(pixel.color.b)};
 }
 
-/// Values painted directly into a tile may be out of range.
+/// Clamps a pixel. Values painted directly into a tile may be out of range.
 template <int W>
 SFUMATO_INLINE Rgba<W> in_range(const Rgba<W>& pixel) {
   const auto clamped = [&](const Lanes<W>& c) { return min(max(c, Lanes<W>(0)), pixel.alpha); };
   return {{clamped(pixel.color.r), clamped(pixel.color.g), clamped(pixel.color.b)}, pixel.alpha};
 }
 
-/// Source-over of the section "advanced compositing": αo co = αs (1 − αb) Cs + αs αb B(Cb, Cs) +
-/// (1 − αs) αb Cb, αo = αs + αb (1 − αs).
+/// Computes source-over of the section "advanced compositing": αo co = αs (1 − αb) Cs + αs αb B(Cb,
+/// Cs) + (1 − αs) αb Cb, αo = αs + αb (1 − αs).
 template <int W, BlendMode kMode>
 SFUMATO_INLINE Rgba<W> composited(const Rgba<W>& source, const Rgba<W>& backdrop) {
   using F = Lanes<W>;
@@ -252,7 +253,8 @@ void finish_shading(InterpolationSpace space, const Tile& tile) {
   }
 }
 
-/// For images, whose colours are not premultiplied. Opaque pixels are unchanged.
+/// Divides colours by alpha, for images, whose colours are not premultiplied. Opaque pixels are
+/// unchanged.
 template <int W>
 void unpremultiply(const Tile& tile) {
   using F = Lanes<W>;

@@ -7,13 +7,13 @@
 /// instruction set.
 namespace sfumato::raster::inline SFUMATO_ISA {
 
-/// min(max(x, 0), 1); 0 where x is not a number.
+/// Returns min(max(x, 0), 1); 0 where x is NaN.
 template <int W>
 SFUMATO_INLINE Lanes<W> clamped_unit(const Lanes<W>& x) {
   return min(max(x, Lanes<W>(0)), Lanes<W>(1));
 }
 
-/// sRGB's transfer function for linear light in [0, 1], within 1e-6.
+/// Applies sRGB's transfer function to linear light in [0, 1], within 1e-6.
 ///
 /// x^(1/2.4) is sqrt(x) q^(-1/3) with q = x^(1/4). The inverse cube root is a polynomial fitted to
 /// q from 0.0031308^(1/4) to 1 (relative error 4e-4), and one Newton step, which doubles its
@@ -52,7 +52,7 @@ SFUMATO_INLINE Rgb3<W> linear_from_oklab_lanes(const Rgb3<W>& lab) {
           F(-0.0041960863f) * l - F(0.7034186147f) * m + F(1.7076147010f) * s};
 }
 
-/// A colour of `space` as code values in [0, 1]; within 1e-6 of to_srgb, 2e-5 from OKLab.
+/// Converts a colour of `space` to code values in [0, 1]; within 1e-6 of to_srgb, 2e-5 from OKLab.
 template <int W>
 SFUMATO_INLINE Rgb3<W> clamped_srgb(InterpolationSpace space, Rgb3<W> color) {
   if (space == InterpolationSpace::oklab) color = linear_from_oklab_lanes(color);

@@ -28,12 +28,12 @@ struct NodeReach {
   int node, first_row, last_row, first_column, last_column;
 };
 
-/// Where the pixels of a block lie, from its centre, frame of the segments.
+/// The positions of the pixels of a block, from its centre, frame of the segments.
 struct StrokePixels {
   float x[kStrokeBlockHeight][kStrokeBlockWidth], y[kStrokeBlockHeight][kStrokeBlockWidth];
 };
 
-// A blur of variance v, whatever its cause, is represented by one of radius sqrt(5 v), since
+// A blur of variance v, for any cause, is represented by one of radius sqrt(5 v), since
 // smoothstep's derivative over ±R has variance R²/5. A pixel's square adds extent² / 12, its extent
 // across the curve. The stretch that a node represents adds (half its range of r⊥)² / 3; without
 // this a hard side would switch node by node.
@@ -111,8 +111,8 @@ SFUMATO_INLINE void make_nodes(const StrokeFrame& frame, const curves::StrokeSeg
   (F(kRangeVariance / 4) * angle * angle).store(nodes.turn + k);
 }
 
-/// The pixels of a row or column of a block of which those from middle - reach to middle + reach,
-/// pixels from the block's centre, are reached; false where there are none.
+/// Finds the pixels of a row or column of a block within reach: from middle - reach to middle +
+/// reach, pixels from the block's centre. Returns false where there are none.
 SFUMATO_INLINE bool reached_pixels(float middle, float reach, int count, int* first, int* last) {
   // The margin allows for rounding of the reach.
   constexpr float kMargin = 0.01f;
@@ -158,8 +158,8 @@ SFUMATO_INLINE void make_pixels(const StrokeFrame& frame, StrokePixels& pixels) 
   }
 }
 
-/// beta of eq. 16, the left side's share, at (dx, dy) from node k. Over the length that the node
-/// represents, r⊥ changes by the node's turn times the distance along the tangent.
+/// Returns beta of eq. 16, the left side's share, at (dx, dy) from node k. Over the length that the
+/// node represents, r⊥ changes by the node's turn times the distance along the tangent.
 template <class F>
 SFUMATO_INLINE F beta(const StrokeNodes& nodes, int k, const F& dx, const F& dy) {
   const F tx(nodes.tangent_x[k]), ty(nodes.tangent_y[k]);
@@ -206,7 +206,7 @@ SFUMATO_INLINE void add_node(const StrokeNodes& nodes, const NodeReach& reach,
     add_columns<F, kTwoSided>(nodes, reach, x, pixels, sums);
 }
 
-/// W lanes to a register.
+/// Adds segments, with W lanes to a register.
 template <int W>
 void add_stroke_segments(const StrokeFrame& frame, const curves::StrokeSegment* segments,
                          std::span<const std::uint32_t> indices, Vec2 center, StrokeSums& sums) {

@@ -11,8 +11,8 @@
 
 namespace sfumato::raster {
 
-/// A stroke is evaluated in blocks of pixels whose corners are multiples of this, whichever
-/// rectangle is painted.
+/// A stroke is evaluated in blocks of pixels whose corners are multiples of this, for every painted
+/// rectangle.
 inline constexpr int kStrokeBlockWidth = 16;
 inline constexpr int kStrokeBlockHeight = 8;
 
@@ -50,7 +50,7 @@ extern const StrokeKernels kStrokeKernelsAvx2;
 extern const StrokeKernels kStrokeKernelsAvx512;
 #endif
 
-/// level must not be above detected_simd_level().
+/// Returns the kernels of a level, which must not be above detected_simd_level().
 const StrokeKernels& stroke_kernels(SimdLevel level);
 
 }  // namespace sfumato::raster

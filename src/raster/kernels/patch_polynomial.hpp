@@ -12,8 +12,8 @@ namespace sfumato::raster::inline SFUMATO_ISA {
 /// Up to four channels: red, green, blue and opacity, or the weights of four shaders.
 using Color4 = Lanes<4>;
 
-/// node_order[3 top + middle]: the ten nodes of a triangle as top, middle, bottom, then tm, mt, mb,
-/// bm, bt, tb (ij lies a third of the way from i to j), then the centre.
+/// The ten nodes of a triangle, node_order[3 top + middle], as top, middle, bottom, then tm, mt,
+/// mb, bm, bt, tb (ij lies a third of the way from i to j), then the centre.
 struct NodeOrderTable {
   std::uint8_t node[9][kNodesPerTriangle];
 };
@@ -43,7 +43,7 @@ constexpr NodeOrderTable make_node_order() {
 
 inline constexpr NodeOrderTable kNodeOrder = make_node_order();
 
-/// Sum of c_ij u^i q^j over i + j <= 3.
+/// The sum of c_ij u^i q^j over i + j <= 3.
 struct PatchPolynomial {
   Color4 c00, c10, c20, c30, c01, c11, c21, c02, c12, c03;
 };
@@ -112,7 +112,7 @@ struct WeightChannels {
   int first, count;
 };
 
-/// The cubic of s in [0, 1] that is 0 at 0, near at 1/3, far at 2/3 and end at 1.
+/// Computes the cubic of s in [0, 1] that is 0 at 0, near at 1/3, far at 2/3 and end at 1.
 SFUMATO_INLINE void edge_monomials(const Color4& near, const Color4& far, const Color4& end,
                                    Color4* c1, Color4* c2, Color4* c3) {
   *c1 = Color4(9) * near - Color4(4.5f) * far + end;
@@ -120,8 +120,8 @@ SFUMATO_INLINE void edge_monomials(const Color4& near, const Color4& far, const 
   *c3 = Color4(13.5f) * (near - far) + Color4(4.5f) * end;
 }
 
-/// Eq. 18 in monomials of u and v (v the weight of the bottom corner), from the differences d of
-/// the nodes to the top one: exactly 0 for a constant patch.
+/// Computes eq. 18 in monomials of u and v (v the weight of the bottom corner), from the
+/// differences d of the nodes to the top one: exactly 0 for a constant patch.
 SFUMATO_INLINE void cubic_monomials(const Color4 (&d)[kNodesPerTriangle], PatchPolynomial* p) {
   edge_monomials(d[3], d[4], d[1], &p->c10, &p->c20, &p->c30);
   edge_monomials(d[8], d[7], d[2], &p->c01, &p->c02, &p->c03);
@@ -134,7 +134,8 @@ SFUMATO_INLINE void cubic_monomials(const Color4 (&d)[kNodesPerTriangle], PatchP
   p->c12 = Color4(3) * (b - c);
 }
 
-/// Eq. 17; an edge's centre is read from the cubic through its four nodes, as patch_basis does.
+/// Computes eq. 17; an edge's centre comes from the cubic through its four nodes, as in
+/// patch_basis.
 SFUMATO_INLINE void quadratic_monomials(const Color4 (&d)[kNodesPerTriangle], PatchPolynomial* p) {
   const Color4 nine(0.5625f), one(0.0625f);
   const Color4 top_middle = nine * (d[3] + d[4]) - one * d[1];
@@ -154,7 +155,7 @@ SFUMATO_INLINE void linear_monomials(const Color4 (&d)[kNodesPerTriangle], Patch
   p->c20 = p->c11 = p->c02 = p->c30 = p->c21 = p->c12 = p->c03 = Color4(0);
 }
 
-/// v = q - m u, m the middle corner's q.
+/// Substitutes v = q - m u, where m is the middle corner's q.
 SFUMATO_INLINE void shear(float middle_q, PatchPolynomial* p) {
   const Color4 m(middle_q), two(2), three(3);
   p->c30 = p->c30 - m * (p->c21 - m * (p->c12 - m * p->c03));
@@ -199,7 +200,7 @@ struct PatchPoint {
   float u, q;
 };
 
-/// The PatchPoint of an image point in the triangle, or outside it only by rounding.
+/// Returns the PatchPoint of an image point in the triangle, or outside it only by rounding.
 SFUMATO_INLINE PatchPoint patch_point(const TriangleFrame& frame, double x, double y) {
   const double q = clamp_unit((y - frame.top_y) * frame.inverse_height);
   const double u = clamp_unit((x - frame.long_edge_x(y)) * frame.inverse_width);

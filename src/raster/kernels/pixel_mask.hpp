@@ -21,7 +21,8 @@ struct PixelRange {
 
 inline namespace SFUMATO_ISA {
 
-/// The bits of word `index` that stand for columns from `begin` up to but not `end`; not none.
+/// Returns the bits of word `index` for columns from `begin` up to but not including `end`; at
+/// least one bit.
 SFUMATO_INLINE std::uint64_t columns_in_word(int index, int begin, int end) {
   const int first = begin - 64 * index, last = end - 64 * index;
   return (~std::uint64_t{0} << (first > 0 ? first : 0)) &

@@ -3,12 +3,12 @@
 #include "base/lane_register.hpp"
 #include "raster/kernels/tile.hpp"
 
-/// Triangles of a layer as they lie in the image, a register of them at a time. Compiled for every
-/// instruction set.
+/// The places of a layer's triangles in the image, processed a register at a time. Compiled for
+/// every instruction set.
 namespace sfumato::raster {
 
-/// Corners, bounding boxes, and the pixels of a tile, from its corner, that these boxes meet; of
-/// what lies beside the tile the nearest pixels.
+/// Corners, bounding boxes, and the pixels of a tile, from its corner, that these boxes meet; for a
+/// box beside the tile the nearest pixels.
 struct PlacedTriangles {
   static constexpr std::size_t kMost = 64;
 
@@ -37,7 +37,7 @@ SFUMATO_INLINE PlacedDoubles greatest(const PlacedDoubles& a, const PlacedDouble
   return a > b ? a : b;
 }
 
-/// floor(x), at least 0 and at most `last`.
+/// Returns floor(x), at least 0 and at most `last`.
 SFUMATO_INLINE PlacedInts clamped_floors(const PlacedDoubles& x, double last) {
   const PlacedDoubles low{}, high = low + last;
   return __builtin_convertvector(least(greatest(x, low), high), PlacedInts);
@@ -48,12 +48,12 @@ SFUMATO_INLINE void store_placed(const Lanes& lanes, Item* target) {
   __builtin_memcpy(target, &lanes, sizeof(lanes));
 }
 
-/// Some triangles; where a list ends before, its last one stands in the other lanes.
+/// Some triangles; where a list ends earlier, its last one fills the other lanes.
 struct PlacedLanes {
   PlacedDoubles x[3], y[3], left, right, top, bottom;
 };
 
-/// The corners are those of corner_position() to the bit.
+/// Places triangles. The corners equal the results of corner_position() to the bit.
 SFUMATO_INLINE PlacedLanes place_lanes(const LayerView& layer, const std::uint32_t* triangle,
                                        std::size_t count) {
   double from_x[3][kPlacedAtOnce], from_y[3][kPlacedAtOnce];
@@ -103,7 +103,7 @@ inline void place_triangles(const LayerView& layer, const std::uint32_t* triangl
   }
 }
 
-/// The smallest box that holds all triangles of a list.
+/// Returns the smallest box that contains all triangles of a list.
 inline Box box_of_triangles(const LayerView& layer, const TriangleList& triangles) {
   const PlacedDoubles far = PlacedDoubles{} + __builtin_huge_val();
   PlacedDoubles left = far, top = far, right = -far, bottom = -far;

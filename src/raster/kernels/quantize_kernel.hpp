@@ -41,8 +41,8 @@ struct DitheredRow {
     value[width + 1] = here[width > 1 ? width - 2 : 0];
   }
 
-  /// Even areas are rounded, because noise would be visible there. Beside an edge the side away
-  /// from it decides.
+  /// Returns where to round: even areas are rounded, because noise would be visible there. Beside
+  /// an edge the side away from it decides.
   template <int W>
   SFUMATO_INLINE LaneMask<W> is_even(int x) const {
     using F = Lanes<W>;
@@ -53,15 +53,15 @@ struct DitheredRow {
   }
 };
 
-/// round(maximum clamp(v)), or with the thresholds t of the dither, floor(maximum clamp(v) + t). As
-/// 0 < t < 1, a value that is a whole number of steps is unchanged.
+/// Returns round(maximum clamp(v)), or with the thresholds t of the dither, floor(maximum clamp(v)
+/// + t). As 0 < t < 1, a value that is a whole number of steps is unchanged.
 template <int W>
 SFUMATO_INLINE Lanes<W> quantized(const float* value, float maximum, const Lanes<W>& threshold) {
   using F = Lanes<W>;
   return to_float(to_int(min(max(F::load(value), F(0)), F(1)) * F(maximum) + threshold));
 }
 
-/// The 8-bit code values of a row of a plane.
+/// Computes the 8-bit code values of a row of a plane.
 template <int W>
 SFUMATO_INLINE void round_row(const float* plane, int row, const Tile& tile, float* code) {
   const float* value = plane + static_cast<std::ptrdiff_t>(row) * kTileStride;
@@ -70,7 +70,7 @@ SFUMATO_INLINE void round_row(const float* plane, int row, const Tile& tile, flo
   }
 }
 
-/// The same, dithered by the thresholds from `first` on.
+/// Does the same, dithered by the thresholds from `first` on.
 template <int W>
 SFUMATO_INLINE void dither_row(const float* plane, int row, const Tile& tile,
                                const DitherRow& thresholds, int first, float* code) {
@@ -105,7 +105,7 @@ struct CodeRow {
   }
 };
 
-/// A row of 8-bit pixels, r + 2^8 g + 2^16 b: exact in single precision.
+/// Packs a row of 8-bit pixels, r + 2^8 g + 2^16 b: exact in single precision.
 template <int W>
 SFUMATO_INLINE void pack_words(const CodeRow& row, int width, std::int32_t* word) {
   using F = Lanes<W>;
@@ -115,8 +115,8 @@ SFUMATO_INLINE void pack_words(const CodeRow& row, int width, std::int32_t* word
   }
 }
 
-/// Three bytes per pixel, written four at a time except for the last pixel, since another thread
-/// may be writing the tile to the right.
+/// Writes three bytes per pixel, four at a time except for the last pixel, since another thread may
+/// be writing the tile to the right.
 SFUMATO_INLINE void write_rgb8(const std::int32_t* word, int width, std::uint8_t* out) {
   for (int x = 0; x + 1 < width; ++x) __builtin_memcpy(out + 3 * x, word + x, 4);
   __builtin_memcpy(out + 3 * (width - 1), word + (width - 1), 3);
@@ -135,7 +135,7 @@ struct WrittenColumns {
   int begin, count;
 };
 
-/// The whole row is rounded, as noise depends on pixels beside.
+/// Rounds the whole row, because noise depends on neighbouring pixels.
 template <int W>
 SFUMATO_INLINE void write_row8(const Tile& tile, int row, const WrittenColumns& columns,
                                bool dither, std::uint8_t* out) {
@@ -172,7 +172,8 @@ template <int W>
 void write_pixels(const Tile& tile, const ImageTarget& target) {
   const bool wide = target.format == PixelFormat::rgb16 || target.format == PixelFormat::rgba16;
   const std::size_t pixel_bytes = static_cast<std::size_t>((tile.alpha ? 4 : 3) * (wide ? 2 : 1));
-  // No function of another header: the linker would merge its copies for each instruction set.
+  // Calls no function of another header: the linker would merge its copies for each instruction
+  // set.
   const PixelRect& window = target.window;
   const int x0 = tile.x0 > window.x0 ? tile.x0 : window.x0;
   const int y0 = tile.y0 > window.y0 ? tile.y0 : window.y0;

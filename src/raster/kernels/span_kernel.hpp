@@ -7,7 +7,7 @@
 /// Interior pixels: the patch's value at pixel centres. Compiled for every instruction set.
 namespace sfumato::raster::inline SFUMATO_ISA {
 
-/// ceil(x), at least low and at most high; 0 <= low <= high. low where x is not a number.
+/// Returns ceil(x), at least low and at most high; 0 <= low <= high. low where x is NaN.
 SFUMATO_INLINE int clamped_ceil(double x, int low, int high) {
   const double lifted = x > low ? x : low;
   const double cut = lifted < high ? lifted : high;
@@ -60,7 +60,7 @@ SFUMATO_INLINE Lanes<W> cubic(const float (&k)[4], const Lanes<W>& u) {
   return F(k[0]) + u * (F(k[1]) + u * (F(k[2]) + u * F(k[3])));
 }
 
-/// Three channels: the colour of an opaque layer; four: colour and alpha.
+/// Writes three channels: the colour of an opaque layer; or four: colour and alpha.
 template <int W, int kChannels>
 SFUMATO_INLINE void draw_span(const RowPolynomial& row, const Span& span, const Tile& tile) {
   using F = Lanes<W>;
@@ -89,8 +89,8 @@ SFUMATO_INLINE void draw_span(const RowPolynomial& row, const Span& span, const 
   for (i = 0; i < span.count; ++i) tile.alpha[span.offset + i] = 1;
 }
 
-/// Whether triangle i shows nothing but pixels that are `skipped`. Its bounding box tells, as long
-/// as an edge's crossing with a row is less than half a pixel wrong.
+/// Returns whether triangle i covers only `skipped` pixels. Its bounding box decides, if an edge's
+/// crossing with a row is less than half a pixel wrong.
 SFUMATO_INLINE bool is_skipped(const PlacedTriangles& placed, std::size_t i,
                                const PixelMask& skipped) {
   constexpr double kExactBelowPx = 1e9;

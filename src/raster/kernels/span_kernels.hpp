@@ -8,13 +8,13 @@
 
 namespace sfumato::raster {
 
-/// Where and in which format the pixels of a tile are written to the image.
+/// The place and the format in the image where the pixels of a tile are written.
 struct ImageTarget {
   std::uint8_t* bytes = nullptr;
   std::size_t row_bytes = 0;
   PixelFormat format = PixelFormat::rgb8;
   bool dither = false;  ///< 8-bit formats only; even areas are not dithered
-  /// Pixels of the image that are written, the first of them to `bytes`.
+  /// The pixels of the image that are written, the first of them to `bytes`.
   PixelRect window{0, 0, 1 << 30, 1 << 30};
 };
 
@@ -24,7 +24,7 @@ struct SpanKernels {
   void (*place_triangles)(const LayerView& layer, const std::uint32_t* triangle, std::size_t count,
                           const Tile& tile, PlacedTriangles* placed);
 
-  /// The box of a list's triangles in the image; empty where there are none.
+  /// Returns the box of a list's triangles in the image; empty where there are none.
   Box (*box_of_triangles)(const LayerView& layer, const TriangleList& triangles);
 
   /// Paints each pixel whose centre lies in a triangle with the patch's value there. Triangles that
@@ -33,12 +33,12 @@ struct SpanKernels {
   void (*draw_triangles)(const LayerView& layer, const TriangleList& triangles, const Tile& tile,
                          const PixelMask* skipped);
 
-  /// The same for a layer's colour and opacity: color and alpha, not premultiplied.
+  /// Does the same for a layer's colour and opacity: color and alpha, not premultiplied.
   void (*draw_color_opacity)(const LayerView& layer, const TriangleList& triangles,
                              const Tile& tile, const PixelMask* skipped);
 
-  /// The same for channels [first_channel, first_channel + 4) of one of the layer's fields, into
-  /// color and alpha; 0 beyond the field's last.
+  /// Does the same for channels [first_channel, first_channel + 4) of one of the layer's fields,
+  /// into color and alpha; 0 beyond the field's last.
   void (*draw_weights)(const LayerView& layer, const FieldView& field, int first_channel,
                        const TriangleList& triangles, const Tile& tile);
 
@@ -63,7 +63,7 @@ extern const SpanKernels kSpanKernelsAvx2;
 extern const SpanKernels kSpanKernelsAvx512;
 #endif
 
-/// level must not be above detected_simd_level().
+/// Returns the kernels of a level, which must not be above detected_simd_level().
 const SpanKernels& span_kernels(SimdLevel level);
 
 }  // namespace sfumato::raster

@@ -28,7 +28,7 @@ SFUMATO_INLINE FourTexels<W> load_texels(const std::uint16_t* texels) {
   return result;
 }
 
-/// Texels 0 to 3 apart.
+/// Splits texels: 0 to 3 apart.
 template <int W>
 SFUMATO_INLINE void split(const FourTexels<W>& all, OneTexel (&one)[4]) {
   float value[16];
@@ -36,7 +36,8 @@ SFUMATO_INLINE void split(const FourTexels<W>& all, OneTexel (&one)[4]) {
   for (int i = 0; i < 4; ++i) one[i] = OneTexel::load(value + 4 * i);
 }
 
-/// Premultiplied 16-bit steps, four to a point → code values and alpha, not premultiplied.
+/// Converts premultiplied 16-bit steps, four to a point, to code values and alpha, not
+/// premultiplied.
 SFUMATO_INLINE void write_texels(const float* colors, bool opaque, int begin, int count,
                                  const ShaderRow& out) {
   constexpr float kCodeValue = 1.0f / 65535;
@@ -51,7 +52,7 @@ SFUMATO_INLINE void write_texels(const float* colors, bool opaque, int begin, in
   }
 }
 
-/// Texels [column, column + 4) of any row of the endless texture; copied if they are not
+/// Returns texels [column, column + 4) of any row of the endless texture; copied if they are not
 /// contiguous.
 SFUMATO_INLINE const std::uint16_t* four_texels(const TextureSource& source, int row, int column,
                                                 std::uint16_t* copy) {
@@ -61,7 +62,7 @@ SFUMATO_INLINE const std::uint16_t* four_texels(const TextureSource& source, int
   return copy;
 }
 
-/// Points worked on together.
+/// The number of points processed together.
 inline constexpr int kPoints = 16;
 
 /// Keys' weights (a = -1/2) of the texels at -1, 0, 1, 2 for points past texel 0 by `past`.
@@ -86,7 +87,7 @@ SFUMATO_INLINE double reduced(const TextureAxis& axis, double x) {
   return x >= 0 && x < axis.period ? x : axis.reduced(x);
 }
 
-/// floor(x) for x above -4 count - 8 and within 32 bits.
+/// Returns floor(x) for x above -4 count - 8 and within 32 bits.
 SFUMATO_INLINE int floor_above(double x, int count) {
   const int shift = 4 * count + 8;
   return static_cast<int>(x + shift) - shift;
@@ -154,7 +155,8 @@ void magnify_texture(const TextureSource& source, const TextureRow& points, cons
   }
 }
 
-/// The places i of [begin, end) with |low + i / run| < 1; run is 0 where all places are the same.
+/// Finds the places i of [begin, end) with |low + i / run| < 1; run is 0 where all places are the
+/// same.
 SFUMATO_INLINE void narrow(double low, double run, int& begin, int& end) {
   if (run == 0) return;
   const double a = (-1 - low) * run, b = (1 - low) * run;
@@ -163,8 +165,8 @@ SFUMATO_INLINE void narrow(double low, double run, int& begin, int& end) {
   if (to < end - 1) end = to > begin ? static_cast<int>(to) + 1 : begin;
 }
 
-/// Texels [column, column + count) of any row of the endless texture; kTexelsReadPast more may be
-/// read.
+/// Returns texels [column, column + count) of any row of the endless texture; kTexelsReadPast more
+/// may be read.
 SFUMATO_INLINE const std::uint16_t* row_of_texels(const TextureSource& source, int row, int column,
                                                   int count, std::uint16_t* copy) {
   if (column >= 0 && column + count <= source.x.count) return source.at(row, column);
@@ -182,7 +184,7 @@ struct TentSum {
   F color = F(0);
   F weight = F(0);
 
-  /// Texels 0 to count - 1; at texel i the tent's coordinates are (u + i du, v + i dv).
+  /// Adds texels 0 to count - 1; at texel i the tent's coordinates are (u + i du, v + i dv).
   SFUMATO_INLINE void add_row(const std::uint16_t* texels, int count, float u, float du, float v,
                               float dv) {
     float steps[16];

@@ -6,7 +6,7 @@
 namespace sfumato::raster {
 namespace {
 
-/// A coordinate beyond this is as good as it; not a number becomes its negative.
+/// Larger coordinates are reduced to this; NaN becomes its negative.
 constexpr double kLargestCoordinate = 1e12;
 
 }  // namespace

@@ -19,7 +19,7 @@ inline constexpr std::size_t kTexelsReadPast = 3;
 inline constexpr double kMostTexelsAcross = 14;
 
 /// Largest area of a pixel in texels of the level that is used. At most 2 · 2 times as many texels
-/// are summed, and those cut by the tent's border.
+/// are summed, and the texels cut by the tent's border.
 inline constexpr double kLargestFootprint = 512;
 
 /// One axis of a level: texels [0, count), and the continuation beyond them.
@@ -28,13 +28,14 @@ struct TextureAxis {
   double period = 1;  ///< period of a repeating texture, texels
   bool repeats = false;
 
-  /// x reduced to [0, period), or moved near the texture if it does not repeat. NaN gives 0.
+  /// Returns x reduced to [0, period), or moved near the texture if it does not repeat. NaN gives
+  /// 0.
   double reduced(double x) const;
-  /// The texel at place i of the endless row of texels.
+  /// Returns the texel at place i of the endless row of texels.
   int texel(int i) const;
 };
 
-/// A level of a texture, as kernels read it.
+/// A level of a texture, in the layout for kernels.
 struct TextureSource {
   const std::uint16_t* texels = nullptr;
   TextureAxis x, y;
@@ -64,10 +65,10 @@ struct TextureRow {
 
 /// The inner loops, compiled for one instruction set. All sets give the same bits.
 struct TextureKernels {
-  /// Cubic convolution, kept within the range of the four texels around the point.
+  /// Interpolates by cubic convolution, kept within the range of the four texels around the point.
   void (*magnify)(const TextureSource& source, const TextureRow& points, const ShaderRow& out);
 
-  /// The mean under the tent. Precondition: its area is at most kLargestFootprint.
+  /// Computes the mean under the tent. Precondition: its area is at most kLargestFootprint.
   void (*minify)(const TextureSource& source, const TextureTent& tent, const TextureRow& points,
                  const ShaderRow& out);
 };
@@ -78,7 +79,7 @@ extern const TextureKernels kTextureKernelsAvx2;
 extern const TextureKernels kTextureKernelsAvx512;
 #endif
 
-/// level must not be above detected_simd_level().
+/// Returns the kernels of a level, which must not be above detected_simd_level().
 const TextureKernels& texture_kernels(SimdLevel level);
 
 }  // namespace sfumato::raster

@@ -18,8 +18,7 @@
 /// (i + 1, j + 1), its centre at (i + 1/2, j + 1/2).
 namespace sfumato::raster {
 
-/// The image is cut into tiles of this size from its upper left corner, whichever thread paints
-/// them.
+/// The size of tiles: the image is cut from its upper left corner, for any number of threads.
 inline constexpr int kTileWidth = 256;
 inline constexpr int kTileHeight = 64;
 /// Floats from one row of a tile to the next; leaves room for whole registers past a row's end.
@@ -30,7 +29,7 @@ inline constexpr std::size_t kTileFloats = std::size_t{kTileStride} * kTileHeigh
 struct FieldView {
   const std::uint32_t* triangle_node = nullptr;
   const float* node_value = nullptr;
-  int channel_count = 0;  ///< 0: there is none
+  int channel_count = 0;  ///< 0: no such field
   const std::uint32_t* shader = nullptr;
   int shader_count = 0;  ///< their weights are the last channels
 
@@ -38,13 +37,14 @@ struct FieldView {
   bool is_opacity() const { return first_weight() == 1; }
 };
 
-/// A patch layer placed in the image. The pointers are those of a checked PatchLayer.
+/// A patch layer placed in the image. The pointers point into a checked PatchLayer.
 struct LayerView {
   std::uint32_t index = 0;  ///< in Picture::layers
   const Vec2* vertex_position = nullptr;
   const std::uint32_t* triangle_vertex = nullptr;
   const std::uint8_t* edge_is_curve = nullptr;
-  const std::uint8_t* is_bent = nullptr;  ///< per triangle, raster/bends.hpp; null: not known
+  const std::uint8_t* is_bent =
+      nullptr;  ///< per triangle, raster/coverage/bends.hpp; null: unknown
   const SoftEdge* soft_edge = nullptr;
   std::size_t soft_edge_count = 0;
   FieldView color;
@@ -67,7 +67,7 @@ struct Tile {
 
   PixelRect rect() const { return {x0, y0, x0 + width, y0 + height}; }
 
-  /// The part in `rect`, which must lie inside the tile.
+  /// Returns the part in `rect`, which must lie inside the tile.
   Tile part(const PixelRect& rect) const {
     const std::ptrdiff_t offset = std::ptrdiff_t{rect.y0 - y0} * kTileStride + (rect.x0 - x0);
     return {rect.x0,

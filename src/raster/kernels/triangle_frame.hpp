@@ -3,13 +3,13 @@
 #include "base/lane_register.hpp"
 #include "raster/kernels/tile.hpp"
 
-/// A triangle in the image and the coordinates in which its patch is evaluated. Compiled for every
+/// A triangle in the image and the coordinates for evaluating its patch. Compiled for every
 /// instruction set: uses only operators, and no function whose copies the linker could merge.
 ///
-/// Corners are sorted by y: top, middle, bottom; the long edge joins top and bottom. A point is
-/// (u, q): u is the barycentric weight of the middle corner, which is 0 on the long edge, q runs
-/// from 0 at the top's y to 1 at the bottom's. Along a row of pixels q is constant and u affine in
-/// x, and both stay in [0, 1] for triangles of any shape, so that single precision suffices.
+/// Corners are sorted by y: top, middle, bottom; the long edge joins top and bottom. A point is (u,
+/// q): u is the barycentric weight of the middle corner, which is 0 on the long edge, q runs from 0
+/// at the top's y to 1 at the bottom's. Along a row of pixels q is constant and u affine in x, and
+/// both stay in [0, 1] for triangles of any shape, so that single precision suffices.
 namespace sfumato::raster::inline SFUMATO_ISA {
 
 struct TriangleFrame {
@@ -22,19 +22,19 @@ struct TriangleFrame {
   bool middle_on_right;  ///< of the long edge; from the winding, not from rounded numbers
 
   SFUMATO_INLINE double long_edge_x(double y) const { return top_x + (y - top_y) * long_slope; }
-  /// x on the other side of the triangle, from top over middle to bottom.
+  /// Returns x on the other side of the triangle, from top over middle to bottom.
   SFUMATO_INLINE double short_edges_x(double y) const {
     return y < middle_y ? top_x + (y - top_y) * upper_slope
                         : middle_x + (y - middle_y) * lower_slope;
   }
 };
 
-/// One in which points of a triangle of any place are the weights of corners: u of corner 1, q of
-/// corner 2.
+/// A frame for barycentric coordinates: a point of any triangle is given by weights of corners, u
+/// of corner 1, q of corner 2.
 inline constexpr TriangleFrame kBarycentricFrame{0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 0, 1, true};
 
-/// dx/dy of an edge from its upper to its lower end: both triangles at an edge get the same bits. 0
-/// for a horizontal edge, which no row of pixel centres crosses.
+/// Returns dx/dy of an edge from its upper to its lower end: both triangles at an edge get the same
+/// bits. 0 for a horizontal edge, which no row of pixel centres crosses.
 SFUMATO_INLINE double slope(double dx, double dy) {
   return dy > 0 ? dx / dy : 0;
 }
@@ -68,8 +68,8 @@ SFUMATO_INLINE TriangleFrame triangle_frame(const PixelPoint (&corner)[3], bool 
   f.middle_q = (middle.y - top.y) * f.inverse_height;
   f.corner_order = 3 * at[0] + at[1];
   f.middle_on_right = (at[1] == (at[0] == 2 ? 0 : at[0] + 1)) != mirrored;
-  // Triangles too thin to be distinguished from a line: u stays 0, which gives the colour of the
-  // long edge.
+  // The bound for triangles too thin to be distinguished from a line: u stays 0, which gives the
+  // colour of the long edge.
   constexpr double kThinnest = 1e-12;
   const double width = middle.x - f.long_edge_x(middle.y);
   const double outward = f.middle_on_right ? width : -width;

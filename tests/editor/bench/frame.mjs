@@ -1,13 +1,13 @@
-// What the engine takes for a drag: the first frame, later ones, the exact picture behind them, and
-// frames in which a colour changes. CPU time of the process in node; beside what is required.
+// Measures the engine during a drag: the first frame, later ones, the exact picture after them, and frames after a
+// colour change. Prints CPU time of the process in node beside the required time.
 //
 //   node tests/editor/bench/frame.mjs [--strict] [--curves N] [--module sfumato.wasm]
 //       [--scenes FOLDER] [SCENE...]
 //
-// Scenes of examples/ are always there; lady_bug, dolphin and roses are Orzan's and lie in FOLDER
-// (or in the folder that SFUMATO_SCENES names): they are left out where they are missing.
-// N curves of the layer with the most, evenly spread, are dragged and coloured.
-// --strict: exit with 1 where a figure is more than 20 % above what is required.
+// Scenes of examples/ always exist; lady_bug, dolphin and roses are Orzan's and are in FOLDER (or in the folder
+// that SFUMATO_SCENES names); missing ones are skipped. N evenly spread curves of the layer with the most curves
+// are dragged and coloured.
+// --strict: exit with 1 if a figure is more than 20 % above the required one.
 import { readFileSync } from "node:fs";
 import { basename, dirname, join } from "node:path";
 import { parseArgs } from "node:util";
@@ -25,7 +25,7 @@ const { values: options, positionals } = parseArgs({
   },
 });
 
-/** Milliseconds at most: the editor's acceptance on one idle core. */
+/** Limits in milliseconds: the editor's acceptance on one idle core. */
 const REQUIRED = {
   lady_bug: { frame: 5, begin: 15, color: 1, settle: 100, copy: 0.5 },
   portrait: { frame: 3, color: 1, settle: 60, copy: 0.5 },
@@ -36,7 +36,7 @@ const REQUIRED = {
 const TOLERANCE = 1.2;
 const CURVES = Number(options.curves);
 const FRAMES = 12;
-/** A frame's time, as the editor's engine gives it. */
+/** Time for a frame in the editor's engine. */
 const SECONDS = 0.004;
 const STAND_IN = { width: 2, height: 2, data: new Uint8Array(16).fill(180) };
 
@@ -61,13 +61,13 @@ function read(context, path) {
   return context.read(readFileSync(path), { name: basename(path), load });
 }
 
-/** The layer with the most curves: where a drag costs most. */
+/** Returns the layer with the most curves, where a drag costs most. */
 function largestLayer(document) {
   const layers = Array.from({ length: document.layerCount }, (_, layer) => layer);
   return layers.reduce((a, b) => (document.curveCount(b) > document.curveCount(a) ? b : a));
 }
 
-/** Copies what a frame changed, as the worker does for the page; gives the number of bytes. */
+/** Copies the changes of a frame, as the worker does for the page. Returns the number of bytes. */
 function copyChanges(picture, layer) {
   let bytes = 0;
   for (const table of Object.values(Table)) {
@@ -94,7 +94,7 @@ function dragCurve(scene, curve, times) {
   times.settle.push(cpu(() => context.solveAgain(document, picture)));
 }
 
-/** The first side of a curve that has stops of colour, or null. */
+/** Returns the first side of a curve with colour stops, or null. */
 function coloredSide(document, layer, curve) {
   for (const side of Object.values(Side)) {
     const stops = document.stops(layer, curve, side, Attribute.color);
@@ -154,7 +154,7 @@ const ROWS = [
   ["", "first solution, ms", (t) => t.solve[0]],
 ];
 
-/** Prints one scene; gives how many figures are missed. */
+/** Prints one scene. Returns how many figures exceed their limits. */
 function print(name, times) {
   let missed = 0;
   for (const [key, label, value] of ROWS) {
@@ -169,7 +169,8 @@ function print(name, times) {
   return missed;
 }
 
-// Optimised before it runs, as a page has it after some seconds: the compiler's work would count.
+// Compile with optimisation from the start, as in a page after some seconds; otherwise the compiler's work would
+// count.
 v8.setFlagsFromString("--no-liftoff");
 v8.setFlagsFromString("--no-wasm-lazy-compilation");
 const module = new WebAssembly.Module(readFileSync(options.module));

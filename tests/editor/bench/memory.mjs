@@ -1,10 +1,10 @@
-// Whether the editor's memory stays flat while curves are dragged, one after another.
+// Checks that the editor's memory stays flat while curves are dragged, one after another.
 //
 //   node tests/editor/bench/memory.mjs [--seconds 60] [--curves 100]
 //
-// Opens build/editor.html from disk in Chromium and prints, every few seconds, the page's heap and all
-// that the tab holds, modules and their workers too. Exit 1 if either grows by more than a tenth from a
-// third of the time to the end.
+// Opens build/editor.html from disk in Chromium and prints, every few seconds, the page's heap and the total memory
+// of the tab with modules and their workers. Exit 1 if either grows by more than a tenth from a third of the time
+// to the end.
 import { parseArgs } from "node:util";
 import { MESA } from "../../chromium.mjs";
 import { EditorPage, launch, pathOf } from "../e2e/harness.mjs";
@@ -18,15 +18,15 @@ const SECONDS = Number(options.seconds);
 const CURVES = Number(options.curves);
 const ACROSS = Math.ceil(Math.sqrt(CURVES));
 const GROWTH = 1.1;
-/** Seconds from one sample to the next. */
+/** Seconds between samples. */
 const PAUSE = 2;
 
-/** Where a curve begins, and its middle, on the artboard. */
+/** Returns the start of a curve, and its middle, on the artboard. */
 const middleOf = (i) => [10 * (i % ACROSS) + 5, 10 * Math.floor(i / ACROSS) + 4.875];
 
 async function dragCurve(editor, i, round) {
   const [x, y] = middleOf(i);
-  // There and back, so that the next round finds it.
+  // There and back, so that the next round finds the curve again.
   const by = round % 2 === 0 ? 1 : -1;
   const from = round % 2 === 0 ? [x, y] : [x + 1, y + 1];
   await editor.drag([from, [from[0] + by / 2, from[1] + by], [from[0] + by, from[1] + by]], { steps: 3 });
@@ -49,7 +49,7 @@ async function series(browser, editor) {
 
 const mean = (numbers) => numbers.reduce((sum, number) => sum + number, 0) / numbers.length;
 
-/** How much a figure grew: the means of three samples, a third of the way and at the end. */
+/** Returns the growth of a figure: means of three samples, a third of the way and at the end. */
 function growth(samples, name) {
   const values = samples.map((sample) => sample[name]);
   const third = samples.findIndex(({ at }) => at >= SECONDS / 3);
@@ -57,7 +57,7 @@ function growth(samples, name) {
 }
 
 const browser = await launch(MESA);
-// Small: drawing is by software here, and not the matter.
+// Small, because drawing is done by software here and is not measured.
 const editor = await EditorPage.open(browser, `file://${pathOf("build/editor.html")}`, { size: [800, 480], ratio: 1, isDrawn: true });
 const text = manyCurves(CURVES, ACROSS);
 await editor.load(text);

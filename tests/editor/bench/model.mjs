@@ -1,6 +1,6 @@
 // Times of the editor's model: node tests/editor/bench/model.mjs DRAWING.svg...
-// One line of JSON for each drawing, milliseconds of CPU: opening it, an edit of one curve's points
-// (median and 95th percentile of 300), and an edit that is read anew.
+// Prints one line of JSON for each drawing, milliseconds of CPU: opening it, an edit of one curve's points (median
+// and 95th percentile of 300), and an edit that is read again.
 import { readFileSync } from "node:fs";
 import { basename } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -23,7 +23,7 @@ function milliseconds(body) {
   return (user + system) / 1000;
 }
 
-/** Wall clock: CPU time is counted too coarsely for what takes so little. */
+/** Wall clock, because CPU time is too coarse for such short steps. */
 function shortMilliseconds(body) {
   const before = performance.now();
   body();

@@ -1,11 +1,11 @@
-// What the editor takes in a browser, drawing apart: node tests/editor/bench/page.mjs [--strict]
+// Measures the editor in a browser, without drawing: node tests/editor/bench/page.mjs [--strict]
 //     [--scenes FOLDER] [--moves N] [SCENE...]
 //
-// Opens build/editor.html from disk in Chromium. Of each scene: how long the first picture takes after a
-// cold start, the engine's own time and the way of its answer to the page for the frames of a drag of one
-// node, the main thread's script (CPU time) for each movement of a drag, a pan and a hover, and for undo,
-// and memory. Beside what is required. Scenes are those of frame.mjs; those of Orzan's are opened as they are.
-// --strict: exit with 1 where a figure is more than 20 % above what is required.
+// Opens build/editor.html from disk in Chromium. For each scene it measures the time until the first picture after
+// a cold start; the engine's time and the transfer of its answer to the page for the frames of a drag of one node;
+// the main thread's script (CPU time) for each movement of a drag, a pan and a hover, and for undo; and memory. It
+// prints the limits beside the figures. The scenes are as in frame.mjs; Orzan's scenes are opened as they are.
+// --strict: exit with 1 if a figure is more than 20 % above the limit.
 import { loadavg } from "node:os";
 import { basename } from "node:path";
 import { parseArgs } from "node:util";
@@ -26,10 +26,10 @@ const { values: options, positionals } = parseArgs({
 const MOVES = Number(options.moves);
 const TOLERANCE = 1.2;
 const SCRIPT = 8;
-/** Frames among which is the one that prepares the drag: the first may move nothing yet. */
+/** One of these frames prepares the drag; the first may move nothing yet. */
 const BEGIN = 3;
 
-/** At most: milliseconds, and megabytes. */
+/** Limits: milliseconds, and megabytes. */
 const REQUIRED = {
   lady_bug: { engine: 5, begin: 15, way: 0.5, settle: 100 },
   portrait: { first: 1000, engine: 3, way: 0.5, memory: 150 },
@@ -43,13 +43,13 @@ function percentile(numbers, share) {
   return sorted[Math.min(sorted.length - 1, Math.floor(share * sorted.length))] ?? NaN;
 }
 
-// Script of the main thread, by Chromium's trace.
+// Script time of the main thread, from Chromium's trace.
 
 const CATEGORIES = ["devtools.timeline", "disabled-by-default-devtools.timeline", "v8"];
-/** Where the browser calls script. Frames of animation, where WebGL draws, are apart. */
+/** Events in which the browser runs script. Animation frames, where WebGL draws, are counted separately. */
 const CALLS = new Set(["EventDispatch", "RunMicrotasks", "FunctionCall", "TimerFire", "v8.callFunction", "HandlePostMessage"]);
 
-/** Script of the page's main thread, no call within another: when, and its CPU time; microseconds. */
+/** Returns script runs of the page's main thread, without nested ones: start and CPU time; microseconds. */
 function scriptOf(events) {
   const main = events.find(({ name, args }) => name === "thread_name" && args.name === "CrRendererMain");
   const own = events
@@ -67,13 +67,13 @@ function scriptOf(events) {
   return calls;
 }
 
-/** Of each step, the CPU milliseconds of script from its beginning to the next one's. */
+/** Returns, for each step, the CPU milliseconds of script from its start to the start of the next step. */
 async function scriptOfSteps(editor, browser, steps) {
   await browser.startTracing(editor.page, { categories: CATEGORIES });
   for (const [i, step] of steps.entries()) {
     await editor.page.evaluate((name) => console.timeStamp(name), `step ${i}`);
     await step();
-    // What the step leads to is done within two frames.
+    // All effects of the step are done within two frames.
     await editor.page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
   }
   const trace = JSON.parse((await browser.stopTracing()).toString());
@@ -88,9 +88,9 @@ async function scriptOfSteps(editor, browser, steps) {
   return sums;
 }
 
-// What a hand does.
+// User actions.
 
-/** Places on the page where paths of a text begin, if nothing maps them. */
+/** Returns places on the page where paths of a text begin, if no transform moves them. */
 async function startsOf(editor) {
   const text = await editor.text;
   const starts = [...text.matchAll(/\sd="\s*M\s*([-\d.e]+)[\s,]+([-\d.e]+)/gi)];
@@ -98,7 +98,7 @@ async function startsOf(editor) {
   return starts.filter((_, i) => i % step === 0).map(([, x, y]) => [Number(x), Number(y)]);
 }
 
-/** Selects a node that can be dragged; gives its place on the page. */
+/** Selects a node that can be dragged. Returns its place on the page. */
 async function takeNode(editor) {
   await editor.page.locator(".canvas-stage").focus();
   await editor.key("a");
@@ -125,7 +125,7 @@ async function dragNode(editor, browser) {
   const place = await takeNode(editor);
   await editor.settled();
   const watch = () => editor.page.evaluate(() => window.watchedWorkers.splice(0));
-  // A hand that has found a node has given the engine the time to begin.
+  // By the time a user has found a node, the engine has prepared the drag.
   await editor.page.waitForFunction(() => {
     const begun = window.watchedWorkers.findLast(({ name }) => name === "expect");
     return begun && performance.now() - begun.end > 400;
@@ -162,9 +162,9 @@ async function undo(editor, browser) {
   return scriptOfSteps(editor, browser, keys.map((key) => () => editor.key(key)));
 }
 
-// One scene.
+// Measures one scene.
 
-/** Milliseconds from the start of navigation until a scene's first picture is handed to the graphics. */
+/** Returns milliseconds from the start of navigation until a scene's first picture is given to the graphics. */
 async function start(editor, text) {
   await editor.page.addInitScript(watchWorkers);
   await editor.go(`file://${pathOf("build/editor.html")}`);
@@ -196,7 +196,7 @@ async function measure(browser, text) {
   const solved = drag.frames.filter(({ name }) => name === "solve");
   const own = solved.map(({ milliseconds }) => milliseconds);
   const way = solved.map(({ begin, end, milliseconds }) => Math.max(0, end - begin - milliseconds));
-  // While the hand rests within the drag it may be made as well.
+  // The exact picture may already be made while the pointer rests within the drag.
   const settle = [...drag.frames, ...drag.rest].filter(({ name, way }) => name === "solve" && way === "exact");
   return {
     first, opened, exact, heap, whole, way,
@@ -226,7 +226,7 @@ const ROWS = [
   ["", "of it the page's heap, MB", (t) => t.heap],
 ];
 
-/** Prints one scene; gives how many figures are missed. */
+/** Prints one scene. Returns how many figures exceed their limits. */
 function print(name, times) {
   let missed = 0;
   for (const [key, label, value] of ROWS) {
@@ -241,7 +241,7 @@ function print(name, times) {
   return missed;
 }
 
-/** The text of a scene; null: it is not there. "many" is made. */
+/** Returns the text of a scene; null if it is missing. "many" is generated. */
 async function textOf(name) {
   if (name === "many") return manyCurves(4000);
   const path = sceneFile(name, options.scenes);

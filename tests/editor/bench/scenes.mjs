@@ -1,4 +1,4 @@
-// The drawings that the benches of the editor take.
+// The drawings for the benchmarks of the editor.
 import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { loadSfumato } from "../../../web/wasm/sfumato.mjs";
@@ -6,13 +6,13 @@ import { pathOf } from "../e2e/harness.mjs";
 
 export const modulePath = process.env.SFUMATO_WASM ?? pathOf("build-wasm/sfumato.wasm");
 
-/** Where a scene lies: a path, a name of examples/, or one of Orzan's in `folder`; or null. */
+/** Returns the path of a scene: a path, a name of examples/, or one of Orzan's in `folder`; or null. */
 export function sceneFile(name, folder) {
   const places = [name, pathOf(`examples/${name}.svg`), join(folder, `${name}.xml`)];
   return places.find(existsSync) ?? null;
 }
 
-/** The SVG of a file: Orzan's XML is converted. */
+/** Returns the SVG of a file; Orzan's XML is converted. */
 export async function svgOf(path) {
   const text = readFileSync(path, "utf8");
   if (path.endsWith(".svg")) return text;
@@ -22,7 +22,7 @@ export async function svgOf(path) {
   return converted;
 }
 
-/** A drawing of many curves in squares of 10 units: a layer to each row. */
+/** Returns a drawing of many curves in squares of 10 units, with a layer for each row. */
 export function manyCurves(count, across = 100) {
   const hex = (i) => ((Math.imul(i + 1, 0x9e3779b1) >>> 8) & 0xffffff).toString(16).padStart(6, "0");
   const curve = (i) => {

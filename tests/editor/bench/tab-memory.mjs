@@ -1,7 +1,7 @@
-// What a tab holds, by Linux: its heaps, the modules of its workers, and Chromium's own part of it.
+// The memory of a tab, as Linux reports it: its heaps, the modules of its workers, and Chromium's own part.
 import { readFileSync } from "node:fs";
 
-/** Processes that show pages. */
+/** Returns the processes that show pages. */
 async function renderers(browser) {
   const session = await browser.newBrowserCDPSession();
   const { processInfo } = await session.send("SystemInfo.getProcessInfo");
@@ -15,7 +15,7 @@ function privateBytes(pid) {
   return lines.reduce((sum, [, kilobytes]) => sum + 1024 * Number(kilobytes), 0);
 }
 
-/** Memory that the largest of them shares with no other process, after the garbage is collected; MB. */
+/** Returns the private memory of the largest process after garbage collection, MB. */
 export async function tabMegabytes(browser, page) {
   const session = await page.context().newCDPSession(page);
   await session.send("HeapProfiler.collectGarbage");

@@ -1,4 +1,4 @@
-// Runs in the page, before its own scripts: notes what its workers are asked and when they answer.
+// Runs in the page before its own scripts: records the requests to its workers and the times of the answers.
 
 /** Fills `watchedWorkers`: {name, way, begin, end, taken, milliseconds}, times of performance.now(). */
 export function watchWorkers() {
@@ -28,7 +28,7 @@ export function watchWorkers() {
         if (!asked) return;
         const entry = { ...asked, end, taken: 0, milliseconds: event.data.value?.milliseconds ?? 0 };
         log.push(entry);
-        // The promises that hear of the answer are run before this one.
+        // The promises that wait for the answer run before this one.
         Promise.resolve().then(() => Promise.resolve()).then(() => (entry.taken = performance.now() - end));
       };
     }

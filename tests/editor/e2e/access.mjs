@@ -1,4 +1,4 @@
-// For everybody: axe-core in every state, the keyboard alone, fingers and pens.
+// Accessibility: axe-core in every state, keyboard only, fingers and pens.
 import { readFileSync } from "node:fs";
 import { check, checkEqual, EditorPage, packageOf } from "./harness.mjs";
 import { changing, count } from "./draw.mjs";
@@ -31,7 +31,7 @@ async function showCurve(page) {
   if (await tab.isVisible()) await tab.click();
 }
 
-/** Selects by the tree; curves are within their layers. */
+/** Selects in the tree; curves are inside their layers. */
 async function select(editor, name, layer) {
   const { page } = editor;
   await showLayers(page);
@@ -57,7 +57,7 @@ async function menuCommand({ page }, ...labels) {
   for (const label of labels) await page.getByRole("menuitem", { name: label }).click();
 }
 
-/** Each state: how it is entered, and how it is left. */
+/** Each state: how to enter and how to leave it. */
 const states = {
   document: {},
   layers: { enter: ({ page }) => showLayers(page) },
@@ -129,11 +129,11 @@ const states = {
       await editor.page.getByRole("status").filter({ hasText: "Traced" }).waitFor();
     },
   },
-  keys: dialog("?", "Keys"),
+  keys: dialog("?", "Keyboard shortcuts"),
   new: dialog("Control+Alt+n", "New drawing"),
   recover: { ...dialog("", ""), enter: (editor) => menuCommand(editor, "File", "Recover") },
   about: { ...dialog("", ""), enter: (editor) => menuCommand(editor, "About Sfumato") },
-  page: { ...dialog("", ""), enter: (editor) => menuCommand(editor, "File", "Document") },
+  page: { ...dialog("", ""), enter: (editor) => menuCommand(editor, "File", "Document settings") },
   problem: {
     enter: ({ page }) => page.evaluate(() => void window.sfumatoEditor.open("<svg><g></svg>", "broken.svg")),
     leave: ({ page }) => page.keyboard.press("Escape"),
@@ -142,7 +142,7 @@ const states = {
 
 async function violations(editor, name) {
   const { page } = editor;
-  // What comes and goes by fading is judged when it has come.
+  // Wait for fades to end before the check.
   await page.evaluate(() => Promise.all(document.getAnimations().map((one) => one.finished.catch(() => {}))));
   const found = await page.evaluate(() => window.axe.run(document, { resultTypes: ["violations"] }));
   return found.violations.map(({ id, nodes }) => `${name}: ${id}, ${nodes.length}: ${nodes[0].target.join(" ")} ${nodes[0].failureSummary}`);
@@ -172,7 +172,7 @@ async function testAxe({ browser, address }, size, colorScheme) {
   await editor.close();
 }
 
-/** Tab until something has the focus. */
+/** Presses Tab until an element has the focus. */
 async function tabTo(page, selector) {
   for (let k = 0; k < 60; k += 1) {
     if (await page.evaluate((s) => document.activeElement?.matches(s) ?? false, selector)) return;
@@ -234,7 +234,13 @@ async function testTouch({ browser, address }) {
   const at = (x, y) => editor.at(x, y);
   await page.locator(".canvas-stage").focus();
   await page.keyboard.press("k");
-  // A pen draws with its pressure, and the palm that comes soon after it draws nothing.
+  await changing(editor, "a finger", async () => {
+    const [from, to] = [await at(250, 300), await at(330, 320)];
+    await touch("touchStart", from);
+    for (const place of line(from, to)) await touch("touchMove", place);
+    await touch("touchEnd");
+  });
+  // A pen draws with its pressure, and the palm soon after it draws nothing.
   const way = line(await at(60, 420), await at(180, 440));
   const pressed = await changing(editor, "the pen", async () => {
     await mouse("mousePressed", way[0], { force: 0.2 });
@@ -250,7 +256,7 @@ async function testTouch({ browser, address }) {
     await touch("touchEnd");
   });
   checkEqual(count(await editor.text, /<path /g), curves, "curves after the palm");
-  // One finger draws when the pen has been away; a second one makes it a pinch, and nothing is drawn.
+  // From now on one finger moves the picture, and two zoom; neither draws.
   await pass(page, 600);
   const width = async () => (await at(1, 0))[0] - (await at(0, 0))[0];
   const before = { width: await width(), text: await editor.text };
@@ -262,12 +268,13 @@ async function testTouch({ browser, address }) {
   await touch("touchEnd");
   check((await width()) > before.width * 1.3, "two fingers do not zoom");
   checkEqual(await editor.text, before.text, "the text after a pinch");
-  await changing(editor, "a finger", async () => {
-    const [from, to] = [await at(250, 300), await at(330, 320)];
-    await touch("touchStart", from);
-    for (const place of line(from, to)) await touch("touchMove", place);
-    await touch("touchEnd");
-  });
+  const [from, to] = [await at(250, 300), await at(330, 320)];
+  await touch("touchStart", from);
+  for (const place of line(from, to)) await touch("touchMove", place);
+  await touch("touchEnd");
+  const moved = await at(250, 300);
+  check(Math.hypot(moved[0] - to[0], moved[1] - to[1]) < 2, `the finger does not move the picture: ${from} to ${moved}, expected ${to}`);
+  checkEqual(await editor.text, before.text, "the text after a finger beside the pen");
   editor.checkQuiet();
   await editor.close();
 }
@@ -281,5 +288,5 @@ export async function testAccess(tap, given) {
     }
   }
   await tap.test("a curve is drawn and coloured by the keyboard alone", () => testKeyboard(given));
-  await tap.test("pens draw, palms do not, two fingers zoom", () => testTouch(given));
+  await tap.test("pens draw, palms do not, a finger beside a pen moves the picture, two zoom", () => testTouch(given));
 }

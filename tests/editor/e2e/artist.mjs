@@ -1,6 +1,6 @@
-// What a person does in the editor, in words of the page: pointer, a tablet's pen, keys and panels.
+// User actions in the editor: pointer, a tablet's pen, keys and panels.
 
-/** Points between points, as a hand would make them (Catmull and Rom); [x, y, pressure]. */
+/** Returns points in between, as a hand would make them (Catmull and Rom); [x, y, pressure]. */
 function dense(points, count = 5) {
   const mix = (a, b, c, d, t) =>
     b + (t * (c - a + t * (2 * a - 5 * b + 4 * c - d + t * (3 * (b - c) + d - a)))) / 2;
@@ -14,7 +14,7 @@ function dense(points, count = 5) {
   return [points[0], ...between].map(pressed);
 }
 
-/** Points between points on the straight way. */
+/** Returns points in between on straight lines. */
 function straight(points, count = 3) {
   const between = (a, b) =>
     Array.from({ length: count }, (_, i) =>
@@ -23,12 +23,12 @@ function straight(points, count = 3) {
   return [points[0], ...points.slice(1).flatMap((to, k) => between(points[k], to))];
 }
 
-/** Uses the editor as a person does: steps of undo are those of the hand. */
+/** Uses the editor as a person does, so its undo steps are a person's. */
 export class Artist {
   constructor(editor) {
     this.editor = editor;
     this.page = editor.page;
-    /** The tablet's pen, once it was used. */
+    /** The tablet's pen, after its first use. */
     this.pen = null;
   }
 
@@ -36,7 +36,7 @@ export class Artist {
     return this.page.getByRole("radio", { name, exact: true }).click();
   }
 
-  /** What comes next belongs to nothing that is there. */
+  /** Deselects, so that the next action concerns no existing object. */
   async deselect() {
     await this.tool("Select");
     await this.editor.key("Control+Shift+A");
@@ -49,11 +49,11 @@ export class Artist {
     await this.type(dialog.getByLabel("Width", { exact: true }), width);
     await this.type(dialog.getByLabel("Height", { exact: true }), height);
     await this.type(dialog.getByLabel("Background, hex"), background);
-    await dialog.getByRole("button", { name: "Make it" }).click();
+    await dialog.getByRole("button", { name: "Create" }).click();
     await this.makeRoom();
   }
 
-  /** Room around the artboard, for curves that run beyond it. */
+  /** Makes room around the artboard, for curves that run beyond it. */
   async makeRoom() {
     await this.editor.key("-");
     await this.editor.settled();
@@ -67,7 +67,7 @@ export class Artist {
     }
   }
 
-  /** A click on what lies there. */
+  /** Clicks on the object at a place. */
   async select(x, y) {
     await this.tool("Select");
     await this.editor.click(x, y);
@@ -78,7 +78,7 @@ export class Artist {
     await this.page.locator(".menu-item").filter({ hasText: mode }).click();
   }
 
-  /** A row of the layers. */
+  /** Returns a row of the layers. */
   row(name) {
     const label = this.page.getByText(name, { exact: true });
     return this.page.getByRole("treeitem").filter({ has: label });
@@ -93,7 +93,7 @@ export class Artist {
     await field.press("Enter");
   }
 
-  /** Nodes with the pen: [x, y], or [x, y, hx, hy] with the handle ahead pulled to hx, hy. */
+  /** Draws nodes with the pen: [x, y], or [x, y, hx, hy] with the handle ahead pulled to hx, hy. */
   async curve(nodes, { closes = false } = {}) {
     const { editor, page } = this;
     const before = await editor.text;
@@ -109,17 +109,17 @@ export class Artist {
     await this.changed(before);
   }
 
-  /** When the text is another one, and its picture is drawn. */
+  /** Resolves when the text has changed and its picture is drawn. */
   async changed(before) {
     await this.page.waitForFunction((text) => window.sfumatoEditor.text !== text, before);
     await this.editor.settled();
   }
 
-  /** A stroke of the pen of a tablet through points [x, y, pressure], smooth between them. */
+  /** Draws a stroke with a tablet's pen through points [x, y, pressure], smooth between them. */
   async stroke(points, { radius, smoothing = 1, isStraight = false }) {
     const { editor, page } = this;
     await this.tool("Stroke");
-    const options = page.getByRole("group", { name: "Options of the tool" });
+    const options = page.getByRole("group", { name: "Tool options" });
     await this.type(options.getByLabel("Radius"), radius);
     await this.type(options.getByLabel("Smoothing"), smoothing);
     this.pen ??= await editor.context.newCDPSession(page);
@@ -131,7 +131,7 @@ export class Artist {
     const way = isStraight ? straight(points) : dense(points);
     const places = (await editor.all(way)).map((place, k) => [...place, way[k][2]]);
     const before = await editor.text;
-    // A pen is seen before it touches.
+    // A pen is detected before it touches.
     await send("mouseMoved", [places[0][0], places[0][1], 0]);
     await send("mousePressed", places[0]);
     for (const place of places.slice(1)) await send("mouseMoved", place);
@@ -139,15 +139,15 @@ export class Artist {
     await this.changed(before);
   }
 
-  /** The colours of a side in the panel. */
+  /** Returns the colours of a side in the panel. */
   ribbon(side) {
     return this.page.getByRole("group", { name: `${side} side` }).first();
   }
 
-  /** A colour for a side that is open: the first curve of a layer has none. */
+  /** Gives a colour to an open side; the first curve of a layer has none. */
   async giveColor(side) {
     const row = this.page.locator(".side-row", { has: this.page.getByText(side, { exact: true }) });
-    await row.getByRole("button", { name: "Give it a colour" }).click();
+    await row.getByRole("button", { name: "Add colour to this side" }).click();
     await this.ribbon(side).waitFor();
   }
 
@@ -155,13 +155,13 @@ export class Artist {
     return this.ribbon(side).locator(".stops .stop").nth(index);
   }
 
-  /** The colour of a stop, typed in the panel. */
+  /** Types the colour of a stop into the panel. */
   async color(side, index, hex) {
     await this.stop(side, index).click();
     await this.type(this.page.getByLabel("Colour, hex"), hex);
   }
 
-  /** The colour of a stop, by the picker: new strokes have the last colour that it chose. */
+  /** Picks the colour of a stop with the picker; new strokes have its last chosen colour. */
   async pick(side, index, hex) {
     await this.stop(side, index).dblclick();
     const picker = this.page.getByRole("dialog");
@@ -203,19 +203,19 @@ export class Artist {
 
   /** Drags a corner of the box, in proportion. */
   async scale(corner, factor) {
-    const opposite = { "south-east": "north-west" }[corner];
+    const opposite = { "bottom right": "top left" }[corner];
     const from = await this.handle(`Scale, ${corner}`);
     const fixed = await this.handle(`Scale, ${opposite}`);
     const to = from.map((value, axis) => fixed[axis] + (value - fixed[axis]) * factor);
     await this.sweep(from, to, "Shift");
   }
 
-  /** Drags what is selected from a point of the artboard to another. */
+  /** Drags the selection from a point of the artboard to another. */
   async move(from, to) {
     await this.sweep(await this.editor.at(...from), await this.editor.at(...to));
   }
 
-  /** The mouse, pressed between two points of the window while a key is held. */
+  /** Moves the pressed mouse between two points of the window while a key is held. */
   async sweep(from, to, key) {
     const { mouse, keyboard } = this.page;
     if (key) await keyboard.down(key);

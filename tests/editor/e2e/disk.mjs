@@ -1,9 +1,9 @@
-// Files as the browser's dialogs give them, without dialogs: handles of the page's own file system.
+// Files as the browser's dialogs return them, without dialogs: handles of the page's own file system.
 
 /**
- * To be run before the page's scripts. The tests lead it by `window.disk`: `chosen` is the name that
- * the next dialog gives, "" leaves it; `permission` and `failure` are what writing meets, `writes`
- * counts what was written whole.
+ * Runs before the page's scripts. The tests control it through `window.disk`: `chosen` is the name that the next
+ * dialog returns, and "" cancels the dialog; `permission` and `failure` apply to writing; `writes` counts complete
+ * writes.
  */
 function install() {
   const folder = () => navigator.storage.getDirectory();
@@ -38,7 +38,7 @@ function install() {
       close: () => stream.close().then(() => void (disk.writes += 1)),
       abort: (reason) => stream.abort(reason),
     };
-    // Those who write by themselves, and those who pipe.
+    // For callers that write directly, and for callers that pipe.
     return Object.assign(new WritableStream(ends), { write: ends.write, close: ends.close });
   };
 }
@@ -46,7 +46,7 @@ function install() {
 /** Gives a context such a disk. */
 export const giveDisk = (context) => context.addInitScript(install);
 
-/** What the test does on a page's disk. */
+/** The test's access to a page's disk. */
 export class Disk {
   constructor(page) {
     this.page = page;
@@ -93,7 +93,7 @@ export function drop(page, files, target = "#app") {
   );
 }
 
-/** Pastes as the browser does, where the focus is: {text, files}. */
+/** Pastes at the focus, as the browser does: {text, files}. */
 export function paste(page, { text = "", files = [] }) {
   const given = files.map(({ name, bytes }) => ({ name, bytes: [...Buffer.from(bytes)] }));
   return page.evaluate(
@@ -103,14 +103,14 @@ export function paste(page, { text = "", files = [] }) {
       for (const { name, bytes } of list) clipboardData.items.add(new File([Uint8Array.from(bytes)], name));
       const event = new ClipboardEvent("paste", { clipboardData, bubbles: true, cancelable: true });
       (document.activeElement ?? document.body).dispatchEvent(event);
-      // The browser lets nobody read it any more.
+      // Afterwards the browser lets nobody read it.
       clipboardData.clearData();
     },
     [text, given],
   );
 }
 
-/** What a "copy" or "cut" puts on the clipboard. */
+/** Returns the text that a "copy" or "cut" puts on the clipboard. */
 export function copied(page, type) {
   return page.evaluate((name) => {
     const clipboardData = new DataTransfer();
@@ -130,7 +130,7 @@ export async function dropPaths(editor, paths, [x, y] = [700, 400]) {
   await session.detach();
 }
 
-/** The bytes of a download, which an action brings. */
+/** Returns the bytes of a download that an action starts. */
 export async function downloaded(page, act) {
   const [download] = await Promise.all([page.waitForEvent("download"), act()]);
   const parts = [];

@@ -1,9 +1,9 @@
-// From the empty page to a drawing with everything in it, back by undo, forth by redo, saved and opened.
+// From the empty page to a drawing with every feature, back by undo, forward by redo, saved and opened.
 import { readFile } from "node:fs/promises";
 import { check, checkEqual, EditorPage, newContext } from "./harness.mjs";
 import { largestDifference } from "./pixels.mjs";
 
-/** The editor where files go by downloads and inputs: no test can answer the system's dialogs. */
+/** Opens the editor with downloads and inputs for files, because no test can answer the system's dialogs. */
 export async function openWithoutPickers(browser, address, options = {}) {
   const context = await newContext(browser, options);
   await context.addInitScript(() => {
@@ -13,16 +13,16 @@ export async function openWithoutPickers(browser, address, options = {}) {
   return EditorPage.within(context, address);
 }
 
-/** Presses Start blank and makes the drawing that the dialog proposes. */
+/** Presses Start blank and accepts the dialog's proposal. */
 export async function startBlank(editor) {
   const { page } = editor;
   await page.getByRole("button", { name: /^Start blank/ }).click();
-  await page.getByRole("dialog").getByRole("button", { name: "Make it" }).click();
+  await page.getByRole("dialog").getByRole("button", { name: "Create" }).click();
   await page.locator(".canvas-stage").waitFor();
   await editor.settled();
 }
 
-/** Does something and waits until the text is another one. @returns the new text */
+/** Does something and waits until the text has changed. @returns the new text */
 export async function changing(editor, what, act) {
   const before = await editor.text;
   await act();
@@ -50,7 +50,7 @@ async function drawPencil(editor) {
   checkEqual(count(text, /<path /g), 2, "curves after the pencil");
 }
 
-/** How far a pixel is from the curve that is selected, in steps of 8 px; 3 stands for all that is farther. */
+/** Returns the distance of a pixel from the selected curve, in steps of 8 px, at most 3. */
 async function fromCurve(editor) {
   const points = await editor.page.evaluate(() => {
     const stage = document.querySelector(".canvas-stage").getBoundingClientRect();
@@ -87,7 +87,7 @@ async function fill(editor, name, value) {
 
 const stops = (editor, side) => editor.page.getByRole("group", { name: `${side} side` }).first().locator(".stop");
 
-/** The ribbon's stop by its field, a new stop by the band, one by the picker, one by keys. */
+/** Gives colours: a stop by its field, a new stop on the band, one by the picker, one by keys. */
 async function colour(editor) {
   const { page } = editor;
   await stops(editor, "Left").first().click();
@@ -129,7 +129,7 @@ async function steps(editor) {
   await drawPencil(editor);
   const away = await fromCurve(editor);
   const after = await editor.picture();
-  // Farther away it is one more curve to look at, which bears the colours of its own place.
+  // Farther away the new curve is only one more to consider; its colours are those of its place.
   const change = largestDifference(before, after, (x, y) => away(x, y) === 0);
   check(change <= 6, `beside a new curve the picture changes by ${change}`);
   await fill(editor, "Colour, hex", "ffe080");
@@ -141,8 +141,8 @@ async function steps(editor) {
   });
   const second = largestDifference(empty, await editor.picture());
   check(second === 0, `the first curve of a layer changes the picture by ${second}`);
-  const give = page.locator(".inspector").getByRole("button", { name: "Give it a colour" });
-  await changing(editor, "Give it a colour", () => give.first().click());
+  const give = page.locator(".inspector").getByRole("button", { name: "Add colour to this side" });
+  await changing(editor, "Add colour to this side", () => give.first().click());
   await fill(editor, "Opacity, left", "50");
   await panel.getByRole("treeitem").first().click();
   await changing(editor, "an instance", () => page.keyboard.press("Control+Alt+d"));
@@ -169,7 +169,7 @@ async function every(editor, key, name) {
 }
 
 async function testAll({ browser, address }) {
-  // As large as people see it.
+  // At the size that people see.
   const editor = await openWithoutPickers(browser, address, { ratio: 1, isDrawn: true });
   const { page } = editor;
   await startBlank(editor);

@@ -1,4 +1,4 @@
-// Exact pixels: what the stage shows once they are gathered, beside what the command draws of the same part.
+// Exact pixels: compares the stage after gathering with the command's drawing of the same part.
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -6,7 +6,7 @@ import { join } from "node:path";
 import { check, checkEqual, EditorPage, PATIENCE, Skip } from "./harness.mjs";
 import { largestDifference } from "./pixels.mjs";
 
-/** Of the layers' curves: x and y of the four points. */
+/** The four points, x and y, of each of the layers' curves. */
 const curves = [
   [-10, 60, 30, 20, 80, 95, 130, 50],
   [40, 25, 50, 8, 72, 8, 82, 27],
@@ -21,13 +21,13 @@ const drawing = (paint = "#124") => `<svg xmlns="http://www.w3.org/2000/svg" xml
   <g sf:diffuse="true" opacity=".8">${path(curves[2], 'sf:left="red" sf:right="#0a5" sf:left-opacity="1, .2" sf:right-opacity="0, .7"')}</g>
 </svg>`;
 
-/** Few pixels: software takes a second for some thousands. */
+/** Few pixels, because software takes a second for a few thousand. */
 const RATIO = 0.25;
 const opened = { size: [800, 480], ratio: RATIO, isDrawn: true };
 
 const state = (editor) => editor.page.evaluate(() => window.sfumatoEditor.exactPixels);
 
-/** A busy machine gathers them by the few: that takes longer than other states. */
+/** A busy machine gathers few pixels at a time, which takes longer than other states. */
 const becomes = (editor, kind) =>
   editor.page.waitForFunction((wanted) => window.sfumatoEditor.exactPixels.kind === wanted, kind, {
     timeout: 4 * PATIENCE,
@@ -38,7 +38,7 @@ async function gathered(editor) {
   await becomes(editor, "exact");
 }
 
-/** The part of the artboard that the canvas shows: x, y, and pixels to a unit; its size in pixels. */
+/** Returns the part of the artboard on the canvas: x, y, pixels per unit, and its size in pixels. */
 async function seen(editor) {
   const box = await editor.page.locator(".canvas-stage > canvas").boundingBox();
   const [x, y] = await editor.at(0, 0);
@@ -47,7 +47,7 @@ async function seen(editor) {
   return { x: (box.x - x) / zoom, y: (box.y - y) / zoom, zoom: RATIO * zoom, width, height };
 }
 
-/** As exact as the command draws it: a PNG. */
+/** Returns a PNG that the command draws exactly. */
 function drawn(text, { x, y, zoom, width, height }) {
   const command = process.env.SFUMATO;
   if (!command) throw new Skip("SFUMATO names no command");
@@ -64,7 +64,7 @@ function drawn(text, { x, y, zoom, width, height }) {
   }
 }
 
-/** Whether no curve is within two pixels of a pixel, and the page is there. */
+/** Returns a test for pixels on the page that have no curve within two pixels. */
 function awayFromCurves({ x, y, zoom }) {
   const near = new Set();
   for (const [x0, y0, x1, y1, x2, y2, x3, y3] of curves) {

@@ -1,4 +1,4 @@
-// What is exported and copied: the engine's pixels, the text, a page; and what another page pastes.
+// Exports and copies: the engine's pixels, the text, a page; and pasting into another page.
 import { mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -11,7 +11,7 @@ import { closeDialog, said, shows, textAfter } from "./words.mjs";
 
 const { decode } = packageOf("fast-png");
 
-/** The engine of the site's own module, in this process. */
+/** Returns a context of the site's own module, in this process. */
 async function contextOf(folder) {
   const assets = join(folder, "editor/assets");
   const name = readdirSync(assets).find((file) => file.endsWith(".wasm"));
@@ -19,14 +19,14 @@ async function contextOf(folder) {
   return (await loadSfumato(readFileSync(join(assets, name)))).context({});
 }
 
-/** RGBA of the engine, as `sfumato render` has it. */
+/** Returns RGBA of the engine, as from `sfumato render`. */
 function rasterOf(context, text, { width, height, format, background }) {
   const fine = format === "rgba16" ? { "max-error": 0.25 } : {};
   const picture = context.solve(context.read(text), { width, height, ...fine });
   return context.raster(picture, { width, height, format }, { dither: format === "rgba8", background });
 }
 
-/** Opens the dialog, makes choices, exports; the file. */
+/** Opens the dialog, makes choices, and exports. Returns the file. */
 async function exported({ page }, format, { checks = [], scale = null } = {}) {
   await page.keyboard.press("Control+e");
   const dialog = page.locator("dialog.export");
@@ -38,7 +38,7 @@ async function exported({ page }, format, { checks = [], scale = null } = {}) {
   return file;
 }
 
-/** The channels that a PNG has of RGBA. */
+/** Returns the RGBA channels that a PNG has. */
 function withAlpha({ data, channels, width, height, depth }) {
   if (channels === 4) return data;
   const rgba = new data.constructor(4 * width * height).fill(2 ** depth - 1);
@@ -61,7 +61,7 @@ async function testPng(editor, context) {
 async function testDeepPng(editor, context) {
   const background = small.replace("<g ", '<rect width="100" height="80" fill="#fff"/>\n  <g ');
   await editor.load(background, "small.svg");
-  const checks = ["16 bits a channel", "Transparent background"];
+  const checks = ["16 bits per channel", "Transparent background"];
   const png = decode((await exported(editor, "PNG", { checks })).bytes);
   checkEqual(png.depth, 16, "bits of a channel");
   const size = { width: png.width, height: png.height };
@@ -69,7 +69,7 @@ async function testDeepPng(editor, context) {
   check(Buffer.from(withAlpha(png).buffer).equals(Buffer.from(wanted.buffer, wanted.byteOffset, wanted.byteLength)), "16 bits differ from the engine's");
 }
 
-/** Without its texture the drawing cannot be drawn: the dialog says so, and where. */
+/** Without its texture the drawing cannot be drawn; the dialog says so, and where. */
 async function testUndrawable(editor) {
   const { page } = editor;
   await editor.load(example("apple.svg"), "apple.svg");
@@ -87,7 +87,7 @@ async function testSvg(editor) {
   checkEqual([name, String(bytes)], ["traced.svg", small], "the SVG without its photo");
 }
 
-/** The viewer's page, alone, shows what the editor's canvas shows. */
+/** The viewer's exported page shows the same as the editor's canvas. */
 async function testHtml(editor, browser) {
   await editor.load(small, "small.svg");
   const { name, bytes } = await exported(editor, "HTML");
@@ -112,7 +112,7 @@ async function testHtml(editor, browser) {
   }
 }
 
-/** What fails, or is left, is told or silent, and leaves no empty file behind. */
+/** A failure is reported, a cancelled dialog is silent, and neither leaves an empty file behind. */
 async function testFailure(browser, address) {
   const context = await newContext(browser, { size: [1000, 700] });
   await giveDisk(context);
@@ -133,7 +133,7 @@ async function testFailure(browser, address) {
   await go();
   const again = page.getByRole("button", { name: "Export PNG" });
   await again.waitFor();
-  // The picture that was being drawn when the browser's dialog was left is done then.
+  // By then the picture that was in progress when the dialog was cancelled is done.
   await workersRest(page);
   check((await again.isVisible()) && (await again.isEnabled()), "the work that was left goes on");
   checkEqual(await page.locator("dialog [role=alert]").count(), 0, "complaints after the browser's dialog was left");

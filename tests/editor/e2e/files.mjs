@@ -1,4 +1,4 @@
-// Files that are opened: what they may be, what may be wrong with them, and what is said of it.
+// Opening files: accepted kinds, errors, and messages.
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -11,7 +11,7 @@ import { closeDialog, said, shows } from "./words.mjs";
 
 const text = (bytes) => Buffer.from(bytes);
 
-/** What was opened before must stay. */
+/** Expects a refusal; the drawing that was open before stays. */
 async function refuses(editor, files, pattern) {
   const before = await editor.text;
   await drop(editor.page, files);
@@ -37,7 +37,7 @@ async function testKinds(editor) {
   checkEqual((await page.evaluate(() => window.sfumatoEditor.status)).kind, "exact", "the picture of Orzan's XML");
 }
 
-/** An encoding that the declaration names is that of the file, not of the text that the engine reads. */
+/** A declared encoding applies to the file, not to the text that the engine reads. */
 async function testDeclaredEncoding(editor) {
   const declared = `<?xml version="1.0" encoding="UTF-16"?>\n${small}`;
   await drop(editor.page, [{ name: "declared.svg", bytes: utf16(declared, true) }]);
@@ -61,12 +61,12 @@ async function testRefusals(editor) {
   const png = readFileSync(pathOf("examples/wood.png"));
   await refuses(editor, [{ name: "empty.svg", bytes: text("") }], /empty\.svg.*is empty/);
   await refuses(editor, [{ name: "huge.svg", size: 200 * 2 ** 20 }], /larger than 64 MB/);
-  await refuses(editor, [{ name: "packed.svgz", bytes: gzipSync(small).subarray(0, 60) }], /packing is damaged/);
+  await refuses(editor, [{ name: "packed.svgz", bytes: gzipSync(small).subarray(0, 60) }], /damaged gzip file/);
   await refuses(editor, [{ name: "bomb.svgz", bytes: gzipSync(Buffer.alloc(70 * 2 ** 20, 32)) }], /unpacks to more than 64 MB/);
   await refuses(editor, [{ name: "cut.png", bytes: png.subarray(0, 200) }], /cannot show.*cut\.png/);
   await refuses(editor, [{ name: "photo.heic", bytes: text("\0\0\0\x18ftypheic\0\0\0\0mif1heic") }], /cannot show/);
   await refuses(editor, [{ name: "bytes.svg", bytes: Buffer.from([0x3c, 0xff, 0xfe, 0x80]) }], /neither a picture nor text/);
-  await refuses(editor, [{ name: "words.svg", bytes: text("Dear Sir,") }], /is no drawing/);
+  await refuses(editor, [{ name: "words.svg", bytes: text("Dear Sir,") }], /is not a drawing/);
   await refuses(editor, [{ name: "page.html", bytes: text("<!doctype html><html></html>") }], /.+/);
   const two = ["a.svg", "b.svg"].map((name) => ({ name, bytes: text(small) }));
   await refuses(editor, two, /one drawing or one photo at a time/);
@@ -81,26 +81,29 @@ async function testBroken(editor) {
   await refuses(editor, [{ name: "broken.svg", bytes: text(broken) }], /broken\.svg.*cannot be opened.*Line 4, column \d+/s);
   await drop(page, [{ name: "broken.svg", bytes: text(broken) }]);
   await said(page, /Line 4/, "dialog");
-  await page.getByRole("button", { name: "Show the line" }).click();
+  await page.getByRole("button", { name: "Show line" }).click();
   await said(page, /sf:left=#d04020/, ".problem-line");
   await closeDialog(page);
-  // What is wrong with the next file, and not with this one, is said the next time.
+  // A fault of the next file only is reported next time.
   await refuses(editor, [{ name: "empty.svg", bytes: text("") }], /empty\.svg/);
 }
 
-/** A text that the page reads and the engine does not: the picture stays, and so does the text. */
+/** The page reads the text and the engine does not: picture and text stay. */
 async function testUndrawable(editor) {
   const { page } = editor;
   await drop(page, [{ name: "wrong.svg", bytes: text(small.replace("#d04020", "salmonish")) }]);
   await page.waitForFunction(() => window.sfumatoEditor.status.kind === "problem");
-  await page.getByRole("button", { name: /Cannot be drawn/ }).click();
+  // The reason is shown at once, and again by the button.
+  await said(page, /Line 4, column \d+/, "dialog");
+  await closeDialog(page);
+  await page.getByRole("button", { name: /Cannot be shown/ }).click();
   await said(page, /Line 4, column \d+/, "dialog");
   await closeDialog(page);
   await editor.load(small);
   checkEqual((await page.evaluate(() => window.sfumatoEditor.status)).kind, "exact", "the next picture");
 }
 
-/** By the system's own drop: folders, and textures beside the drawing. */
+/** Folders, and textures beside the drawing, dropped through the system. */
 async function testPaths(editor) {
   const { page } = editor;
   const folder = mkdtempSync(join(tmpdir(), "sfumato-drop-"));
@@ -126,23 +129,23 @@ async function testPaths(editor) {
   }
 }
 
-/** Pictures that are missing are asked for, once; a folder brings them. */
+/** Missing pictures are requested once; a folder provides them. */
 async function testMissing(editor) {
   const { page } = editor;
   const disk = new Disk(page);
   await drop(page, [{ name: "textures.svg", bytes: text(example("textures.svg")) }]);
-  await said(page, /not there/);
+  await said(page, /is missing|are missing/);
   for (const name of ["wood.png", "waves.png", "hemp.png"]) {
     await disk.write(name, readFileSync(pathOf(`examples/${name}`)));
   }
-  await page.getByRole("button", { name: "Choose its folder" }).click();
+  await page.getByRole("button", { name: "Choose folder" }).click();
   await page.waitForFunction(() => window.sfumatoEditor.status.kind === "exact");
   const broken = example("textures.svg").replace(/href="[^"]*\.png"/, 'href="data:image/png;base64,iVBORw0KGgo="');
   await drop(page, [{ name: "undecodable.svg", bytes: text(broken) }, ...["wood.png", "waves.png", "hemp.png"].map((name) => ({ name, bytes: readFileSync(pathOf(`examples/${name}`)) }))]);
   await said(page, /cannot read a picture/);
 }
 
-/** The last of several openings wins, though the first one's photo takes longer. */
+/** The last of several openings wins, even if the first one's photo takes longer. */
 async function testRace(editor) {
   const photo = readFileSync(pathOf("examples/wood.png")).toString("base64");
   const image = `<image sf:reference="true" width="9" height="9" href="data:image/png;base64,${photo}"/></svg>`;

@@ -1,4 +1,4 @@
-// Tools, touch, files and what surrounds the page, in Firefox; firefox.mjs runs them.
+// Tools, touch, files and the page's surroundings in Firefox; firefox.mjs runs them.
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -14,7 +14,7 @@ import { one } from "./tools.mjs";
 
 const focusStage = (editor) => editor.page.focus(".canvas-stage");
 
-/** The drawing anew, with a curve of it selected and a tool in hand. */
+/** Reloads the drawing, selects a curve and takes a tool. */
 async function fresh(editor, key, at) {
   await editor.load(one);
   await focusStage(editor);
@@ -23,7 +23,7 @@ async function fresh(editor, key, at) {
   await editor.key(key);
 }
 
-/** What a drag makes of the text. */
+/** Returns the text after a drag. */
 const dragged = (editor, what, points, keys = []) =>
   editor.changing(what, () => editor.drag(points, { steps: 6, keys }));
 
@@ -128,7 +128,7 @@ export async function testLostContext(editor) {
     window.taken = document.querySelector("canvas.picture").getContext("webgl2").getExtension("WEBGL_lose_context");
     window.taken.loseContext();
   });
-  await editor.until("it is told", () => /graphics card let go/.test(document.body.textContent));
+  await editor.until("it is told", () => /graphics driver was reset/.test(document.body.textContent));
   await editor.page.evaluate(() => window.taken.restoreContext());
   await editor.until("it comes back", () => !document.querySelector("canvas.picture").getContext("webgl2").isContextLost());
   await messagesGo(editor.page);

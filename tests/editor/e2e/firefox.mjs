@@ -2,7 +2,7 @@
 //
 //   node tests/editor/e2e/firefox.mjs BUILD_FOLDER [ONLY]
 //
-// As run.mjs; SFUMATO names the command whose pixels an export must have.
+// As for run.mjs. SFUMATO names the command whose pixels an export must equal.
 import { execFileSync } from "node:child_process";
 import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -23,7 +23,7 @@ const checkShown = async (editor) => {
   check(count > 200, `the picture has ${count} colours`);
 };
 
-/** The first page with its pictures, and the drawing of one of them. */
+/** The first page with its pictures, and one of its drawings. */
 async function testOpens(editor) {
   const hasWebGl = () => document.createElement("canvas").getContext("webgl2") !== null;
   check(await editor.page.evaluate(hasWebGl), "there is no WebGL 2");
@@ -36,7 +36,7 @@ async function testOpens(editor) {
   await checkShown(editor);
 }
 
-/** A file that comes into the folder of downloads, once it is whole. */
+/** Returns a complete file that arrives in the folder of downloads. */
 async function downloaded(folder, act) {
   await act();
   let file = null;
@@ -68,7 +68,7 @@ async function drawAll(editor) {
   await editor.changing("the pencil", () => editor.drag([[80, 440], [320, 460], [560, 450]], { steps: 6 }));
 }
 
-/** Presses a key until its button has nothing more to do. @returns how often */
+/** Presses a key until its button is disabled. @returns how often */
 async function every(editor, key, name) {
   await focusStage(editor);
   const isOver = (start) => document.querySelector(`button[aria-label^=${start}]`).disabled;
@@ -82,7 +82,7 @@ async function every(editor, key, name) {
 
 async function testDraw(editor, folder, { address, browser }) {
   await editor.press(/^Start blank/);
-  await editor.press(/^Make it/, "dialog button");
+  await editor.press(/^Create/, "dialog button");
   await editor.matches(".canvas-stage");
   const start = await editor.text;
   await drawAll(editor);
@@ -104,7 +104,7 @@ async function testDraw(editor, folder, { address, browser }) {
   return { text: end, picture };
 }
 
-/** A PNG of the export has the command's pixels. */
+/** An exported PNG has the command's pixels. */
 async function testExport(editor, folder, text) {
   await editor.key("Control+e");
   await editor.press(/^PNG/, "dialog.export label");
@@ -114,12 +114,12 @@ async function testExport(editor, folder, text) {
   if (!command) return console.log("# SFUMATO names no command to compare the export with");
   const [svg, png] = ["drawing.svg", "drawing.png"].map((name) => join(folder, name));
   writeFileSync(svg, text);
-  // Its width, where the header of a PNG has it.
+  // The width, from the header of the PNG.
   execFileSync(command, ["render", svg, "-o", png, "--width", String(file.bytes.readUInt32BE(16))], { stdio: "ignore" });
   checkEqual(largestDifference(file.bytes, readFileSync(png)), 0, "the export beside the command's pixels");
 }
 
-/** The picture of Chromium, which stands on the stage as Firefox's does. */
+/** The stage shows the same picture as in Chromium. */
 async function testSame({ address }, drawn) {
   const chromium = process.env.CHROMIUM ?? "/usr/bin/chromium";
   if (!existsSync(chromium)) throw new Skip("there is no Chromium");
@@ -144,7 +144,7 @@ async function testOneFile(editor) {
 
 const selected = (editor) => editor.page.evaluate(() => window.sfumatoEditor.selection.map(({ name }) => name).join());
 
-/** Presses Tab until something of these words has the focus. */
+/** Presses Tab until an element with these words has the focus. */
 async function tabTo(editor, words) {
   const isThere = (start) => document.activeElement.textContent.trim().startsWith(start);
   for (let tries = 0; !(await editor.page.evaluate(isThere, words)); tries += 1) {
@@ -158,7 +158,7 @@ async function testKeys(editor) {
   await tabTo(editor, "Start blank");
   await editor.key("Enter");
   await editor.matches("dialog[open]");
-  await tabTo(editor, "Make it");
+  await tabTo(editor, "Create");
   await editor.key("Enter");
   await editor.matches(".canvas-stage");
   await editor.load(small);
@@ -169,7 +169,7 @@ async function testKeys(editor) {
   }
   await editor.key("Tab");
   checkEqual(await selected(editor), "one", "what Tab selects");
-  // Arrows that follow each other soon are one step.
+  // Arrow keys in quick succession are one step.
   const moved = await atOnce(editor.page, async () => {
     await editor.changing("an arrow", () => editor.key("ArrowRight"));
     return editor.changing("an arrow with Shift", () => editor.key("Shift+ArrowDown"));
@@ -179,7 +179,7 @@ async function testKeys(editor) {
   await testOwnKeys(editor);
 }
 
-/** Keys that Firefox has commands for: they are the page's, and one of them leaves the canvas. */
+/** Firefox's own shortcuts go to the page, except one that leaves the canvas. */
 async function testOwnKeys(editor) {
   await editor.page.evaluate(() => {
     window.heard = [];
@@ -196,7 +196,7 @@ async function testOwnKeys(editor) {
   await editor.until("F6 goes to another part of the window", isAway);
 }
 
-/** What Firefox has and Chromium has not: it pastes at the middle button, and fills columns to the height that is there. */
+/** Peculiar to Firefox: it pastes with the middle button, and fills columns to the available height. */
 async function testPeculiar(editor) {
   const { page } = editor;
   await editor.load(small);
@@ -211,7 +211,7 @@ async function testPeculiar(editor) {
     return Math.abs(a - x - 40) < 1 && Math.abs(b - y - 20) < 1;
   };
   await editor.until("the middle button moves the picture", isMoved, before);
-  // Something to do later than any paste.
+  // An action that comes later than any paste.
   await focusStage(editor);
   await editor.key("?");
   await editor.matches("dialog.keys[open]");
@@ -222,7 +222,7 @@ async function testPeculiar(editor) {
   checkEqual(await page.evaluate(beyond), 0, "parts of the list of keys that are wider than their place");
 }
 
-/** What was drawn is there after a reload, with its undo. */
+/** A drawing exists after a reload, with its undo. */
 async function testReload(editor) {
   const { page } = editor;
   await editor.load(small, "kept.svg");

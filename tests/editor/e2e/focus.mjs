@@ -1,5 +1,5 @@
-// Who has the focus keeps it while the page is drawn anew, and nothing that was typed is lost.
-// Frames are held back where that is what went wrong: a busy machine draws them late.
+// An element keeps the focus while the page is redrawn, and no typed text is lost. Frames are delayed where delays
+// caused faults, because a busy machine draws them late.
 import { check, checkEqual, EditorPage } from "./harness.mjs";
 import { changing, openWithoutPickers } from "./draw.mjs";
 import { timersHaveRun } from "./hooks.mjs";
@@ -12,7 +12,7 @@ const drawing = `<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1
 </svg>
 `;
 
-/** From now on frames wait until they are let go. */
+/** Delays all frames from now on, until they are released. */
 const holdFrames = (page) =>
   page.evaluate(() => {
     const held = [];
@@ -29,7 +29,7 @@ const letFramesGo = (page) => page.evaluate(() => window.letFramesGo());
 const opacity = (page) => page.locator(".inspector").getByRole("textbox", { name: /^Opacity, left/ });
 const hasFocus = (field) => field.evaluate((input) => input === document.activeElement);
 
-/** A curve is chosen on the stage, whose marks are drawn a frame later; by then somebody is in a field. */
+/** A curve is selected on the stage, whose marks are drawn a frame later; by then the user is in a field. */
 async function testLateMarks({ browser, address }) {
   const editor = await EditorPage.open(browser, address);
   const { page } = editor;
@@ -48,7 +48,7 @@ async function testLateMarks({ browser, address }) {
   await editor.close();
 }
 
-/** A press on another curve takes the field away; what was typed counts. So it does for Ctrl S. */
+/** A press on another curve removes the field, and the typed text counts. Ctrl S does the same. */
 async function testTyped({ browser, address }) {
   const editor = await openWithoutPickers(browser, address);
   const { page } = editor;
@@ -85,7 +85,7 @@ async function testRenaming({ browser, address }) {
   await editor.close();
 }
 
-/** Dialogs and menus hear the very next key, before any frame. */
+/** Dialogs and menus receive the very next key, before any frame. */
 async function testDialogs({ browser, address }) {
   const editor = await EditorPage.open(browser, address);
   const { page } = editor;
@@ -101,7 +101,7 @@ async function testDialogs({ browser, address }) {
   checkEqual(isOpen, true, "the dialog is open as soon as it is there");
   await editor.key("Escape");
   await page.waitForFunction(() => !document.querySelector("dialog"));
-  // The browser may close a dialog by itself, without asking: it is gone then, too.
+  // The browser may close a dialog without asking; the page must then treat it as closed.
   await editor.key("?");
   await page.locator("dialog[open]").evaluate((dialog) => dialog.close());
   await page.waitForFunction(() => !document.querySelector("dialog"));
@@ -116,7 +116,7 @@ async function testDialogs({ browser, address }) {
   await editor.close();
 }
 
-/** A tool is taken up by its key and used before the next frame is drawn. */
+/** A tool is chosen by its key and used before the next frame is drawn. */
 async function testLateTools({ browser, address }) {
   const editor = await EditorPage.open(browser, address);
   const { page } = editor;
@@ -127,7 +127,7 @@ async function testLateTools({ browser, address }) {
   for (const [x, y] of [[150, 200], [350, 220]]) {
     await page.mouse.move(...(await editor.at(x, y)));
     await page.mouse.down();
-    // What waits for a frame runs after a tenth of a second without one.
+    // Work that waits for a frame runs after a tenth of a second without one.
     await timersHaveRun(page, 250);
     await page.mouse.up();
   }

@@ -1,4 +1,4 @@
-// Firefox for the tests: on a screen in memory, driven by WebDriver BiDi.
+// Firefox for the tests: on a virtual screen, driven by WebDriver BiDi.
 import { spawn, spawnSync } from "node:child_process";
 import { once } from "node:events";
 import { PATIENCE, check, EditorPage, packageOf } from "./harness.mjs";
@@ -9,10 +9,10 @@ const puppeteer = packageOf("puppeteer-core");
 const firefox = process.env.FIREFOX ?? "firefox-esr";
 const isHere = (command) => spawnSync("which", [command]).status === 0;
 
-/** The commands that Firefox needs and that are not here, in words; "" where all are. */
+/** Returns the commands that Firefox needs and that are missing, in words; "" if there are none. */
 export const missing = () => [firefox, "Xvfb"].filter((command) => !isHere(command)).join(" and ");
 
-/** A screen in memory: without one Firefox has no WebGL. */
+/** Starts a virtual screen; without one Firefox has no WebGL. */
 async function startScreen() {
   const options = ["-displayfd", "3", "-screen", "0", "1280x1000x24", "-nolisten", "tcp"];
   const child = spawn("Xvfb", options, { stdio: ["ignore", "ignore", "ignore", "pipe"] });
@@ -21,7 +21,7 @@ async function startScreen() {
     once(child, "exit").then(() => Promise.reject(new Error("Xvfb does not start"))),
   ]);
   const close = () => void child.kill();
-  // Also where the tests end by an error.
+  // Also if the tests end by an error.
   process.once("exit", close);
   return { display: `:${String(number).trim()}`, close };
 }
@@ -43,9 +43,9 @@ export async function launchFirefox() {
 }
 
 /**
- * Moments of a pen in the window that shows the page: type, x, y, pressure. BiDi's own actions do not
- * know pens ("Unimplemented pointerMove for pointerType pen"): the browser's window takes them, as it
- * takes those of the system.
+ * Sends pen events, type, x, y, pressure, to the window with the page. BiDi's own actions do not support pens
+ * ("Unimplemented pointerMove for pointerType pen"), so the browser's window receives them like events of the
+ * system.
  */
 async function penMoments(moments) {
   const PEN = 2;
@@ -53,16 +53,16 @@ async function penMoments(moments) {
   for (const [type, x, y, pressure] of moments) {
     const pen = { pointerId: 9, inputSource: PEN, button: 0, buttons: pressure > 0 ? 1 : 0, clickCount: 1, pressure };
     window.synthesizeMouseEvent(type, left + x, top + y, pen, {});
-    // Moves of one frame would become one.
+    // Moves in one frame would be merged.
     await new Promise((done) => requestAnimationFrame(done));
   }
 }
 
-/** The editor in Firefox: what the two drivers say in different words. */
+/** The editor in Firefox, for the functions in which the two drivers differ. */
 export class FirefoxPage extends EditorPage {
   static size = [1100, 760];
 
-  /** A page of its own storage. `downloads`: the folder that takes what it saves. */
+  /** Opens a page with its own storage. `downloads`: the folder for its saved files. */
   static async open(browser, address, { downloads } = {}) {
     const behavior = downloads ? { downloadBehavior: { policy: "allow", downloadPath: downloads } } : {};
     const context = await browser.createBrowserContext(behavior);
@@ -75,7 +75,7 @@ export class FirefoxPage extends EditorPage {
     return editor;
   }
 
-  /** Waits until a function of the page gives something, and gives that. */
+  /** Waits until a function of the page returns a value, and returns it. */
   async until(what, body, ...given) {
     try {
       return await (await this.page.waitForFunction(body, {}, ...given)).jsonValue();
@@ -97,7 +97,7 @@ export class FirefoxPage extends EditorPage {
     return this.until(selector, (wanted) => document.querySelector(wanted) !== null, selector);
   }
 
-  /** Clicks the first element whose name or words match, once nothing covers it. */
+  /** Clicks the first element whose name or text matches, once nothing covers it. */
   async press(pattern, selector = "button") {
     const find = (wanted, source) => {
       for (const element of document.querySelectorAll(wanted)) {
@@ -122,7 +122,7 @@ export class FirefoxPage extends EditorPage {
     return this.changing(name, () => this.key("Enter"));
   }
 
-  /** Keys as "Control+Shift+z". */
+  /** Presses keys such as "Control+Shift+z". */
   async key(...names) {
     const { keyboard } = this.page;
     for (const name of names) {
@@ -134,7 +134,7 @@ export class FirefoxPage extends EditorPage {
     }
   }
 
-  /** A stroke of a pen through places of the window: x, y, pressure. */
+  /** Draws with a pen through places of the window: x, y, pressure. */
   async pen(places) {
     await this.page.bringToFront();
     const { session } = this.page.mainFrame().browsingContext.userContext.browser;

@@ -1,4 +1,4 @@
-// What tools do beyond their first gestures.
+// The tools' further gestures.
 import { check, checkEqual, EditorPage, packageOf, until } from "./harness.mjs";
 import { changing } from "./draw.mjs";
 import { atOnce } from "./hooks.mjs";
@@ -6,13 +6,13 @@ import { one, photo, Tools, withTools } from "./tools.mjs";
 
 const { decode } = packageOf("fast-png");
 
-/** The name of what has the focus. */
+/** Returns the name of the element with the focus. */
 const focused = (page) => page.evaluate(() => document.activeElement?.getAttribute("aria-label"));
 
 async function goToGrip(page, name) {
   for (let k = 0; k < 12 && (await focused(page)) !== name; k += 1) {
     await page.keyboard.press(k === 0 ? "Shift+Enter" : "Tab");
-    // The focus follows when the next frame is drawn.
+    // The focus moves when the next frame is drawn.
     await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
   }
   checkEqual(await focused(page), name, "the focus");
@@ -21,9 +21,9 @@ async function goToGrip(page, name) {
 async function testGrips(t) {
   const { editor, page } = t;
   await t.fresh("v", [200, 300]);
-  await goToGrip(page, "Scale, south-east");
+  await goToGrip(page, "Scale, bottom right");
   const zoom = (await editor.at(1, 0))[0] - (await editor.at(0, 0))[0];
-  // Arrows that follow each other soon are one step.
+  // Arrow keys in quick succession are one step.
   const text = await atOnce(page, async () => {
     for (let k = 0; k < 5; k += 1) await page.keyboard.press("Shift+ArrowLeft");
     return changing(editor, "an arrow", () => page.keyboard.press("ArrowLeft"));
@@ -40,7 +40,7 @@ async function testGrips(t) {
   t.near(t.path(await changing(editor, "an arrow", () => page.keyboard.press("ArrowDown"))).slice(0, 2), [x0, y0 + 1 / zoom], "moved", 0.01);
 }
 
-/** Opens the drawing with another curve in the place of its first, and selects it with the node tool. */
+/** Opens the drawing with another first curve, and selects it with the node tool. */
 async function withCurve(t, curve, at) {
   await t.editor.load(one.replace(/<path id="c"[^>]*>/, curve));
   await t.page.locator(".canvas-stage").focus();
@@ -106,7 +106,7 @@ async function testEnds(t) {
   check(drawn.includes('d="M500.123456 100.654321 L'), `the pen does not weld: ${drawn}`);
 }
 
-/** A photo that turns from red to blue over 6 of its 48 rows to each side of the middle, 10 units each. */
+/** Makes a photo that turns from red to blue over 6 of its 48 rows on each side of the middle, 10 units each. */
 async function softPhoto(page) {
   return page.evaluate(() => {
     const canvas = document.createElement("canvas");
@@ -134,7 +134,7 @@ async function testSampledBlur(t) {
   const radii = /id="c"[^>]*sf:blur="([^"]*)"/.exec(made)?.[1].match(/[\d.]+(?!\d*%)/g)?.map(Number) ?? [];
   check(radii.some((radius) => Math.abs(radius - 60) < 14), `blur: ${made}`);
   checkEqual(await changing(editor, "undo", () => page.keyboard.press("Control+z")), before, "after one undo");
-  await page.getByRole("checkbox", { name: "Blur too" }).uncheck();
+  await page.getByRole("checkbox", { name: "Sample blur" }).uncheck();
   await page.locator(".canvas-stage").focus();
   const without = await t.drag("a drag without blur", [[110, 240], [490, 240]]);
   check(!/id="c"[^>]*sf:(left-|right-)?blur/.test(without), `blur without the option: ${without}`);
@@ -159,14 +159,14 @@ async function testLoupe(t) {
   await page.mouse.move(...(await editor.at(301, 350)));
   await loupe.filter({ hasText: /^#[0-9a-f]{6}$/ }).waitFor();
   check(!["#ff0000", "#0000ff"].includes(await loupe.textContent()), "over the picture the loupe shows the photo");
-  // Curves are traced along a photo that is put away, too.
+  // Curves are also traced along a hidden photo.
   await page.mouse.move(...(await editor.at(300, 300)));
   await says("Left #ff0000 · Right #0000ff", "over the curve, the photo put away");
   await page.keyboard.press("v");
   await loupe.waitFor({ state: "detached" });
 }
 
-/** What the loupe shows when the button is let go is what the stop gets, whatever lies on its layer. */
+/** The stop gets the colour that the loupe shows on release, whatever is on its layer. */
 async function testPickAsSeen(t) {
   const { editor, page } = t;
   const veil = '<g sf:diffuse="true" opacity="0.5"><path d="M-90 -90H900V900H-90Z" sf:left="#fff" sf:right="#fff"/></g>';
@@ -192,7 +192,7 @@ async function testPickAsSeen(t) {
   check((await editor.text).includes('id="c" d="M100 300L300 300L500 300" sf:left="#e33"'), "more than one step of undo");
 }
 
-/** The colour of the page's pixel at a point of the artboard, bytes. */
+/** Returns the colour of the page's pixel at a point of the artboard, bytes. */
 async function pixelAt(editor, x, y) {
   const side = 1 / (await editor.page.evaluate(() => devicePixelRatio));
   const [left, top] = (await editor.at(x, y)).map((place) => side * Math.round(place / side));
@@ -203,7 +203,7 @@ async function pixelAt(editor, x, y) {
 async function testPhoto(t) {
   const { editor, page } = t;
   const image = `<image id="shot" sf:reference="true" href="${await photo(page)}" width="640" height="480"/>`;
-  // A picture that is clear below its curve.
+  // A picture that is transparent below its curve.
   const clear = one
     .replace(/<path id="d"[^>]*>/, "")
     .replace('sf:right="#36c"', 'sf:right="#36c" sf:left-opacity="1" sf:right-opacity="0"');

@@ -1,4 +1,5 @@
-// A gradient's stops on its ribbon: by the pointer, by keys, by fields and the picker; each step is one of undo.
+// A gradient's stops on its ribbon: by the pointer, by keys, by fields and the picker; each action is one undo
+// step.
 import { check, checkEqual, EditorPage } from "./harness.mjs";
 import { changing, count } from "./draw.mjs";
 
@@ -75,7 +76,7 @@ async function testKeys(given) {
   const moved = await changing(editor, "an arrow", () => page.keyboard.press("Shift+ArrowLeft"));
   same(moved, '"50%"', '"40%"', "the text after an arrow");
   await page.waitForFunction(() => document.activeElement.getAttribute("aria-label")?.includes("at 40 %"));
-  // It goes over another, and the keys stay with it.
+  // The stop passes another one, and the keys still move it.
   for (let k = 0; k < 5; k += 1) await page.keyboard.press("Shift+ArrowLeft");
   await page.waitForFunction(() => /#00ff00.*at 0 %/.test(document.activeElement.getAttribute("aria-label") ?? ""));
   await page.locator(".canvas-stage").focus();
@@ -105,18 +106,18 @@ async function testFields(given) {
   };
   const choose = async () => {
     await stopOf(page, 1).click();
-    await page.locator(".inspector").getByRole("textbox", { name: "Place of left stop 2" }).waitFor();
+    await page.locator(".inspector").getByRole("textbox", { name: "Position of left stop 2" }).waitFor();
   };
   same(await oneStep(editor, "a colour", typed(/hex/, "123456")), "#00ff00", "#123456", "the text with a colour");
   await choose();
-  same(await oneStep(editor, "a place", typed(/^Place of left stop 2/, "37.5")), "50%", "37.5%", "the text with a place");
+  same(await oneStep(editor, "a place", typed(/^Position of left stop 2/, "37.5")), "50%", "37.5%", "the text with a place");
   await choose();
   const faint = await oneStep(editor, "alpha", typed(/^Alpha of left stop 2/, "40"));
   same(faint, 'style="stop-color:#00ff00"', 'style="stop-color:#00ff00" stop-opacity="0.4"', "the text with alpha");
   const before = await editor.picture();
   const spread = async () => {
-    await page.getByRole("button", { name: /^Beyond its ends/ }).click();
-    await page.getByRole("menuitemcheckbox", { name: "Mirrored" }).click();
+    await page.getByRole("button", { name: /^Beyond the ends/ }).click();
+    await page.getByRole("menuitemcheckbox", { name: "Reflected" }).click();
   };
   same(await oneStep(editor, "spread", spread), 'id="sky" gradientUnits="userSpaceOnUse" x1="0" y1="0" x2="640" y2="0"', 'id="sky" gradientUnits="userSpaceOnUse" x1="0" y1="0" x2="640" y2="0" spreadMethod="reflect"', "the text with spread");
   await choose();
@@ -139,8 +140,8 @@ async function testPicker(given) {
     await picker.waitFor({ state: "detached" });
   };
   same(await oneStep(editor, "a session of the picker", session), 'style="stop-color:#00ff00"', 'style="stop-color:#0af" stop-opacity="0"', "the text after the picker");
-  // Another kind takes the stops over.
-  await page.getByRole("button", { name: "What the left side has" }).click();
+  // Another kind keeps the stops.
+  await page.getByRole("button", { name: "Type of the left side" }).click();
   const radial = await changing(editor, "radial", () => page.getByRole("menuitem", { name: "Radial gradient" }).click());
   checkEqual(count(radial, /<stop /g), 6, "stops of both gradients");
   editor.checkQuiet();

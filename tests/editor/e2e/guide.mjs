@@ -1,4 +1,4 @@
-// Takes the pictures of docs/editor.md and README.md: docs/images/editor*.jpg, of examples/sunset.svg.
+// Takes the pictures of docs/editor.md: docs/images/editor*.jpg, of examples/sunset.svg.
 // netpbm packs them (`scripts/setup gallery` installs it).
 //
 //   node tests/editor/e2e/guide.mjs [BUILD_FOLDER [FOLDER [ONLY]]]      default: build docs/images, all
@@ -11,13 +11,13 @@ import { Artist } from "./artist.mjs";
 import { drop } from "./disk.mjs";
 import { check, EditorPage, launch, pathOf, serve } from "./harness.mjs";
 
-/** Bytes of a picture of a document. */
+/** Limit for the bytes of a picture in a document. */
 const MOST = 200_000;
-/** Bytes of a picture without packing, at most. */
+/** Limit for the bytes of an unpacked picture. */
 const MEMORY = 2 ** 26;
 const sunset = readFileSync(pathOf("examples/sunset.svg"), "utf8");
 
-/** The artboard's part of the window, for what needs no panels. */
+/** The artboard's part of the window, for screenshots without panels. */
 const stageOf = (page) => page.locator(".canvas-stage").boundingBox();
 
 const pictures = {
@@ -106,7 +106,7 @@ const browser = await launch(MESA);
 try {
   for (const [name, take] of Object.entries(pictures)) {
     if (only !== "" && name !== only) continue;
-    // The first page by daylight, the rest as most people draw.
+    // The first page in the light theme, the others in the dark one, as most people draw.
     const colorScheme = name === "editor-welcome" ? "light" : "dark";
     const editor = await EditorPage.open(browser, server.address, { ratio: 1, isDrawn: true, colorScheme, reducedMotion: "reduce" });
     await editor.settled();

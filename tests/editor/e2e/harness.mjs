@@ -1,4 +1,4 @@
-// What the editor's tests in a browser share: a server of static files, pages.
+// Helpers for the editor's tests in a browser: a server of static files, pages.
 import { createReadStream, existsSync, mkdirSync, statSync } from "node:fs";
 import { createServer } from "node:http";
 import { createRequire } from "node:module";
@@ -11,12 +11,12 @@ import { drawNothing, installHooks } from "./hooks.mjs";
 
 export { PATIENCE, Skip, Tap, check, checkEqual } from "../../tap.mjs";
 
-const root = new URL("../../../", import.meta.url);
+const root = new URL("../../..", import.meta.url);
 
-/** A path of the project, absolute. */
+/** Returns the absolute path of a file of the project. */
 export const pathOf = (relative) => fileURLToPath(new URL(relative, root));
 
-/** Packages of the editor. */
+/** Finds packages of the editor. */
 export const packageOf = createRequire(pathOf("web/editor/package.json"));
 export const { chromium } = packageOf("playwright-core");
 
@@ -32,7 +32,7 @@ const types = {
   ".webmanifest": "application/manifest+json",
 };
 
-/** Serves a folder on this machine alone: {address, close}. */
+/** Serves a folder on this machine only: {address, close}. */
 export async function serve(folder) {
   const server = createServer((request, response) => {
     const name = normalize(decodeURIComponent(new URL(request.url, "http://x").pathname));
@@ -46,31 +46,32 @@ export async function serve(folder) {
   return { address: `http://127.0.0.1:${server.address().port}/`, close: () => server.close() };
 }
 
-/** Between two looks at what may have changed, milliseconds. */
+/** Interval between polls, milliseconds. */
 const PAUSE = 25;
 
-/** The page is put together without graphics, which leaves these to the picture. */
+/** The page is composited without graphics, which are then free for the picture. */
 export const launch = (flags = [...MESA, "--disable-gpu-compositing"]) => launchWith(chromium, flags);
 
-/** Device pixels to a CSS pixel, where nobody looks at them. Places on the page are the same. */
+/** Device pixels per CSS pixel, for tests that do not look at pixels. Places on the page do not change. */
 const RATIO = 0.25;
 
 /**
- * A fresh profile. size: of the window, CSS pixels; ratio: device pixels to a CSS pixel; isDrawn: whether
- * there is a picture to look at, and motion; and what Playwright has for contexts.
+ * Opens a fresh profile. size: of the window, CSS pixels; ratio: device pixels per CSS pixel; isDrawn: whether the
+ * test looks at the picture, or needs motion; other options are Playwright's for contexts.
  */
 export async function newContext(browser, options = {}) {
   const { size = [1440, 900], ratio = RATIO, isDrawn = false, ...more } = options;
   const [width, height] = size;
   const window = { viewport: { width, height }, deviceScaleFactor: ratio };
   const reducedMotion = isDrawn ? "no-preference" : "reduce";
-  const context = await browser.newContext({ ...window, reducedMotion, ...more });
+  // The service worker would download all files of the page in each context.
+  const context = await browser.newContext({ ...window, reducedMotion, serviceWorkers: "block", ...more });
   context.setDefaultTimeout(PATIENCE);
   if (!isDrawn) await context.addInitScript(drawNothing);
   return context;
 }
 
-/** Waits until something is so that the page alone cannot know. */
+/** Waits for a condition outside the page. */
 export async function until(what, test) {
   const end = performance.now() + PATIENCE;
   while (!(await test())) {
@@ -79,11 +80,11 @@ export async function until(what, test) {
   }
 }
 
-/** The editor in a page of a fresh profile, and what it says on its console. */
+/** The editor in a page of a fresh profile, with the messages on its console. */
 export class EditorPage {
-  /** Messages of errors that the page did not expect. */
+  /** Unexpected error messages of the page. */
   errors = [];
-  /** Addresses beyond the server's that were asked for. */
+  /** Requested addresses outside the server. */
   requests = [];
 
   static async open(browser, address, options) {
@@ -118,7 +119,7 @@ export class EditorPage {
     await this.page.waitForFunction(() => window.sfumatoEditor !== undefined);
   }
 
-  /** Opens a text as a file would be. */
+  /** Opens a text like a file. */
   async load(text, name = "drawing.svg") {
     await this.page.evaluate(([t, n]) => window.sfumatoEditor.open(t, n), [text, name]);
     await this.settled();
@@ -128,22 +129,22 @@ export class EditorPage {
     return this.page.evaluate(() => window.sfumatoEditor.text);
   }
 
-  /** When the exact picture of the text is drawn. */
+  /** Resolves when the exact picture of the text is drawn. */
   settled() {
     return this.page.evaluate(() => window.sfumatoEditor.settled());
   }
 
-  /** A point of the artboard on the page, CSS pixels. */
+  /** Returns a point of the artboard on the page, CSS pixels. */
   at(x, y) {
     return this.page.evaluate(([a, b]) => window.sfumatoEditor.place(a, b), [x, y]);
   }
 
-  /** The same of many points. */
+  /** The same for many points. */
   all(points) {
     return this.page.evaluate((all) => all.map(([x, y]) => window.sfumatoEditor.place(x, y)), points);
   }
 
-  /** The picture on the stage as a PNG, without what is drawn above it. */
+  /** Returns the picture on the stage as a PNG, without the marks above it. */
   async picture() {
     await this.settled();
     await this.page.evaluate(() => {
@@ -156,9 +157,9 @@ export class EditorPage {
     return png;
   }
 
-  /** An element as it looks, a PNG. */
+  /** Returns a PNG of an element. */
   pictureOf(selector) {
-    // The page's policy lets nobody add a <style>, as hiding the caret would.
+    // The page's policy forbids a new <style>, which hiding the caret would need.
     return this.page.locator(selector).screenshot({ caret: "initial" });
   }
 
@@ -166,7 +167,7 @@ export class EditorPage {
     for (const name of names) await this.page.keyboard.press(name);
   }
 
-  /** A stroke through points of the artboard. */
+  /** Drags through points of the artboard. */
   async drag(points, { steps = 4, keys = [] } = {}) {
     const places = await this.all(points);
     for (const key of keys) await this.page.keyboard.down(key);
@@ -182,13 +183,13 @@ export class EditorPage {
     await this.page.mouse.click(...place, options);
   }
 
-  /** Fails where the page has complained or asked for anything from elsewhere. */
+  /** Fails if the page has complained or requested an outside address. */
   checkQuiet() {
     checkEqual(this.errors, [], "errors on the console");
     checkEqual(this.requests, [], "requests to elsewhere");
   }
 
-  /** A picture to be looked at: each CSS pixel is one. */
+  /** Takes a picture for people: each CSS pixel is one pixel. */
   async shot(name) {
     const folder = pathOf("build/editor-shots");
     mkdirSync(folder, { recursive: true });
@@ -198,9 +199,9 @@ export class EditorPage {
     if (ratio !== 1) await this.#showAt(ratio);
   }
 
-  /** From now on a CSS pixel has so many of the screen. */
+  /** Changes the number of screen pixels per CSS pixel. */
   async #showAt(deviceScaleFactor) {
-    // It stays: with its end the window would have another size.
+    // The session stays open, because its end would resize the window.
     this.screen ??= await this.context.newCDPSession(this.page);
     const size = this.page.viewportSize();
     const wanted = { ...size, deviceScaleFactor, mobile: false };

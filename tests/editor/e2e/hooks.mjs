@@ -1,12 +1,12 @@
-// What the tests put into each page before its scripts, so that no machine is too slow or too
-// quick: a clock that they lead, messages that stay, and a count of what workers are asked.
+// Code that runs in each page before its scripts, so that the speed of the machine does not matter: a clock under
+// the tests' control, messages that stay, and a count of requests to workers.
 
-/** In the page. */
+/** Runs in the page. */
 export function installHooks() {
   if (window.tests) return;
   const now = performance.now.bind(performance);
   const { get: stampOf } = Object.getOwnPropertyDescriptor(Event.prototype, "timeStamp");
-  /** lead: before the machine's clock; held: where the clock stands, or null. Milliseconds. */
+  /** lead: offset to the machine's clock; held: the time of the stopped clock, or null. Milliseconds. */
   const clock = { lead: 0, held: null };
   performance.now = () => clock.held ?? now() + clock.lead;
   const timeStamp = {
@@ -17,7 +17,7 @@ export function installHooks() {
   };
   Object.defineProperty(Event.prototype, "timeStamp", timeStamp);
 
-  // A slow machine may need the time that a message stands, 5 s, to press its button.
+  // A slow machine may need the 5 s of a message's display to press its button.
   const { setTimeout } = window;
   const standing = [];
   window.setTimeout = (act, delay, ...more) => {
@@ -27,7 +27,7 @@ export function installHooks() {
   };
   const letMessagesGo = () => standing.splice(0).forEach((act) => act());
 
-  /** names: of all calls; waiting: those without an answer, by worker. */
+  /** names: of all calls; waiting: unanswered calls, by worker. */
   const calls = { names: [], waiting: new Map() };
   const count = (worker, by) => calls.waiting.set(worker, calls.waiting.get(worker) + by);
   const hear = (worker) => {
@@ -40,7 +40,7 @@ export function installHooks() {
   };
   const { postMessage, terminate } = Worker.prototype;
   Worker.prototype.postMessage = function (message, ...more) {
-    // Others than the engine's take messages of their own.
+    // Workers other than the engine's have their own messages.
     if (typeof message?.name === "string" && "given" in message) {
       hear(this);
       count(this, 1);
@@ -58,8 +58,8 @@ export function installHooks() {
 }
 
 /**
- * In the page, where nobody looks at the picture: it is made and sent to the graphics as ever, which
- * draw nothing of it, and once. Software takes most of a test's time for it.
+ * Runs in the page, for tests that do not look at the picture. The picture is made and sent to the graphics as
+ * usual, which draw nothing and receive it once. Software rendering takes most of a test's time otherwise.
  */
 export function drawNothing() {
   const { prototype } = WebGL2RenderingContext;
@@ -67,17 +67,17 @@ export function drawNothing() {
   for (const name of ["drawArrays", "drawArraysInstanced", "blitFramebuffer", "clear"]) {
     prototype[name] = () => {};
   }
-  // Without these the stage adds up no pictures to a finer one.
+  // Without these extensions the stage does not average pictures to a finer one.
   prototype.getExtension = function (name) {
     return /^EXT_color_buffer/.test(name) ? null : getExtension.call(this, name);
   };
 }
 
-/** The clock goes on by so many milliseconds at once. */
+/** Advances the clock by so many milliseconds at once. */
 export const pass = (page, milliseconds) =>
   page.evaluate((time) => void (window.tests.clock.lead += time), milliseconds);
 
-/** What is done meanwhile is done at one moment. */
+/** Stops the clock while `act` runs. */
 export async function atOnce(page, act) {
   await page.evaluate(() => void (window.tests.clock.held = performance.now()));
   try {
@@ -87,28 +87,28 @@ export async function atOnce(page, act) {
   }
 }
 
-/** Messages have stood for their time. */
+/** Ends the display of messages. */
 export const messagesGo = (page) => page.evaluate(() => window.tests.letMessagesGo());
 
-/** When timers of the page that are due within so many milliseconds have run. */
+/** Resolves when the page's timers of the next so many milliseconds have run. */
 export const timersHaveRun = (page, milliseconds) =>
   page.evaluate((time) => new Promise((resolve) => setTimeout(resolve, time)), milliseconds);
 
-/** When no worker has anything to do for the page. */
+/** Resolves when no worker has work for the page. */
 export const workersRest = (page) => page.waitForFunction(() => window.tests.isIdle());
 
-/** How often workers were asked this. */
+/** Returns how often the page sent this request to its workers. */
 export const callsOf = (page, name) =>
   page.evaluate((wanted) => window.tests.callsOf(wanted), name);
 
-/** When workers have been asked this more often than `count`, and have answered. */
+/** Resolves when workers have answered more than `count` such requests. */
 export const askedAgain = (page, name, count) =>
   page.waitForFunction(
     ([wanted, before]) => window.tests.callsOf(wanted) > before && window.tests.isIdle(),
     [name, count],
   );
 
-/** When the page has had so many idle moments, in which it makes its small pictures. */
+/** Resolves after `count` idle moments of the page, which are used for its small pictures. */
 export const idleMoments = (page, count = 20) =>
   page.evaluate(async (most) => {
     const moment = () => new Promise((resolve) => requestIdleCallback(resolve, { timeout: 2000 }));

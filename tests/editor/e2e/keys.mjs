@@ -1,10 +1,10 @@
-// Every key of the table does its command; none is heard while somebody types; keys can be changed.
+// Every key of the table runs its command; none is active while the user types; keys can be changed.
 import { readFileSync } from "node:fs";
 import { check, checkEqual, pathOf, until } from "./harness.mjs";
 import { changing, openWithoutPickers } from "./draw.mjs";
 import { said } from "./words.mjs";
 
-/** The table of keys.ts, read from its text: [group, command, keys]. */
+/** Returns the table of keys.ts, read from its text: [group, command, keys]. */
 function bindings() {
   const source = readFileSync(pathOf("web/editor/src/app/keys.ts"), "utf8");
   const rows = [...source.matchAll(/^ {2}binding\((.*)\),$/gm)];
@@ -28,7 +28,7 @@ const text = `${head}
 /** A point of each curve. */
 const places = { low: [100, 300], high: [300, 100], mid: [520, 320], own: [200, 400] };
 
-/** Names as keyboard.press wants them. */
+/** Returns the name for keyboard.press. */
 const pressName = (key) => key.replace("Ctrl", "Control").replace(/\+\+$/, "+Shift+Equal").replace(/\+([A-Z])$/, (_, letter) => `+${letter.toLowerCase()}`);
 const single = (key) => (/^[A-Z]$/.test(key) ? key.toLowerCase() : pressName(key));
 
@@ -38,7 +38,7 @@ class Keys {
     this.page = editor.page;
   }
 
-  /** A fresh drawing with things selected by name, and the focus on the stage. */
+  /** Opens a fresh drawing, selects objects by name, and puts the focus on the stage. */
   async fresh(...names) {
     await this.editor.load(text);
     await this.page.locator(".canvas-stage").focus();
@@ -80,7 +80,7 @@ class Keys {
     await until(`${key} zooms`, async () => test(await this.zoom(), before));
   }
 
-  /** Something that is pressed or shown, before and after. */
+  /** Expects that an element is pressed or shown, before and after. */
   async toggles(key, state) {
     const before = await state();
     await this.press(key);
@@ -125,15 +125,15 @@ class Keys {
 
 const order = (now) => [...now.matchAll(/id="(\w+)"/g)].map(([, id]) => id).join(" ");
 
-/** With a photo tests/editor/e2e/photo.mjs has them. */
+/** Keys for photos; tests/editor/e2e/photo.mjs tests them with a photo. */
 async function wantsPhoto(keys, key) {
   await keys.fresh("low");
   await keys.press(key);
-  await said(keys.page, /There is no photo to look at/);
+  await said(keys.page, /There is no photo to compare with/);
   await keys.page.locator(".toast button").click();
 }
 
-/** What shows that a command was done, by its name. */
+/** The evidence that a command was done, by its name. */
 const shows = {
   "zoom-in": (keys, key) => keys.zooms(key, (now, before) => now > before * 1.2),
   "zoom-out": (keys, key) => keys.zooms(key, (now, before) => now < before / 1.2),
@@ -166,7 +166,7 @@ const shows = {
   },
   reference: (keys, key) => keys.tool("b", "pencil").then(() =>
     keys.toggles(key, () => keys.page.getByRole("button", { name: /^Reference photo/ }).getAttribute("aria-pressed"))),
-  keys: (keys, key) => keys.dialog(key, "Keys"),
+  keys: (keys, key) => keys.dialog(key, "Keyboard shortcuts"),
   hints: (keys, key) => keys.toggles(key, () => keys.isShown(".hints")),
   undo: async (keys, key) => {
     await keys.fresh("low");
@@ -259,7 +259,7 @@ const shows = {
 };
 
 async function openKeys({ browser, address }, options) {
-  // Views go where they are sent at once.
+  // Views arrive at once.
   const asked = { permissions: ["clipboard-read", "clipboard-write"], reducedMotion: "reduce" };
   const editor = await openWithoutPickers(browser, address, { ...asked, ...options });
   const keys = new Keys(editor);
@@ -272,7 +272,7 @@ async function testGroup(given, group) {
   const failed = [];
   for (const { command, keys: all } of bindings().filter((one) => one.group === group)) {
     for (const key of all) {
-      // The browser opens a window on it before a page hears of it.
+      // The browser opens a new window before the page receives the key.
       if (key === "Ctrl+N") continue;
       await keys.page.locator(".canvas-stage").focus();
       const show = command.startsWith("tool-") ? (k, name) => k.tool(name, command.slice(5)) : shows[command];
@@ -289,7 +289,7 @@ async function testGroup(given, group) {
   await keys.editor.close();
 }
 
-/** Typed into a field they are letters; only files' keys are heard. */
+/** In a field keys type letters; only the keys for files still work. */
 async function testTyping(given) {
   const keys = await openKeys(given);
   const { page, editor } = keys;
@@ -314,14 +314,14 @@ async function testChanging(given) {
   const keys = await openKeys(given);
   const { page } = keys;
   await keys.press("?");
-  const dialog = page.getByRole("dialog", { name: "Keys" });
-  await dialog.getByRole("button", { name: "Change keys" }).click();
-  await dialog.getByRole("button", { name: /^Change the key of “Pen”/ }).click();
+  const dialog = page.getByRole("dialog", { name: "Keyboard shortcuts" });
+  await dialog.getByRole("button", { name: "Change shortcuts" }).click();
+  await dialog.getByRole("button", { name: /^Change the shortcut of “Pen”/ }).click();
   await page.keyboard.press("b");
-  await dialog.getByRole("status").filter({ hasText: "That key is “Pencil”" }).waitFor();
-  await dialog.getByRole("button", { name: /^Change the key of “Pen”/ }).click();
+  await dialog.getByRole("status").filter({ hasText: "“Pencil” already has this shortcut" }).waitFor();
+  await dialog.getByRole("button", { name: /^Change the shortcut of “Pen”/ }).click();
   await page.keyboard.press("w");
-  await dialog.getByRole("status").filter({ hasText: "“Pen” is W now." }).waitFor();
+  await dialog.getByRole("status").filter({ hasText: "“Pen” is now W." }).waitFor();
   await page.keyboard.press("Escape");
   await dialog.waitFor({ state: "detached" });
   await page.locator(".canvas-stage").focus();
@@ -335,8 +335,8 @@ async function testChanging(given) {
   await keys.fresh();
   await keys.tool("w", "pen");
   await keys.press("?");
-  await dialog.getByRole("button", { name: "Change keys" }).click();
-  await dialog.getByRole("button", { name: "All as at first" }).click();
+  await dialog.getByRole("button", { name: "Change shortcuts" }).click();
+  await dialog.getByRole("button", { name: "Reset all" }).click();
   await page.keyboard.press("Escape");
   await page.locator(".canvas-stage").focus();
   await keys.tool("v", "select");

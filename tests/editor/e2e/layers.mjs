@@ -1,4 +1,4 @@
-// The tree of layers: thumbs, and what is changed only once, names for a screen reader, rows under the mouse.
+// The tree of layers: thumbnails and when they change, names for a screen reader, rows under the mouse.
 import { check, checkEqual, EditorPage } from "./harness.mjs";
 import { changing } from "./draw.mjs";
 import { askedAgain, callsOf, idleMoments, pass } from "./hooks.mjs";
@@ -17,7 +17,7 @@ const drawing = `<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1
 const row = (page, name) => page.locator("[role=treeitem]", { has: page.locator(`.name:text-is("${name}")`) });
 const thumb = (page, name) => row(page, name).locator("img.thumb");
 
-/** Red, green, blue, alpha of a place of a thumb, shares of its sides. */
+/** Returns red, green, blue, alpha at a place of a thumbnail, given as shares of its sides. */
 const pixelOf = (image, x, y) =>
   image.evaluate(
     async (img, [u, v]) => {
@@ -45,10 +45,10 @@ async function testThumbs({ browser, address }) {
   check((await pixelOf(thumb(page, "copies"), 0.5, 0.4))[3] > 200, "the thumb of copies is empty");
   const addresses = () => page.locator(".tree-row img.thumb").evaluateAll((all) => all.map(({ src }) => src));
   const before = await addresses();
-  // While the hand moves nothing is drawn in the tree.
+  // While the pointer moves, nothing is drawn in the tree.
   await editor.click(320, 300);
   const place = await editor.at(320, 300);
-  // Sooner, it would be a double click.
+  // Without the pause this would be a double click.
   await pass(page, 700);
   await page.mouse.move(...place);
   await page.mouse.down();
@@ -61,7 +61,7 @@ async function testThumbs({ browser, address }) {
   const after = await addresses();
   const names = await page.locator(".tree-row:has(img.thumb) .name").allTextContents();
   checkEqual(names.filter((_, k) => after[k] !== before[k]), ["back"], "thumbs that are new");
-  // Hidden, it stays as it was.
+  // A hidden layer keeps its thumbnail.
   await changing(editor, "an eye", () => row(page, "back").getByRole("button", { name: /^Hide/ }).click());
   await rests(editor);
   check(await thumb(page, "back").isVisible(), "the thumb of what is hidden is gone");
@@ -70,14 +70,14 @@ async function testThumbs({ browser, address }) {
   await editor.close();
 }
 
-/** When the exact picture stands, and thumbs that are to be made of it are made. */
+/** Resolves when the exact picture and the thumbnails made from it are ready. */
 async function rests(editor) {
   await editor.page.waitForFunction(() => window.sfumatoEditor.status.kind === "exact");
   await editor.settled();
   await idleMoments(editor.page);
 }
 
-/** Nearer, where a part of the picture is made, thumbs still show all of theirs. */
+/** Zoomed in, where only a part of the picture is made, thumbnails still show their whole layers. */
 async function checkThumbsNearBy(editor, addresses) {
   const { page } = editor;
   const before = await addresses();
@@ -90,7 +90,7 @@ async function checkThumbsNearBy(editor, addresses) {
   checkEqual(await addresses(), before, "thumbs near by");
 }
 
-/** Rows say their name, kind and state, once; their buttons say their own. */
+/** Rows state their name, kind and state, once; their buttons state their own. */
 async function testNames({ browser, address }) {
   const editor = await EditorPage.open(browser, address);
   const { page } = editor;
@@ -111,14 +111,14 @@ async function testNames({ browser, address }) {
 
 const order = (text) => [...text.matchAll(/<g id="(\w+)"/g)].map(([, id]) => id).join(" ");
 
-/** Drags a row to a share of another one's height. `leave`: what is done before the button is let go. */
+/** Drags a row to a share of another one's height. `leave` runs before the button is released. */
 async function dragRow(page, from, to, share, leave = () => {}) {
   const [a, b] = [await row(page, from).boundingBox(), await row(page, to).boundingBox()];
   await page.mouse.move(a.x + 60, a.y + a.height / 2);
   await page.mouse.down();
   await page.mouse.move(b.x + 60, b.y + share * b.height, { steps: 8 });
   await page.locator(".drag-ghost").waitFor();
-  // The panel above has another height for what is selected now.
+  // The panel above has another height for the present selection.
   checkEqual((await row(page, to).boundingBox()).y, b.y, "where the row is that is dragged to");
   await leave();
   await page.mouse.up();
@@ -145,7 +145,7 @@ async function testDragged({ browser, address }) {
   );
   check(/<g id="set">.*<g id="copies".*<\/g>\s*<\/g>/s.test(within), `not in the group: ${within}`);
   await undo(editor, drawing);
-  // A curve stays in layers: on a group, and beside layers, it may not be dropped.
+  // A curve stays in layers: it may not be dropped on a group or beside layers.
   await row(page, "back").click();
   await editor.key("ArrowRight");
   await row(page, "low").waitFor();
@@ -164,7 +164,7 @@ async function testDragged({ browser, address }) {
   await editor.close();
 }
 
-/** A curve that is chosen on the picture is in sight in the tree, also where its layer was folded. */
+/** A curve that is selected in the picture is scrolled into view in the tree, even if its layer was folded. */
 async function testRevealed({ browser, address }) {
   const editor = await EditorPage.open(browser, address);
   const { page } = editor;
@@ -178,7 +178,7 @@ async function testRevealed({ browser, address }) {
     const isInSight = line.y >= tree.y && line.y + line.height <= tree.y + tree.height + 1;
     check(isInSight, `${name} at ${line.y}, the tree from ${tree.y} to ${tree.y + tree.height}`);
   }
-  // What is unfolded by hand moves nothing.
+  // Unfolding by hand does not scroll.
   const top = await page.locator(".tree").evaluate((tree) => tree.scrollTop);
   await row(page, "l3").locator(".twist").click();
   await row(page, "c3").waitFor();

@@ -35,7 +35,7 @@ async function open(given) {
 
 const drag = (editor, from, to, ...keys) => editor.drag([from, to], { steps: 6, keys });
 
-/** The numbers of an attribute of the element with an id. */
+/** Returns the numbers of an attribute of the element with an id. */
 function numberOf(text, id, name) {
   const tag = new RegExp(`<[^>]*id="${id}"[^>]*>`).exec(text)?.[0] ?? "";
   return Number(new RegExp(` ${name}="([^"]*)"`).exec(tag)?.[1]);
@@ -72,11 +72,11 @@ async function testKeys(given) {
   const moved = await changing(editor, "an arrow", () => page.keyboard.press("Shift+ArrowDown"));
   check(numberOf(moved, "sky", "y2") > 105, `not moved: ${moved}`);
   await page.waitForFunction(() => document.querySelector(".mark.on")?.getAttribute("aria-label") === "End of the gradient, left side");
-  // A grip is no part that could be taken away; least of all is it the curve.
+  // A grip cannot be deleted, and Delete must not delete the curve either.
   await page.keyboard.press("Delete");
   checkEqual(await editor.text, moved, "the text after Delete");
   await page.keyboard.press("Tab");
-  await page.waitForFunction(() => document.querySelector(".mark.on")?.getAttribute("aria-label") === "Middle of the gradient, right side");
+  await page.waitForFunction(() => document.querySelector(".mark.on")?.getAttribute("aria-label") === "Centre of the gradient, right side");
   editor.checkQuiet();
   await editor.close();
 }
@@ -84,7 +84,7 @@ async function testKeys(given) {
 async function testOpacity(given) {
   const editor = await open(given);
   const { page } = editor;
-  const kinds = page.getByRole("button", { name: "What opacity each side has" });
+  const kinds = page.getByRole("button", { name: "Opacity type of each side" });
   const choose = async (side, kind) => {
     await kinds.click();
     await page.getByRole("menuitem", { name: `${side} side` }).click();
@@ -102,14 +102,14 @@ async function testOpacity(given) {
   check(faint.includes('stop-opacity="0.4"'), `no alpha: ${faint}`);
   const barrier = await changing(editor, "a barrier", () => choose("Right", "Barrier: opacity stops here"));
   check(barrier.includes('sf:right-opacity="none"'), `no barrier: ${barrier}`);
-  const number = await changing(editor, "a number again", () => page.locator(".inspector").getByRole("button", { name: "Give it a number" }).click());
+  const number = await changing(editor, "a number again", () => page.locator(".inspector").getByRole("button", { name: "Set value of the opacity" }).click());
   check(number.includes('sf:right-opacity="1"'), `no number: ${number}`);
   await editor.settled();
   editor.checkQuiet();
   await editor.close();
 }
 
-/** A picture file becomes a side's opacity: one step, and nothing where no picture was chosen. */
+/** A picture file becomes a side's opacity: one step, or nothing if no picture was chosen. */
 async function testTextureAsOpacity(given) {
   const context = await newContext(given.browser, { isDrawn: true });
   await giveDisk(context);
@@ -119,7 +119,7 @@ async function testTextureAsOpacity(given) {
   await editor.load(drawing);
   await editor.click(320, 195);
   const choose = async () => {
-    await page.getByRole("button", { name: "What opacity each side has" }).click();
+    await page.getByRole("button", { name: "Opacity type of each side" }).click();
     await page.getByRole("menuitem", { name: "Right side" }).click();
     await page.getByRole("menuitem", { name: "Texture…" }).click();
   };

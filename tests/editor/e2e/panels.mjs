@@ -1,4 +1,4 @@
-// The panels: each field and button does one step that undo takes back; picker, tree, dialogs, hints, tour.
+// The panels: each field and button does one undo step; picker, tree, dialogs, hints, tour.
 import { check, checkEqual, EditorPage } from "./harness.mjs";
 import { changing, count, openWithoutPickers, startBlank } from "./draw.mjs";
 import { askedAgain, callsOf } from "./hooks.mjs";
@@ -29,7 +29,7 @@ async function select(editor, name, layer) {
   await row(page, name).click();
 }
 
-/** How each state of the panel comes to be. */
+/** How to reach each state of the panel. */
 const states = {
   document: (editor) => editor.load(drawing),
   curve: (editor) => select(editor, "low", "back"),
@@ -49,13 +49,13 @@ const states = {
   reference: (editor) => select(editor, "photo"),
 };
 
-/** Fields that say of one thing where it is: another number there would be the same place. */
+/** Returns another value; some fields show a place, and another number must be another place. */
 const step = (value) => (value.startsWith("100") ? "90" : String(Number(value || 1) + 1));
 
-/** A single stop is everywhere, whatever place is written; how a photo is sampled is no part of the drawing. */
-const isQuiet = (name, value) => (/^Place of|place of point/.test(name) && value === "0") || /^(Distance|Tolerance)$/.test(name);
+/** Fields without effect on the drawing: a single stop has no place, and photo sampling is not saved. */
+const isQuiet = (name, value) => (/^Position of|position of point/.test(name) && value === "0") || /^(Distance|Tolerance)$/.test(name);
 
-/** Every field of the inspector takes a value by typing, and undo gives the text back. */
+/** Every field of the inspector accepts typed values, and undo restores the text. */
 async function fields(editor, state) {
   const { page } = editor;
   const inputs = page.locator(".inspector input:not([type=range]):not([type=checkbox]):not([disabled])");
@@ -84,7 +84,7 @@ async function fields(editor, state) {
   return failed;
 }
 
-/** The eyedropper of the panel takes the colour that a click on the picture hits; Escape leaves it. */
+/** The eyedropper of the panel takes the clicked colour of the picture; Escape ends it. */
 async function testPicked({ browser, address }) {
   const editor = await EditorPage.open(browser, address);
   const { page } = editor;
@@ -144,7 +144,7 @@ async function testPicker({ browser, address }) {
   await page.getByRole("button", { name: /^Colour of left stop 1/ }).click();
   const picker = page.locator(".picker");
   const start = await editor.text;
-  // Alpha is the side's opacity: another attribute, the same step.
+  // Alpha is the side's opacity: another attribute in the same step.
   const alpha = picker.getByRole("slider", { name: /^Alpha/ });
   await changing(editor, "alpha", () => alpha.press("ArrowLeft"));
   const plane = await picker.locator(".plane").boundingBox();
@@ -164,7 +164,7 @@ async function testPicker({ browser, address }) {
     await changing(editor, `a number of ${model}`, () => first.press("Enter"));
   }
   await changing(editor, "a swatch", () => picker.locator(".swatches .swatch").last().click());
-  await changing(editor, "back to the old colour", () => picker.getByRole("button", { name: /^Back to/ }).click());
+  await changing(editor, "back to the old colour", () => picker.getByRole("button", { name: /^Revert to/ }).click());
   await changing(editor, "the hex", async () => {
     await picker.getByLabel("Hex").fill("#0af");
     await picker.getByLabel("Hex").press("Enter");
@@ -250,7 +250,7 @@ async function testHints({ browser, address }) {
   const mend = page.locator(".hints .hint button.button, .hints li .button").first();
   await mend.waitFor();
   await undone(editor, "a hint's button", () => mend.click());
-  // What is not mended by itself is shown: of a crossing both curves.
+  // A hint without an automatic fix shows its place: for a crossing, both curves.
   await editor.load(crossing);
   const show = page.locator(".hints").getByRole("button", { name: /^Show: / });
   await show.first().click();
@@ -282,7 +282,7 @@ const wholes = `<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1"
 </svg>
 `;
 
-/** Hints about layers, groups, strokes and instances: each has its button, one step, and is gone then. */
+/** Hints about layers, groups, strokes and instances: each has a button, is one step, and disappears. */
 async function testHintsOfWholes({ browser, address }) {
   const editor = await EditorPage.open(browser, address);
   const { page } = editor;
@@ -301,15 +301,15 @@ async function testHintsOfWholes({ browser, address }) {
     return now;
   };
   const has = (pattern, is = true) => (text) => check(pattern.test(text) === is, `${pattern}: ${text}`);
-  await mend("cover everything below", "End it at its outline", has(/id="ring"[^>]*sf:left-opacity="0" sf:right-opacity="1"/));
-  await mend("“ghost”", "Delete it", has(/id="ghost"/, false));
-  await mend("“brush”", "Delete it", has(/id="brush"/, false));
-  await mend("outside the artboard: nothing", "Move it into the picture", has(/id="away" href="#spot" x="900" transform="translate\(-\d+ 0\)"/));
+  await mend("cover everything below", "Limit layer to its outline", has(/id="ring"[^>]*sf:left-opacity="0" sf:right-opacity="1"/));
+  await mend("“ghost”", "Delete invisible object", has(/id="ghost"/, false));
+  await mend("“brush”", "Delete invisible object", has(/id="brush"/, false));
+  await mend("outside the artboard, so nothing", "Move into picture", has(/id="away" href="#spot" x="900" transform="translate\(-\d+ 0\)"/));
   editor.checkQuiet();
   await editor.close();
 }
 
-/** A change is said to be kept when it is, and a drawing that is not begun has no hints. */
+/** A change is reported as kept only when it is, and an untouched drawing has no hints. */
 async function testKept({ browser, address }) {
   const editor = await EditorPage.open(browser, address);
   const { page } = editor;
@@ -350,7 +350,7 @@ async function testTour({ browser, address }) {
     await page.locator(".picker").getByLabel("Hex").press("Enter");
     await page.locator(".picker").press("Escape");
   }
-  await title("Soften it with blur");
+  await title("Soften with blur");
   await page.getByRole("radio", { name: "Blur", checked: true }).first().waitFor();
   await editor.drag([[300, 212], [300, 270]]);
   await title("Add a layer");

@@ -1,4 +1,4 @@
-// Drawings that go by a photo: its colours, its blur, its edges, and where they are unlike it.
+// Drawings that follow a photo: its colours, its blur, its edges, and the places where they differ.
 import { check, checkEqual, EditorPage } from "./harness.mjs";
 import { workersRest } from "./hooks.mjs";
 import { small } from "./texts.mjs";
@@ -9,7 +9,7 @@ const HEIGHT = 120;
 const RED = [216, 48, 32];
 const BLUE = [32, 64, 156];
 
-/** A red disc on blue as an address; its edge as soft as so many pixels. */
+/** Returns a red disc on blue as an address, with an edge as soft as so many pixels. */
 function disc(page, blur) {
   return page.evaluate(async ([w, h, red, blue, soft]) => {
     const canvas = new OffscreenCanvas(w, h);
@@ -26,7 +26,7 @@ function disc(page, blur) {
   }, [WIDTH, HEIGHT, RED, BLUE, blur]);
 }
 
-/** A circle about the disc, as far to the side as is said, in two colours. */
+/** Returns a circle around the disc, shifted sideways, in two colours. */
 const text = (href, { shift = 0, out = "#888", within = "#888", more = "" } = {}) => `<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1" viewBox="0 0 ${WIDTH} ${HEIGHT}" sf:version="1">
   <g sf:diffuse="true">
     <path id="disc" transform="translate(${shift} 0)" d="M115 60C115 82 97 100 75 100S35 82 35 60S53 20 75 20S115 38 115 60Z" sf:left="${out}" sf:right="${within}"${more}/>
@@ -44,7 +44,7 @@ async function choose({ page }, label, kind = "menuitem") {
   await page.getByRole(kind, { name: label }).click();
 }
 
-/** Bytes of a side's only colour. */
+/** Returns the bytes of a side's only colour. */
 function colorIn(svg, id, side) {
   const [, digits] = new RegExp(`id="${id}"[^>]*sf:${side}="#([0-9a-f]+)"`).exec(svg);
   const long = digits.length === 3 ? [...digits].map((one) => one + one).join("") : digits;
@@ -61,12 +61,12 @@ async function testColors(editor) {
   await editor.load(before);
   await choose(editor, "Colours from photo");
   const after = await textAfter(page, before);
-  await said(page, /have the photo’s colours|has the photo’s colours/);
+  await said(page, /Colours of \d+ curves? fitted to the photo/);
   checkNear(colorIn(after, "disc", "left"), BLUE, "outside");
   checkNear(colorIn(after, "disc", "right"), RED, "within");
   await editor.key("Control+z");
   await shows(page, before);
-  // A curve that is chosen is changed alone.
+  // Only a selected curve is changed.
   await editor.click(115, 60);
   await editor.key("Shift+I");
   const chosen = await textAfter(page, before);
@@ -80,7 +80,7 @@ async function testBlur(editor) {
   await editor.load(before);
   await choose(editor, "Fit blur to photo");
   const after = await textAfter(page, before);
-  await said(page, /blur of 1 curve/);
+  await said(page, /Blur of 1 curve fitted/);
   const radius = Number(/id="disc"[^>]*sf:blur="([\d.]+)/.exec(after)[1]);
   check(radius > 5 && radius < 13, `the radius is ${radius}`);
   await editor.key("Control+z");
@@ -95,12 +95,12 @@ async function testSnap(editor) {
   await page.getByRole("menuitem", { name: "Photo" }).click();
   const item = page.getByRole("menuitem", { name: /Snap to photo/ });
   check(await item.isDisabled(), "there is something to snap");
-  check((await item.textContent()).includes("Choose a curve first"), "nothing says why not");
+  check((await item.textContent()).includes("Select a curve first"), "nothing says why not");
   await editor.key("Escape", "Escape");
   await editor.click(119, 60);
   await editor.key("Shift+E");
   const after = await textAfter(page, before);
-  await said(page, /1 curve lies on an edge/);
+  await said(page, /1 curve snapped to the photo’s edges/);
   const [, data] = /id="disc"[^>]* d="([^"]+)"/.exec(after);
   const [x] = /M([\d.]+)/.exec(data).slice(1).map(Number);
   check(Math.abs(x + 4 - 115) < 1, `the disc ends at ${x + 4}`);
@@ -115,19 +115,19 @@ async function testDifference(editor) {
   const { page } = editor;
   const before = text(await disc(page, 0), { out: hex(BLUE) });
   await editor.load(before);
-  await choose(editor, "Where is it wrong?", "menuitemcheckbox");
+  await choose(editor, "Show difference from photo", "menuitemcheckbox");
   const wrong = await decibels(page);
   check(wrong < 20, `${wrong} dB of a grey disc`);
   check((await page.locator("image.difference").count()) === 1, "no picture of it");
   await editor.key("Shift+I");
   await textAfter(page, before);
-  // It is looked at again when the drawing rests.
+  // The comparison is made again when the drawing rests.
   await page.waitForFunction((was) => Number(/([\d.]+) dB/.exec(document.querySelector(".difference-legend").textContent)?.[1]) > was + 10, wrong);
   await editor.key("d");
   await page.waitForFunction(() => !document.querySelector(".difference-legend, image.difference"));
 }
 
-/** Without a photo nothing is begun; what is begun is stopped by its button, and by an edit. */
+/** Without a photo nothing starts; running work is stopped by its button, and by an edit. */
 async function testNothing(editor) {
   const { page } = editor;
   await editor.load(small);
@@ -141,17 +141,17 @@ async function testNothing(editor) {
   await editor.load(before);
   await page.locator(".canvas-stage").focus();
   await editor.key("Shift+I");
-  // At once: so little is soon done.
+  // At once, because so little work is soon done.
   await page.waitForFunction(() => {
     const stop = [...document.querySelectorAll(".toast button")].find(({ textContent }) => textContent === "Stop");
     stop?.click();
     return stop !== undefined;
   });
-  await said(page, /Stopped: nothing has changed/);
+  await said(page, /Stopped. Nothing was changed/);
   await shows(page, before);
   await editor.click(115, 60);
   await editor.key("Shift+I", "x");
-  await said(page, /has changed in the meantime/);
+  await said(page, /was edited meanwhile/);
   const swapped = await editor.text;
   await editor.settled();
   await workersRest(page);

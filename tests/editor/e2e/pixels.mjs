@@ -1,12 +1,12 @@
-// Pictures of the page as pixels, compared.
+// Compares screenshots as pixels.
 import { pathToFileURL } from "node:url";
 import { check, packageOf } from "./harness.mjs";
 
-const { decode } = await import(pathToFileURL(packageOf.resolve("fast-png")).href);
+export const { decode } = await import(pathToFileURL(packageOf.resolve("fast-png")).href);
 
 /**
- * The largest difference of two PNGs in code values, where `counts(x, y)`; different sizes are an error.
- * An alpha that only one of them has is left out.
+ * Returns the largest difference of two PNGs in code values, where `counts(x, y)`. Different sizes are an error. An
+ * alpha channel of only one PNG is ignored.
  */
 export function largestDifference(before, after, counts = () => true) {
   const [a, b] = [before, after].map((png) => decode(png));
@@ -21,7 +21,7 @@ export function largestDifference(before, after, counts = () => true) {
   return most;
 }
 
-/** How many colours a PNG has. */
+/** Returns how many colours a PNG has. */
 export function countColors(png) {
   const { data, channels } = decode(png);
   const colors = new Set();

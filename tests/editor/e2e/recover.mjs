@@ -1,4 +1,4 @@
-// What the browser keeps of a drawing: after a page that ended, beside another tab, and where it keeps nothing.
+// Drawings in the browser's storage: after a crash of the page, with another tab, and without storage.
 import { check, checkEqual, EditorPage, newContext, until } from "./harness.mjs";
 import { small } from "./texts.mjs";
 import { edit, said, shows } from "./words.mjs";
@@ -8,10 +8,10 @@ const size = [900, 600];
 const state = (page, pattern) =>
   page.waitForFunction((source) => new RegExp(source).test(document.querySelector(".saved")?.textContent), pattern.source);
 
-/** Waits until the browser has a drawing in its keeping, by its text or its name. */
+/** Waits until the browser's storage holds a drawing, by its text or its name. */
 export async function isKept(page, wanted) {
   const look = async (what) => {
-    // Opening a database that is not there would make an empty one.
+    // Opening a missing database would create an empty one.
     const known = await indexedDB.databases();
     if (!known.some(({ name }) => name === "sfumato-editor")) return false;
     return new Promise((resolve) => {
@@ -28,7 +28,7 @@ export async function isKept(page, wanted) {
   await until("the browser keeps it", () => page.evaluate(look, wanted));
 }
 
-/** A page that is killed loses nothing but the last second; what was done can be undone. */
+/** A killed page loses only the last second, and undo still works. */
 async function testKilled(browser, address) {
   const context = await newContext(browser, { size });
   const editor = await EditorPage.within(context, address);
@@ -52,7 +52,7 @@ async function testKilled(browser, address) {
   await context.close();
 }
 
-/** An edit of the last second is kept though another drawing is opened at once; each keeps its own text. */
+/** An edit of the last second is kept even if another drawing is opened at once; each keeps its own text. */
 async function testSwitched(browser, address) {
   const editor = await EditorPage.open(browser, address, { size: [900, 600] });
   const { page } = editor;
@@ -61,11 +61,11 @@ async function testSwitched(browser, address) {
   const other = small.replace("#d04020", "#20d040");
   await editor.load(other, "second.svg");
   await editor.key("Control+n");
-  await page.getByRole("button", { name: "Make it" }).click();
+  await page.getByRole("button", { name: "Create" }).click();
   await page.reload();
   await page.locator(".recent-list button", { hasText: "first.svg" }).click();
   await shows(page, edited);
-  // The drawing that is open is recovered once more: no other tab has it.
+  // The open drawing is recovered again, because no other tab has it.
   await page.locator(".canvas-stage").focus();
   await page.evaluate(() => document.querySelector("[aria-label=Menu]").click());
   await page.getByRole("menuitem", { name: "File" }).click();
@@ -77,7 +77,7 @@ async function testSwitched(browser, address) {
   await editor.close();
 }
 
-async function testRefused(browser, address, script, pattern) {
+async function testRefused(browser, address, script, pattern, words = /Not saved: storage is blocked in this browser/) {
   const context = await newContext(browser, { size });
   await context.addInitScript(script);
   const editor = await EditorPage.within(context, address);
@@ -85,7 +85,7 @@ async function testRefused(browser, address, script, pattern) {
   await editor.load(small, "mine.svg");
   await edit(editor);
   await said(page, pattern);
-  await state(page, /Not saved: this browser keeps nothing/);
+  await state(page, words);
   check(await page.getByRole("button", { name: "Save elsewhere" }).isVisible(), "nobody offers to save elsewhere");
   // Leaving asks first.
   const asked = new Promise((resolve) => page.on("dialog", (dialog) => resolve(dialog.accept().then(() => dialog.type()))));
@@ -107,7 +107,7 @@ const full = () => {
   };
 };
 
-/** Two tabs on one drawing: the second is told, may take it, and the first one writes no more. */
+/** Two tabs with one drawing: the second is warned and may take it over; the first then stops writing. */
 async function testTabs(browser, address) {
   const context = await newContext(browser, { size });
   const first = await EditorPage.within(context, address);
@@ -117,10 +117,10 @@ async function testTabs(browser, address) {
   const second = await EditorPage.within(context, address);
   await second.page.locator(".recent-list button").first().click();
   await shows(second.page, once);
-  await said(second.page, /Another tab of this browser has this drawing open/);
+  await said(second.page, /This drawing is open in another tab of this browser/);
   await state(second.page, /Not saved/);
   await second.page.getByRole("button", { name: "Edit here" }).click();
-  await said(first.page, /Another tab goes on with this drawing/);
+  await said(first.page, /now edited in another tab/);
   await state(second.page, /Saved on this device/);
   await first.page.bringToFront();
   await edit(first);
@@ -137,7 +137,7 @@ async function testTabs(browser, address) {
   await context.close();
 }
 
-/** The oldest of more than twenty go. */
+/** Beyond twenty drawings the oldest are removed. */
 async function testPruned(browser, address) {
   const editor = await EditorPage.open(browser, address, { size: [900, 600] });
   const { page } = editor;
@@ -160,9 +160,9 @@ export async function testRecover(tap, { browser, address }) {
   await tap.test("recover: every drawing is kept as itself", () => testSwitched(browser, address));
   const refusals = { throws: throwing, "is missing": missing };
   for (const [name, script] of Object.entries(refusals)) {
-    await tap.test(`recover: storage that ${name} is told of`, () => testRefused(browser, address, script, /keeps nothing from this page/));
+    await tap.test(`recover: storage that ${name} is told of`, () => testRefused(browser, address, script, /does not let this page store anything/));
   }
-  await tap.test("recover: storage that is full is told of", () => testRefused(browser, address, full, /no room to keep/));
+  await tap.test("recover: storage that is full is told of", () => testRefused(browser, address, full, /no room to keep/, /Not saved: no room in this browser/));
   await tap.test("recover: two tabs do not write over each other", () => testTabs(browser, address));
   await tap.test("recover: twenty drawings are kept", () => testPruned(browser, address));
 }

@@ -1,4 +1,4 @@
-// What goes wrong around the page: graphics, workers, the module, the network; and what it may never do.
+// Faults around the page: graphics, workers, the module, the network; and actions that the page must never do.
 import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -24,7 +24,7 @@ async function within(browser, address, script, body, options) {
   }
 }
 
-/** The part of two pictures' numbers that differ. */
+/** Returns the share of two pictures' numbers that differ. */
 function share(a, b) {
   const [one, two] = [a, b].map((png) => decode(png).data);
   return one.filter((value, i) => value !== two[i]).length / one.length;
@@ -39,7 +39,7 @@ async function testLostContext(editor) {
     window.taken = gl.getExtension("WEBGL_lose_context");
     window.taken.loseContext();
   });
-  await said(page, /graphics card let go/);
+  await said(page, /graphics driver was reset/);
   await edit(editor);
   await editor.key("Control+z");
   await page.evaluate(() => window.taken.restoreContext());
@@ -47,12 +47,12 @@ async function testLostContext(editor) {
   await editor.key("Control+Shift+a");
   await messagesGo(page);
   await page.waitForFunction(() => !document.querySelector(".toast"));
-  // Marks of what has the focus may lie above it.
+  // The focus ring may lie above it.
   const others = share(before, await editor.picture());
   check(others < 0.02, `${(100 * others).toFixed(1)} % of the picture differ after the graphics came back`);
 }
 
-/** Without what draws or computes, the text is edited and saved all the same. */
+/** Without graphics or engine, the text can still be edited and saved. */
 async function testWithout(editor, kind, pattern) {
   await editor.load(small);
   await editor.page.waitForFunction((wanted) => window.sfumatoEditor.status.kind === wanted, kind);
@@ -87,7 +87,7 @@ const brokenWorker = () => {
   };
 };
 
-/** More than the engine's memory holds: words, and the next drawing is drawn. */
+/** More than the engine's memory holds: a message appears, and the next drawing is drawn. */
 async function testHuge(editor) {
   const curves = Array.from({ length: 40000 }, (_, i) => `<path d="M${i % 200},${i / 200} c1,2 3,4 5,${i % 7}" sf:left="#fff" sf:right="#000"/>`);
   const huge = small.replace(/<path[^]*?\/>/, curves.join("\n"));
@@ -98,7 +98,7 @@ async function testHuge(editor) {
   editor.checkQuiet();
 }
 
-/** A whole session: what asks other servers, or breaks the page's own policy, is heard. */
+/** A whole session; requests to other servers and violations of the page's policy are recorded. */
 async function testSession(editor) {
   const { page } = editor;
   for (const command of ["?", "Control+e", "Control+n"]) {
@@ -128,14 +128,14 @@ const listen = () => {
   addEventListener("securitypolicyviolation", (event) => window.violations.push(`${event.violatedDirective} ${event.blockedURI}`));
 };
 
-/** From a folder below the origin, and then without any network; an update is whole. */
-async function testOffline(browser, folder) {
+/** From a folder below the origin, and then without any network; an update is complete. */
+async function testOffline(browser, folder, host) {
   const root = mkdtempSync(join(tmpdir(), "sfumato-site-"));
   const below = join(root, "art/editor");
   cpSync(join(folder, "editor"), below, { recursive: true });
   const server = await serve(root);
-  const address = `${server.address.replace("127.0.0.1", "localhost")}art/editor/`;
-  const context = await newContext(browser, { size: [900, 600] });
+  const address = `${server.address.replace("127.0.0.1", host)}art/editor/`;
+  const context = await newContext(browser, { size: [900, 600], serviceWorkers: "allow" });
   const opened = async () => {
     const editor = await EditorPage.within(context, address);
     await editor.load(small);
@@ -163,19 +163,19 @@ async function testOffline(browser, folder) {
   }
 }
 
-/** The file that dialogs and panels are in does not come: the page says so and goes on. */
+/** The file with dialogs and panels does not load: the page says so and continues. */
 async function testMissingParts(browser, address) {
   const context = await newContext(browser, { size: [900, 600], serviceWorkers: "block" });
   await context.route(/\/parts-[^/]*\.js$/, (route) => route.abort());
   try {
     const editor = await EditorPage.within(context, address);
-    await said(editor.page, /A part of the editor could not be fetched/);
+    await said(editor.page, /A part of the editor could not be loaded/);
     await editor.page.locator(".toast button").click();
     await editor.load(small);
     checkEqual((await status(editor)).kind, "exact", "the picture");
     checkEqual(await editor.page.locator(".toast").count(), 0, "the number of messages");
     await editor.page.keyboard.press("Control+e");
-    await said(editor.page, /A part of the editor could not be fetched/);
+    await said(editor.page, /A part of the editor could not be loaded/);
     await edit(editor);
   } finally {
     await context.close();
@@ -184,14 +184,14 @@ async function testMissingParts(browser, address) {
 
 const mine = [{ name: "a.svg", bytes: Buffer.from(small) }];
 
-/** What works on drawings does not come: the first page says so, and again where it is asked for. */
+/** The engine does not load: the first page says so, and again when it is needed. */
 async function testMissingWork(browser, address) {
   const context = await newContext(browser, { size: [900, 600], serviceWorkers: "block" });
   await context.route(/\/work-[^/]*\.js$/, (route) => route.abort());
   const page = await context.newPage();
   const isSaidAfter = async (act) => {
     await act();
-    await said(page, /A part of the editor could not be fetched|could not be read/);
+    await said(page, /A part of the editor could not be loaded|could not be read/);
     await page.locator(".toast button").click();
     await page.locator(".toast").waitFor({ state: "detached" });
   };
@@ -203,7 +203,7 @@ async function testMissingWork(browser, address) {
   await context.close();
 }
 
-/** To be run before the page's scripts: its dialog of files is left at once. */
+/** Runs before the page's scripts: cancels the page's file dialogs at once. */
 function noteAsked() {
   window.showOpenFilePicker = async () => {
     window.wasAsked = true;
@@ -211,7 +211,7 @@ function noteAsked() {
   };
 }
 
-/** What is asked for on the first page before the rest of the editor has come is done when it comes. */
+/** A request on the first page, made before the rest of the editor is loaded, is done after loading. */
 async function testEarly(browser, address) {
   const early = async (act, isDone) => {
     const context = await newContext(browser, { size: [900, 600], serviceWorkers: "block" });
@@ -239,7 +239,7 @@ async function testEarly(browser, address) {
   await early((page) => paste(page, { text: small }), (page) => shows(page, small));
   await early((page) => paste(page, { files: mine }), (page) => shows(page, small));
   await early((page) => paste(page, { text: "Dear Sir," }), (page) => said(page, /no drawing on the clipboard/));
-  // What means nothing on the first page: neither then nor later.
+  // Actions without a meaning on the first page have none later either.
   await early(meddle, async (page) => {
     check(await page.locator(".welcome").isVisible(), "the first page is gone");
     checkEqual(await page.locator(".menu, .toast, dialog[open]").count(), 0, "what has opened");
@@ -255,7 +255,7 @@ async function meddle(page) {
   await page.mouse.wheel(0, -300);
 }
 
-/** Panels and dialogs are late: the stage takes all that it takes, and what they show is shown later. */
+/** Panels and dialogs load late: the stage works, and they show everything later. */
 async function testEarlyStage(browser, address) {
   const context = await newContext(browser, { size: [1200, 800], serviceWorkers: "block" });
   let come;
@@ -294,7 +294,7 @@ async function testEarlyStage(browser, address) {
   await context.close();
 }
 
-/** With a dialog open the clipboard's keys do nothing to the drawing behind it. */
+/** With an open dialog the clipboard's keys do not change the drawing behind it. */
 async function testClipboardBehindDialog(editor) {
   const { page } = editor;
   await editor.load(small);
@@ -321,7 +321,7 @@ async function testOneFile(editor) {
   editor.checkQuiet();
 }
 
-/** What a browser says that runs no scripts, knows no modules, or not what is in them. */
+/** The message in a browser without scripts, without modules, or with too old ones. */
 async function testTooOld(browser, addresses) {
   const says = async (what, address, prepare, where, options = {}) => {
     const context = await newContext(browser, options);
@@ -329,7 +329,7 @@ async function testTooOld(browser, addresses) {
     await prepare(page);
     await page.goto(address);
     await page.locator(where).waitFor().catch(() => check(false, `${what}, ${address}: nothing is said`));
-    // A browser that does know modules has the editor above it.
+    // A browser with modules shows the editor above the message.
     const isAlone = (await page.locator("#app > *").count()) === 0;
     const box = await page.locator(where).boundingBox();
     check(!isAlone || box.y + box.height < 300, `${what}, ${address}: it is said out of sight: ${JSON.stringify(box)}`);
@@ -345,7 +345,7 @@ async function testTooOld(browser, addresses) {
   await says("with modules of an unknown language", site, (page) => page.route("**/assets/*.js", (route) => route.fulfill(foreign)), old);
 }
 
-/** A server that says that all pages are UTF-8, which the one file is not. */
+/** A server that declares all pages UTF-8, while the single-file page is not. */
 async function testSaidToBeUtf8(browser, address, oneFile) {
   const context = await newContext(browser, { size: [900, 600] });
   const page = { path: fileURLToPath(oneFile), contentType: "text/html; charset=utf-8" };
@@ -357,7 +357,7 @@ async function testSaidToBeUtf8(browser, address, oneFile) {
   await context.close();
 }
 
-/** From the disk to the first exact picture: told, not judged. */
+/** Reports, without a limit, the time from the disk to the first exact picture. */
 async function testColdStart(browser, oneFile) {
   const editor = await EditorPage.open(browser, oneFile, { size });
   await editor.page.getByRole("button", { name: /Portrait/ }).click();
@@ -372,11 +372,13 @@ export async function testRobust(tap, { browser, address, oneFile, folder }) {
   await tap.test("robust: graphics that were lost come back", () => within(browser, address, null, testLostContext, { ratio: 0.5, isDrawn: true }));
   await test("without WebGL 2 all but the picture works", noWebGl, (editor) => testWithout(editor, "exact", /no WebGL 2/));
   await test("without WebAssembly the page says so", noWebAssembly, (editor) => testWithout(editor, "failed", /no WebAssembly/));
-  await test("workers that are refused are told of", noWorker, (editor) => testWithout(editor, "failed", /starts no worker/));
-  await test("workers that do not start are told of", brokenWorker, (editor) => testWithout(editor, "failed", /starts no worker/));
+  await test("workers that are refused are told of", noWorker, (editor) => testWithout(editor, "failed", /cannot start web workers/));
+  await test("workers that do not start are told of", brokenWorker, (editor) => testWithout(editor, "failed", /cannot start web workers/));
   await test("a huge text that is wrong is told of", null, testHuge);
   await test("a session asks nobody and breaks no policy", listen, testSession);
-  await tap.test("robust: a folder, no network, an update", () => testOffline(browser, folder));
+  for (const host of ["localhost", "127.0.0.1"]) {
+    await tap.test(`robust: a folder, no network, an update, from ${host}`, () => testOffline(browser, folder, host));
+  }
   await tap.test("robust: parts that do not come are told of", () => testMissingParts(browser, address));
   await tap.test("robust: a file of the editor that does not come is told of", () => testMissingWork(browser, address));
   await tap.test("robust: what is asked for early waits and is done", () => testEarly(browser, address));

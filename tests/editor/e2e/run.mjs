@@ -2,7 +2,7 @@
 //
 //   node tests/editor/e2e/run.mjs BUILD_FOLDER [ONLY]
 //
-// BUILD_FOLDER has editor/ and editor.html, as `make editor` leaves them; ONLY: tests whose names hold it.
+// BUILD_FOLDER has editor/ and editor.html from `make editor`; ONLY: run tests whose names contain it.
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { launch, serve, Tap } from "./harness.mjs";
@@ -26,6 +26,7 @@ import { testServedDrawing } from "./served.mjs";
 import { testSunset } from "./sunset.mjs";
 import { testTools } from "./tools.mjs";
 import { testTrace } from "./trace.mjs";
+import { testTrial } from "./trial.mjs";
 
 const themes = [
   testSunset,
@@ -48,6 +49,7 @@ const themes = [
   testDraw,
   testExact,
   testServedDrawing,
+  testTrial,
 ];
 
 const [folder = "build", only = ""] = process.argv.slice(2);

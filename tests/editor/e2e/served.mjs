@@ -8,7 +8,7 @@ import { checkEqual, EditorPage, Skip } from "./harness.mjs";
 import { example, small } from "./texts.mjs";
 import { edit, said, shows } from "./words.mjs";
 
-/** The command beside the page that was built, where it looks for it. */
+/** Starts the command beside the built page, where it looks for it. */
 export async function startEdit(drawing, { command, page, folder }) {
   const here = join(folder, "sfumato");
   if (!existsSync(here)) {
@@ -45,7 +45,7 @@ async function testServed(browser, where) {
     checkEqual(readFileSync(drawing, "utf8"), mark + edited, "the file after the edit");
     // One drawing in two tabs of one address.
     const second = await EditorPage.within(editor.context, address);
-    await said(second.page, /Another tab of this browser has this drawing open/);
+    await said(second.page, /This drawing is open in another tab of this browser/);
     await second.page.close();
     await page.bringToFront();
     writeFileSync(drawing, example("blur.svg"));
@@ -56,7 +56,7 @@ async function testServed(browser, where) {
     await page.getByRole("button", { name: "Save anyway" }).click();
     await said(page, /saved/);
     checkEqual(readFileSync(drawing, "utf8"), mark + (await editor.text), "the file that was saved anyway");
-    // The refused save stands on the browser's console.
+    // The refused save is on the browser's console.
     checkEqual(editor.requests, [], "requests to elsewhere");
     await edit(editor);
     await endEdit(child);
@@ -68,7 +68,7 @@ async function testServed(browser, where) {
   }
 }
 
-/** Pictures beside the drawing come from the command. */
+/** The command serves pictures beside the drawing. */
 async function testTextures(browser, where) {
   for (const name of ["textures.svg", "wood.png", "waves.png", "hemp.png"]) {
     writeFileSync(join(where.folder, name), readFileSync(join(where.examples, name)));

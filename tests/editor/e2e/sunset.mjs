@@ -1,13 +1,13 @@
-// A picture drawn from nothing through what a person has: pointer, pen, keys and panels. Each stage
-// begins with the text that the stage before leaves: sunset/*.svg, examples/sunset.svg at the end.
-// SFUMATO_WRITE_STAGES=1 writes the texts in between.
+// Draws a picture from nothing with a person's means: pointer, pen, keys and panels. Each stage begins with the
+// text of the previous stage: sunset/*.svg, and examples/sunset.svg at the end. SFUMATO_WRITE_STAGES=1 writes the
+// texts in between.
 import { readFileSync, writeFileSync } from "node:fs";
 import { Artist } from "./artist.mjs";
 import { EditorPage, check, checkEqual, pathOf, until } from "./harness.mjs";
 
 const BLUR = "Blur, radius of point 1";
 
-/** Nodes of a circle for the pen, clockwise from an angle, degrees. */
+/** Returns nodes of a circle for the pen, clockwise from an angle, degrees. */
 function circle(x, y, radius, from) {
   return [0, 90, 180, 270].map((more) => {
     const angle = ((from + more) * Math.PI) / 180;
@@ -16,7 +16,7 @@ function circle(x, y, radius, from) {
   });
 }
 
-/** All curves while there are but two colours: what is drawn later takes what it finds. */
+/** Draws all curves that need only two colours; later curves take the colours that they find. */
 async function sketch(artist) {
   await artist.curve([[-150, 272], [1110, 272]]);
   await artist.curve(circle(330, 214, 44, 180), { closes: true });
@@ -48,7 +48,7 @@ async function shore(artist) {
   await artist.field(BLUR, 3);
 }
 
-/** One colour at both ends, another where the sun stands. 4 steps. */
+/** Gives one colour to both ends, and another one where the sun is. 4 steps. */
 async function glowing(artist, side, end, middle) {
   await artist.color(side, 0, end);
   await artist.copyStop(side, 0, 1);
@@ -56,7 +56,7 @@ async function glowing(artist, side, end, middle) {
   await artist.pick(side, 1, middle);
 }
 
-/** The clouds above the horizon. */
+/** Draws the clouds above the horizon. */
 async function clouds(artist) {
   await artist.select(540, 150);
   await glowing(artist, "Left", "5b4182", "96608f");
@@ -64,7 +64,7 @@ async function clouds(artist) {
   await artist.field(BLUR, 26);
 }
 
-/** The horizon, and the light above it and on the water. */
+/** Draws the horizon, and the light above it and on the water. */
 async function horizon(artist) {
   await artist.select(800, 272);
   await glowing(artist, "Right", "75476f", "ffb676");
@@ -77,7 +77,7 @@ async function horizon(artist) {
   await artist.stroke(glitter(), { radius: 7, smoothing: 0.5, isStraight: true });
 }
 
-/** The sun on the water: dashes that end in points. */
+/** Returns the sun on the water: dashes with pointed ends. */
 function glitter() {
   const turns = [[282, 279], [384, 285], [270, 293], [372, 301], [290, 309], [378, 318],
     [300, 328], [362, 339], [286, 350], [352, 362], [312, 374], [356, 388], [318, 402],
@@ -89,7 +89,7 @@ function glitter() {
   });
 }
 
-/** The sky's edge, whose colour shadow and gulls take. */
+/** Draws the sky's edge, whose colour shadow and gulls take. */
 async function shades(artist) {
   await artist.select(480, -30);
   await artist.pick("Right", 0, "382a5c");
@@ -104,7 +104,7 @@ async function shades(artist) {
     [641, 151, 0.8], [650, 150, 0.7], [659, 157, 0.1]], { radius: 2.6 });
 }
 
-/** A layer of one circle. */
+/** Draws a layer of one circle. */
 async function ball(artist) {
   const { page } = artist;
   await artist.deselect();
@@ -120,7 +120,7 @@ async function ball(artist) {
   await artist.field(BLUR, 1);
 }
 
-/** The sun, whose colour the ball's highlight takes; and ball, highlight and shadow once more. */
+/** Draws the sun, whose colour the ball's highlight takes; and ball, highlight and shadow again. */
 async function light(artist) {
   await artist.select(330, 170);
   await artist.color("Left", 0, "ffdc8c");
@@ -134,11 +134,11 @@ async function light(artist) {
   await artist.choose("Stroke 7", { modifiers: ["Control"] });
   await artist.tool("Select");
   await artist.editor.key("Control+G", "Control+Alt+D");
-  await artist.scale("south-east", 0.38);
+  await artist.scale("bottom right", 0.38);
   await artist.move([613, 419], [876, 418]);
 }
 
-/** steps: of undo. text: what is there at the end. */
+/** steps: undo steps. text: the text at the end. */
 const stages = [
   { name: "lines and foam", steps: 8, draw: sketch, text: "tests/editor/e2e/sunset/1-lines.svg" },
   { name: "the shore", steps: 7, draw: shore, text: "tests/editor/e2e/sunset/2-shore.svg" },
@@ -152,7 +152,7 @@ const STEPS = 60;
 
 const textOf = ({ text }) => readFileSync(pathOf(text), "utf8");
 
-/** An empty page, or what the stage before has left; with room around it for curves that run beyond. */
+/** Opens an empty page, or the result of the previous stage, with room around it for curves that run beyond. */
 async function begin(artist, before) {
   if (!before) {
     await artist.blank(960, 600, "232a58");
@@ -164,7 +164,7 @@ async function begin(artist, before) {
   return artist.editor.text;
 }
 
-/** Presses a key so often, each time while its button has something to do; then it has no more. */
+/** Presses a key so often, while its button is enabled; then the button must be disabled. */
 async function every(editor, key, name, times) {
   await editor.page.locator(".canvas-stage").focus();
   const button = editor.page.getByRole("button", { name });
@@ -176,7 +176,7 @@ async function every(editor, key, name, times) {
 }
 
 async function testStage({ browser, address }, { steps, draw, text }, before) {
-  // The text is looked at, not the picture.
+  // This test checks the text, not the picture.
   const editor = await EditorPage.open(browser, address);
   try {
     const artist = new Artist(editor);
@@ -196,7 +196,7 @@ async function testStage({ browser, address }, { steps, draw, text }, before) {
   }
 }
 
-/** Numbers differ by rounding between machines; everything else is to be the same. */
+/** Numbers may differ by rounding between machines; everything else must be equal. */
 function checkAlike(actual, expected, what) {
   const number = /-?\d*\.?\d+(?:e-?\d+)?/g;
   const frame = (text) => text.replace(number, "0");

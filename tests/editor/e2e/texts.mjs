@@ -1,4 +1,4 @@
-// Drawings as strangers write them.
+// Drawings from other people and programs.
 import { readFileSync, readdirSync } from "node:fs";
 import { pathOf } from "./harness.mjs";
 
@@ -68,14 +68,14 @@ export const illustrator = `<?xml version="1.0" encoding="utf-8"?>
 </svg>
 `;
 
-/** As older versions of Illustrator write: the editor shows it, and edits nothing. */
+/** As older versions of Illustrator write; the editor shows it without editing it. */
 export const entities = illustrator
   .replace("svg11.dtd\"", 'svg11.dtd" [\n\t<!ENTITY ns_ai "http://ns.adobe.com/AdobeIllustrator/10.0/">\n]')
   .replace("x=\"0px\"", 'xmlns:i="&ns_ai;" x="0px"');
 
 const mark = Buffer.from([0xef, 0xbb, 0xbf]);
 
-/** Bytes that saving has to give back. */
+/** Bytes that saving must preserve. */
 export const strangers = {
   "inkscape.svg": Buffer.from(inkscape),
   "illustrator.svg": Buffer.from(illustrator),
@@ -91,7 +91,7 @@ export const utf16 = (text, isLittle) => {
   return isLittle ? bytes : bytes.swap16();
 };
 
-/** The files of a tar archive of fuzz/corpus: {name, bytes}. */
+/** Returns the files of a tar archive of fuzz/corpus: {name, bytes}. */
 export function corpus(archive) {
   const tar = readFileSync(pathOf(`fuzz/corpus/${archive}.tar`));
   const found = [];

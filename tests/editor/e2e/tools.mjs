@@ -13,7 +13,7 @@ export const one = `${open}
 </svg>
 `;
 
-/** Hands for the tools, on a drawing of two curves. */
+/** Uses the tools on a drawing of two curves. */
 export class Tools {
   constructor(editor) {
     this.editor = editor;
@@ -29,12 +29,12 @@ export class Tools {
     await this.page.keyboard.press(tool);
   }
 
-  /** What follows a click at the same place is another click, no double one. */
+  /** Makes the next click at the same place a single click. */
   apart() {
     return pass(this.page, 450);
   }
 
-  /** A drag during which something is done before the pointer is let go. */
+  /** Drags, and does something before the pointer is released. */
   async held(points, during) {
     const places = await this.editor.all(points);
     await this.page.mouse.move(...places[0]);
@@ -80,7 +80,7 @@ async function testSelect(t) {
   await t.fresh("v", onC, [560, 400]);
   await editor.drag([[60, 60], [560, 340]]);
   checkEqual(await page.evaluate(() => window.sfumatoEditor.selection.length), 2, "in the rectangle");
-  const grip = await page.getByRole("button", { name: "Scale, south-east" }).boundingBox();
+  const grip = await page.getByRole("button", { name: "Scale, bottom right" }).boundingBox();
   const corner = [grip.x + grip.width / 2, grip.y + grip.height / 2];
   text = await changing(editor, "a scale", async () => {
     await page.mouse.move(...corner);
@@ -233,7 +233,7 @@ async function testBlur(t) {
   check(/id="c"[^>]*sf:blur="/.test(both), `both: ${both}`);
 }
 
-/** A photo: red above y 240, blue below. */
+/** Returns a photo: red above y 240, blue below. */
 export async function photo(page) {
   return page.evaluate(() => {
     const canvas = document.createElement("canvas");
@@ -292,7 +292,7 @@ export async function withTools({ browser, address }, body, options) {
 export async function testTools(tap, given) {
   const tools = { select: testSelect, nodes: testNodes, pen: testPen, "pencil and stroke": testFree, blur: testBlur, sample: testSample, hand: testHand };
   for (const [name, body] of Object.entries(tools)) {
-    // The picture moves on its way.
+    // The picture moves smoothly.
     const options = name === "hand" ? { reducedMotion: "no-preference" } : {};
     await tap.test(`the tool ${name} and its gestures`, () => withTools(given, body, options));
   }

@@ -1,4 +1,4 @@
-// Photos that become curves: the dialog, its rounds, what it is left by, and what it leaves.
+// Traces of photos: the dialog, its rounds, ways to leave it, and its result.
 import { readFileSync } from "node:fs";
 import { drop } from "./disk.mjs";
 import { check, checkEqual, EditorPage, pathOf, until } from "./harness.mjs";
@@ -6,10 +6,10 @@ import { small } from "./texts.mjs";
 import { closeDialog, said, shows, textAfter } from "./words.mjs";
 
 const dialog = "dialog.trace";
-/** The editor's own: for frames, and for exact pictures. */
+/** The editor's own workers: for frames, and for exact pictures. */
 const MOST_WORKERS = 2;
 
-/** A picture of a disc on a ramp as a PNG; with noise it takes long. */
+/** Returns a picture of a disc on a ramp as a PNG; with noise a trace takes long. */
 async function picture(page, width, height, noise = 0) {
   const bytes = await page.evaluate(async ([w, h, amount]) => {
     const canvas = new OffscreenCanvas(w, h);
@@ -23,7 +23,7 @@ async function picture(page, width, height, noise = 0) {
     context.beginPath();
     context.arc(w / 2, h / 2, h / 3, 0, 7);
     context.fill();
-    // The same for each run: a small generator.
+    // A small generator, so that each run has the same noise.
     let state = 1;
     const next = () => (state = (state * 16807) % 2147483647) / 2147483647;
     for (let i = 0; i < amount; ++i) {
@@ -60,7 +60,7 @@ async function testNew(editor) {
   checkEqual(await page.locator(`${dialog} progress`).getAttribute("value"), "1", "the progress at the end");
   await press(page, "Open as new drawing");
   await page.waitForFunction(() => window.sfumatoEditor.text.includes('viewBox="0 0 96 64"'));
-  await said(page, /The photo has become \d+ curves/);
+  await said(page, /The photo was traced with \d+ curves/);
   const text = await editor.text;
   check(pathsIn(text) >= 2, `${pathsIn(text)} curves`);
   check(/<image[^>]*sf:reference="true"/.test(text), "the photo is not kept");
@@ -104,11 +104,11 @@ async function testCancel({ browser, address }) {
   await openDialog(page);
   await drop(page, [await picture(page, 900, 700, 4000)], dialog);
   await page.locator(dialog).getByRole("button", { name: "Cancel" }).waitFor();
-  // The page answers while the worker is busy.
+  // The page reacts while the worker is busy.
   await page.locator(dialog).getByRole("radio", { name: "Photo" }).click();
   await press(page, "Cancel");
   await said(page, /Stopped/, `${dialog} [role=status]`);
-  // It can be taken up again, with other wishes, and left as a whole.
+  // The trace can be started again with other options, and cancelled as a whole.
   await page.getByRole("slider", { name: "Detail" }).fill("0.1");
   await said(page, /379 control points/, dialog);
   await page.locator(dialog).getByRole("button", { name: "Cancel" }).waitFor();
@@ -123,8 +123,8 @@ async function testOffer(editor) {
   const { page } = editor;
   await editor.load(small);
   await drop(page, [await picture(page, 96, 64)]);
-  await said(page, /lies on the drawing/);
-  await page.getByRole("button", { name: "Trace it" }).click();
+  await said(page, /Photo placed over the drawing/);
+  await page.getByRole("button", { name: "Trace…" }).click();
   await said(page, /Traced/, `${dialog} [role=status]`);
   checkEqual(await page.getByText("Keep the photo as reference").count(), 0, "wishes to keep what is there");
   const before = await editor.text;
@@ -150,7 +150,7 @@ async function testRefusals(editor) {
   await shows(page, small);
 }
 
-/** By keys alone: the focus goes into the dialog, through it, and back. */
+/** With the keyboard only: the focus goes into the dialog, through it, and back. */
 async function testKeys(editor) {
   const { page } = editor;
   await editor.load(small);

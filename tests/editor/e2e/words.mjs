@@ -1,7 +1,7 @@
-// What the page says, waited for; and the smallest edit by hand.
+// Waits for messages of the page, and makes the smallest edit by hand.
 import { check } from "./harness.mjs";
 
-/** Waits until the page says what matches; gives its words. */
+/** Waits until the page shows a matching message. Returns its text. */
 export async function said(page, pattern, where = ".toast") {
   const find = ([selector, source, flags]) =>
     [...document.querySelectorAll(selector)].map((e) => e.textContent).find((t) => new RegExp(source, flags).test(t));
@@ -14,7 +14,7 @@ export async function said(page, pattern, where = ".toast") {
   }
 }
 
-/** Waits until the page's drawing has another text. */
+/** Waits until the text of the page's drawing has changed. */
 export async function textAfter(page, before) {
   await page.waitForFunction((text) => window.sfumatoEditor.text !== text, before);
   return page.evaluate(() => window.sfumatoEditor.text);
@@ -26,13 +26,13 @@ export async function shows(page, text) {
   await page.waitForFunction(isThere, text).catch(() => check(false, "the text is not shown"));
 }
 
-/** Closes the dialog that is open. */
+/** Closes the open dialog. */
 export async function closeDialog(page) {
   await page.keyboard.press("Escape");
   await page.waitForFunction(() => !document.querySelector("dialog[open]"));
 }
 
-/** Moves the first curve, or what is selected, by a key. @returns the new text */
+/** Moves the first curve, or the selection, by a key. @returns the new text */
 export async function edit(editor) {
   const before = await editor.text;
   await editor.page.locator(".canvas-stage").focus();

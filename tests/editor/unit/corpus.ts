@@ -1,9 +1,9 @@
-// Documents to hold promises to: the examples, the fuzzers' finds, the paper's scenes.
+// Documents for property tests: the examples, the fuzzers' finds, the paper's scenes.
 import { existsSync, readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 
-export const repository = fileURLToPath(new URL("../../../", import.meta.url));
+export const repository = fileURLToPath(new URL("../../..", import.meta.url));
 
 export interface Source {
   readonly name: string;
@@ -25,7 +25,7 @@ export function examples(): Source[] {
   return filesOf(join(repository, "examples"), ".svg");
 }
 
-/** The files of a tar archive, whose headers are blocks of 512 bytes. */
+/** Returns the files of a tar archive, whose headers are blocks of 512 bytes. */
 function filesOfTar(path: string): Source[] {
   const tar = readFileSync(path);
   const found: Source[] = [];
@@ -43,30 +43,30 @@ function filesOfTar(path: string): Source[] {
   return found;
 }
 
-/** What the fuzzers of the readers of SVG found worth keeping. */
+/** Returns the corpora of the fuzzers for SVG readers. */
 export function fuzzed(): Source[] {
   return ["svg", "round_trip", "import"].flatMap((name) =>
     filesOfTar(join(repository, "fuzz/corpus", `${name}.tar`)),
   );
 }
 
-/** The folder of the paper's scenes: SFUMATO_SCENES; null where there is none. */
+/** The folder of the paper's scenes: SFUMATO_SCENES; null if it is missing. */
 export const scenesFolder = ((): string | null => {
   const folder = process.env.SFUMATO_SCENES ?? "";
   return folder !== "" && existsSync(folder) ? folder : null;
 })();
 
-/** Orzan's XML of the paper's scenes. */
+/** Returns Orzan's XML of the paper's scenes. */
 export function scenes(): Source[] {
   return scenesFolder === null ? [] : filesOf(scenesFolder, ".xml");
 }
 
-/** Numbers from 0 up to 1, the same each time: a linear congruence. */
+/** Returns numbers from 0 up to 1, the same each time, by a linear congruential generator. */
 export function randomNumbers(seed: number): () => number {
   let state = seed >>> 0;
   return () => {
     state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
-    // Scrambled: the low bits of a congruence are poor.
+    // Scrambled, because the low bits of such a generator are poor.
     let value = state;
     value = Math.imul(value ^ (value >>> 16), 0x45d9f3b);
     value = Math.imul(value ^ (value >>> 16), 0x45d9f3b);

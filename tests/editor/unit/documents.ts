@@ -1,4 +1,4 @@
-// Documents by chance, of all that the format has notations for. Each is one that the engine reads.
+// Random documents with all notations of the format. The engine can read each of them.
 import { pick } from "./corpus.js";
 
 type Random = () => number;
@@ -24,6 +24,9 @@ const COLORS = [
   "rgb(1, 2, 3)",
   "rgb(10% 20% 30%)",
   "rgb(1 2 3 / 1)",
+  "oklch(0.7 0.15 250)",
+  "lab(50% 40 -60)",
+  "color(display-p3 0 1 0)",
   "rgba(10, 20, 30, 1)",
   "hsl(120, 50%, 25%)",
   "hsl(-40deg 50 25)",
@@ -151,7 +154,11 @@ const SHEETS = [
   ".off{display:none!important}",
   "@media print{path{display:none}}",
   "@media screen { .off{display:none} }",
+  ".off,g::before{display:none}",
   ".off,g > path{display:none}",
+  "g circle + path,svg>g:first-child [class~=off]{display:none} :not(g):last-child{display:inline}",
+  "[transform] + path,circle[r^='1']{display:none}",
+  "svg{--shown:none} .off{display:var(--shown)} .on{--shown:inline;display:var(--shown)}",
   ".off,!{display:none}",
   "<![CDATA[.off{display:none}]]>",
   ".off{display:none;;color:red} /* .on{display:none} */",
@@ -160,7 +167,7 @@ const SHEETS = [
   ".off{display:non}",
 ];
 
-/** What stands in a layer. */
+/** Returns the content of a layer. */
 function curves(random: Random, depth: number): string {
   return times(random, 4, () => {
     if (random() < 0.25 && depth < 3) {
@@ -170,7 +177,7 @@ function curves(random: Random, depth: number): string {
   }).join("\n  ");
 }
 
-/** A document that the engine reads. */
+/** Returns a document that the engine can read. */
 export function randomDocument(random: Random): string {
   const layer = () =>
     `<g sf:diffuse="true"${transform(random)}${styled(random)}>\n  ${curves(random, 0)}\n</g>`;

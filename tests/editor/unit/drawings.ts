@@ -1,4 +1,4 @@
-// Drawings to try commands on, and short ways to do it.
+// Drawings for testing commands, and helpers.
 import { existsSync, readdirSync, readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { openDrawing } from "../../../web/editor/src/model/drawing.js";
@@ -139,7 +139,7 @@ export function file(relative: string): string {
   return fileURLToPath(new URL(relative, import.meta.url));
 }
 
-/** The drawings of examples/ that are SVG. */
+/** Returns the SVG drawings of examples/. */
 export function examples(): Sample[] {
   const folder = file("../../../examples/");
   return readdirSync(folder)
@@ -147,7 +147,7 @@ export function examples(): Sample[] {
     .map((name) => ({ name, text: readFileSync(folder + name, "utf8") }));
 }
 
-/** The item of an id. */
+/** Returns the item with an id. */
 export function named(d: Drawing, id: string): Item {
   for (const item of d.all()) {
     if (item.element.attributes.some((a) => a.name === "id" && a.value === id)) return item;
@@ -159,13 +159,13 @@ export function handle(d: Drawing, id: string): Handle {
   return named(d, id).handle;
 }
 
-/** The text that a command makes of another; the same where it does nothing. */
+/** Returns the text after a command; the same text if the command does nothing. */
 export function after(text: string, command: (d: Drawing) => Outcome | null): string {
   const outcome = command(openDrawing(text));
   return outcome ? applied(text, outcome.patch) : text;
 }
 
-/** Where the module lies, or null. */
+/** Returns the path of the module, or null. */
 export function modulePath(): string | null {
   const places = [process.env.SFUMATO_WASM, file("../../../build-wasm/sfumato.wasm")];
   return places.find((place) => place !== undefined && existsSync(place)) ?? null;

@@ -1,4 +1,4 @@
-// The editor's state: what gestures show, what undo leads back to, what the engine is told.
+// The editor's state: previews of gestures, results of undo, and requests to the engine.
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { DrawingEditor } from "../../../web/editor/src/app/editor.js";
 import type { Engine, QuickChange } from "../../../web/editor/src/engine/types.js";
@@ -12,7 +12,7 @@ const text = `<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1" v
   </g>
 </svg>`;
 
-/** Notes what it is told. */
+/** Records its calls. */
 class NotedEngine {
   shown: { text: string; moving: boolean; quick: readonly QuickChange[] | undefined }[] = [];
   index = { serial: -1, curves: [] as Engine["index"]["curves"] };
@@ -30,7 +30,7 @@ class NotedEngine {
   colors = async () => new Float32Array();
   free() {}
 
-  /** As the worker has read the last text. */
+  /** Returns the state as the worker has read the last text. */
   read() {
     const last = this.shown.at(-1)!.text;
     const offsets = [...last.matchAll(/<path/g)].map(({ index }) => index);
@@ -43,7 +43,7 @@ let engine: NotedEngine;
 let editor: DrawingEditor;
 const handleOf = (id: string) => [...editor.drawing.all()].find(({ name }) => name === id)!.handle;
 
-/** An outcome that writes path data. */
+/** Returns an outcome that writes path data. */
 const bent = (drawing: Drawing, id: string, d: string): Outcome => {
   const item = [...drawing.all()].find(({ name }) => name === id)!;
   return { patch: setAttribute(drawing.text, item.element, "d", d) };
@@ -211,5 +211,160 @@ describe("documents", () => {
     editor.undo();
     expect(editor.drawing.text).toContain("lime");
     expect(editor.file.value).toMatchObject({ name: "other.svg", isChanged: false });
+  });
+});
+
+describe("steps that follow each other quickly", () => {
+  const choose = (id: string) => {
+    editor.selection.value = [{ handle: handleOf(id), part: { kind: "whole" } }];
+  };
+  const nudge = (id: string, d: string) => editor.run("move", bent(editor.drawing, id, d), "nudge");
+
+  it("are one step of undo where they are of one object", () => {
+    choose("a");
+    for (const y of [11, 12, 13]) nudge("a", `M0 0 L10 ${y}`);
+    editor.undo();
+    expect(editor.drawing.text).toBe(text);
+  });
+
+  it("are a step each where they are of different objects", () => {
+    choose("a");
+    nudge("a", "M0 0 L10 11");
+    choose("b");
+    nudge("b", "M0 20 L10 31");
+    editor.undo();
+    expect(editor.drawing.text).toBe(text.replace("L10 10", "L10 11"));
+    editor.undo();
+    expect(editor.drawing.text).toBe(text);
+  });
+
+  it("are a step each where another part of the object is chosen", () => {
+    const stop = (index: number) => {
+      const part = { kind: "stop", side: "left", attribute: "color", index } as const;
+      editor.selection.value = [{ handle: handleOf("a"), part }];
+    };
+    stop(0);
+    nudge("a", "M0 0 L10 11");
+    stop(1);
+    nudge("a", "M0 0 L10 12");
+    editor.undo();
+    expect(editor.drawing.text).toBe(text.replace("L10 10", "L10 11"));
+  });
+});
+
+describe("a tool's draft", () => {
+  const draft = (undoLabel: string | null, redoLabel: string | null) => ({
+    undoLabel,
+    redoLabel,
+    undo: vi.fn(),
+    redo: vi.fn(),
+    drop: vi.fn(() => void (editor.draft.value = null)),
+  });
+
+  it("has undo and redo for itself, and their labels", () => {
+    editor.run("bend", bent(editor.drawing, "a", "M0 0 L10 20"));
+    const own = (editor.draft.value = draft("set node", null));
+    expect([editor.undoLabel.value, editor.redoLabel.value]).toEqual(["set node", null]);
+    editor.undo();
+    editor.redo();
+    expect(own.undo).toHaveBeenCalledTimes(1);
+    expect(own.redo).not.toHaveBeenCalled();
+    expect(editor.drawing.text).toContain("L10 20");
+  });
+
+  it("that is empty lets undo through, and ends", () => {
+    editor.run("bend", bent(editor.drawing, "a", "M0 0 L10 20"));
+    const own = (editor.draft.value = draft(null, "set node"));
+    expect([editor.undoLabel.value, editor.redoLabel.value]).toEqual(["bend", "set node"]);
+    editor.redo();
+    expect(own.redo).toHaveBeenCalledTimes(1);
+    editor.undo();
+    expect(editor.drawing.text).toBe(text);
+    expect(editor.redoLabel.value).toBe("bend");
+  });
+
+  it("ends where another drawing is opened", () => {
+    const own = (editor.draft.value = draft("set node", null));
+    editor.open(text, "other.svg");
+    expect(own.drop).toHaveBeenCalledTimes(1);
+  });
+});
+
+it("undo waits for an edit that is on its way, and takes that back", async () => {
+  editor.run("bend", bent(editor.drawing, "a", "M0 0 L10 20"));
+  const coming = Promise.resolve().then(() => editor.run("draw", bent(editor.drawing, "b", "M0 20 L10 40")));
+  editor.awaitEdit(coming);
+  editor.undo();
+  await coming;
+  await Promise.resolve();
+  await Promise.resolve();
+  expect(editor.redoLabel.value).toBe("draw");
+  expect(editor.drawing.text).toContain("L10 20");
+  expect(editor.drawing.text).not.toContain("L10 40");
+});
+
+describe("hints", () => {
+  const hint = { rule: "crossing", message: "they cross" };
+  let answer: unknown[] | null = [];
+  const lint = vi.fn(async () => answer);
+  beforeEach(() => {
+    vi.useFakeTimers();
+    (engine as unknown as { lint: unknown }).lint = lint;
+    answer = [];
+  });
+  afterEach(() => void vi.useRealTimers());
+  const rest = async () => {
+    engine.onStatus({ kind: "exact", milliseconds: 0 });
+    await vi.advanceTimersByTimeAsync(1500);
+  };
+
+  it("are known where the drawing as it is was looked at", async () => {
+    expect(editor.hintsKnown.value).toBe(false);
+    await rest();
+    expect(editor.hintsKnown.value).toBe(true);
+    editor.run("bend", bent(editor.drawing, "a", "M0 0 L10 20"));
+    expect(editor.hintsKnown.value).toBe(false);
+    await rest();
+    expect(editor.hintsKnown.value).toBe(true);
+    editor.open(text, "other.svg");
+    expect(editor.hintsKnown.value).toBe(false);
+  });
+
+  it("of a drawing that has changed since are not taken", async () => {
+    answer = [hint];
+    lint.mockImplementationOnce(async () => {
+      editor.run("bend", bent(editor.drawing, "a", "M0 0 L10 20"));
+      return answer;
+    });
+    await rest();
+    expect([editor.hints.value, editor.hintsKnown.value]).toEqual([[], false]);
+  });
+
+  it("that nobody could look for are not known", async () => {
+    answer = null;
+    await rest();
+    expect(editor.hintsKnown.value).toBe(false);
+  });
+});
+
+describe("a drawing that is opened", () => {
+  it("tells where its pictures begin", () => {
+    const before = editor.opened.value;
+    editor.run("bend", bent(editor.drawing, "a", "M0 0 L10 20"));
+    expect(editor.opened.value).toBe(before);
+    editor.open(text, "other.svg");
+    expect(editor.opened.value).toBe(engine.shown.length - 1);
+  });
+
+  it("says so where it cannot be drawn, but not where only an edit cannot", () => {
+    const unseen = vi.fn();
+    editor.onUnseen = unseen;
+    const problem = { kind: "problem", reason: "too many", line: 1, column: 1 } as const;
+    engine.onStatus({ kind: "exact", milliseconds: 0 });
+    engine.onStatus(problem);
+    expect(unseen).not.toHaveBeenCalled();
+    editor.open(text, "other.svg");
+    engine.onStatus(problem);
+    expect(unseen).toHaveBeenCalledTimes(1);
   });
 });

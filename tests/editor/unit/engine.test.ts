@@ -1,5 +1,5 @@
-// The engine and its workers: what the page has after any edits is what the library solves of the
-// text, and what comes late does not undo what came later.
+// The engine and its workers: after any edits the page has the library's solution of the text, and late answers do
+// not replace newer ones.
 import { afterEach, describe, expect, it } from "vitest";
 import { loadSfumato, Status, Table } from "../../../web/wasm/sfumato.mjs";
 import { SIDE, type ExactLayer } from "../../../web/viewer/exact_fields.js";
@@ -12,7 +12,7 @@ import { hasModule, localHost, module, textOf } from "./wasm.js";
 const artboard = [0, 0, 200, 150] as const;
 const look = (engine: WorkerEngine) => engine.look(2, artboard, artboard);
 
-/** Two layers of two curves; the first one's first curve is bent. */
+/** Returns two layers of two curves; the first layer's first curve is bent. */
 const drawing = (bend: number, color = "#c21") => `<svg xmlns="http://www.w3.org/2000/svg"
   xmlns:sf="urn:sfumato:1" viewBox="0 0 200 150" sf:version="1">
   <g sf:diffuse="true">
@@ -29,7 +29,7 @@ const pointsFor = (bend: number): QuickChange => ({
   xy: Float64Array.of(0, 100, 60, bend, 140, 130, 200, 90),
 });
 
-/** What the page has: mirrors of the layers, and what it was told. */
+/** The page's state: mirrors of the layers, and the reports that it received. */
 class Page {
   readonly mirrors: LayerMirror[] = [];
   readonly layers: MirroredLayer[] = [];
@@ -70,14 +70,14 @@ class Page {
   }
 }
 
-/** Where sides of curves begin, artboard units of a layer that is not transformed. */
+/** Returns the starts of curve sides, artboard units of a layer without a transform. */
 function endsOfSides({ fields: [{ edge }], positions, origin, triangleVertex }: ExactLayer) {
   const ends = [...edge.keys()].filter((h) => edge[h] === SIDE).map((h) => triangleVertex[h]);
   const along = (axis: 0 | 1) => ends.map((vertex) => positions[2 * vertex + axis] + origin[axis]);
   return { x: along(0), y: along(1) };
 }
 
-/** How far a point is from a cubic curve, nearly. */
+/** Returns the approximate distance of a point from a cubic curve. */
 function distanceTo([x0, y0, x1, y1, x2, y2, x3, y3]: number[], x: number, y: number): number {
   const at = (t: number, a: number, b: number, c: number, d: number) =>
     a * (1 - t) ** 3 + 3 * b * t * (1 - t) ** 2 + 3 * c * t * t * (1 - t) + d * t ** 3;
@@ -85,7 +85,7 @@ function distanceTo([x0, y0, x1, y1, x2, y2, x3, y3]: number[], x: number, y: nu
   return Math.min(...steps.map((t) => Math.hypot(at(t, x0, x1, x2, x3) - x, at(t, y0, y1, y2, y3) - y)));
 }
 
-/** All tables of a text as the library solves it, with options. */
+/** Returns all tables of a text, solved by the library with options. */
 async function solved(text: string, width: number) {
   const context = (await loadSfumato(await module())).context();
   const picture = context.solve(context.read(text), { width });
@@ -119,12 +119,12 @@ async function expectSolved(page: Page, text: string, width: number) {
   });
 }
 
-/** A host that notes by which worker, from 1, each exact picture and each quick one is made. */
+/** Returns a host that records which worker, from 1, makes each exact and each quick picture. */
 function watchedHost() {
   const host = localHost();
   const exact: number[] = [];
   const quick: number[] = [];
-  /** Layer and curve of drags that are begun beforehand. */
+  /** Layer and curve of drags that are prepared. */
   const expected: string[] = [];
   const worker = () => {
     const made = host.worker();
@@ -206,7 +206,7 @@ describe.skipIf(!hasModule).each(ways)("the engine $way", ({ mostInFront }) => {
     page.engine.expect({ layer: 0, curve: 1 });
     await page.exact();
     await page.until(() => expected.length === 1);
-    // It is busy with that; the latest one follows.
+    // It is busy with that; the latest request follows.
     page.engine.expect({ layer: 1, curve: 0 });
     page.engine.expect({ layer: 0, curve: 0 });
     await page.until(() => expected.length === 2);
@@ -222,7 +222,7 @@ describe.skipIf(!hasModule).each(ways)("the engine $way", ({ mostInFront }) => {
     await page.exact();
     await expectSolved(page, drawing(90), 512);
     await page.until(() => expected.length === 4);
-    // In another text its number may be another curve's, or nobody's.
+    // In another text the index may belong to another curve, or to none.
     page.show(drawing(60), false);
     await page.exact();
     await expectSolved(page, drawing(60), 512);
@@ -244,7 +244,7 @@ describe.skipIf(!hasModule).each(ways)("the engine $way", ({ mostInFront }) => {
     page.show(text(9, 99), true, [points(9, 99)]);
     page.show(text(0, 100), true, [points(0, 100)]);
     await page.exact();
-    // The one that goes on with the drag has it still, where another made the exact picture.
+    // The worker that continues the drag still has it, although another one made the exact picture.
     const { curves } = page.engine.index;
     expect(curves.map(({ layer }) => layer)).toEqual(mostInFront === 0 ? [0, 0, 1] : [0, 1]);
     page.show(text(40, 60), true);
@@ -421,7 +421,7 @@ describe.skipIf(!hasModule).each(ways)("the engine $way", ({ mostInFront }) => {
   }, 120_000);
 });
 
-/** A worker whose quick pictures leave something to do for so many rounds, and whose exact ones take long. */
+/** A worker whose quick pictures need several more rounds, and whose exact pictures take long. */
 class SlowWorker {
   onmessage: ((event: MessageEvent) => void) | null = null;
   #rounds = 0;
@@ -443,7 +443,7 @@ it("goes on with the rough picture while a large one is made exact", async () =>
   const page = new Page(new WorkerEngine(host));
   page.show("a", false);
   await page.exact();
-  // So long that an edit settles at once.
+  // After this time an edit settles at once.
   await new Promise((resolve) => setTimeout(resolve, 900));
   const before = page.updates;
   page.show("b", false);
@@ -453,7 +453,7 @@ it("goes on with the rough picture while a large one is made exact", async () =>
 });
 
 describe.skipIf(!hasModule)("a module that fails while it prepares a drag", () => {
-  /** A host of whose workers the first that is asked to prepare one says this instead. */
+  /** Returns a host in which the first worker that prepares a drag fails with this code. */
   const failing = (code: number) => {
     const host = localHost();
     let hasFailed = false;

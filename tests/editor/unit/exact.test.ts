@@ -1,4 +1,4 @@
-// Exact pixels of the stage: what the engine is asked for, and what is said of them.
+// Exact pixels of the stage: the requests to the engine, and the reported state.
 import { signal } from "@preact/signals";
 import { describe, expect, test } from "vitest";
 import type { Editor, ExactState } from "../../../web/editor/src/app/types.js";
@@ -9,7 +9,9 @@ import type { Frame, Renderer } from "../../../web/viewer/renderer.js";
 
 const layerOf = (number: number) => ({ tolerance: number }) as unknown as ExactLayer;
 
-/** A picture of two layers that has rested, an engine that answers by rote, and a renderer that gathers in two steps. */
+/**
+ * Returns a settled picture of two layers, an engine with fixed answers, and a renderer that gathers in two steps.
+ */
 function stage(driver = "a card") {
   const asked: number[] = [];
   const versions = [1, 1];

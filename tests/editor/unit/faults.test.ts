@@ -1,4 +1,4 @@
-// Edits after which the library would refuse the whole drawing are not done, and words say why.
+// Edits that would make the whole drawing invalid for the library are refused, with a reason.
 import { describe, expect, it } from "vitest";
 import { pasteText } from "../../../web/editor/src/app/clipboard.js";
 import { DrawingEditor } from "../../../web/editor/src/app/editor.js";
@@ -16,7 +16,7 @@ const svg = (inner: string) =>
 const layer = '<g id="l" sf:diffuse="true"><path id="c" d="M1 1L9 9" sf:left="red"/></g>';
 const stroke = '<path id="s" d="M1 1L9 9" sf:radius="3" sf:left="red"/>';
 
-/** Instances of instances, the last of which is one of what has that id. */
+/** Returns nested instances; the last one shows the item with that id. */
 const chainTo = (id: string, count: number) =>
   Array.from({ length: count }, (_, k) => `<use id="u${k}" href="#${k + 1 < count ? `u${k + 1}` : id}"/>`).join("");
 
@@ -28,7 +28,7 @@ function written(editor: DrawingEditor, id: string, name: Parameters<typeof setA
   return { patch: setAttribute(text, ids.get(id)!, name, value) };
 }
 
-/** Whole drawings: the fault of each. */
+/** Whole drawings, each with its fault. */
 const TEXTS: readonly (readonly [string, string | null])[] = [
   [svg(layer + stroke), null],
   [svg(layer.replace("9 9", "9 1e8")), "far"],
@@ -43,7 +43,7 @@ const TEXTS: readonly (readonly [string, string | null])[] = [
   [svg(`<g id="g">${layer}<use href="#g"/></g>`), "circle of instances"],
   [svg(`<g id="g">${layer}<use href="#h"/></g><g id="h"><use href="#g"/></g>`), "circle of instances"],
   [svg(`<g id="g">${layer}<use href="#l"/></g><use href="#g"/><use href="#g" x="9"/>`), null],
-  // Nothing is drawn there, which is no fault.
+  // An empty drawing is not a fault.
   [svg('<g sf:diffuse="true"><path d="" sf:left="red"/><rect width="0" height="9" sf:left="red"/></g>'), null],
 ];
 

@@ -1,4 +1,4 @@
-// Where rows of the tree may be dropped, and what comes of it.
+// Places where rows of the tree may be dropped, and the results.
 import { describe, expect, it } from "vitest";
 import { openDrawing } from "../../../web/editor/src/model/drawing.js";
 import type { Drawing } from "../../../web/editor/src/model/types.js";
@@ -38,7 +38,7 @@ describe("rows", () => {
   });
 });
 
-/** The rows after `what` was let go at a height (in rows) and depth. */
+/** Returns the rows after dropping `what` at a height (in rows) and depth. */
 function dropped(what: string, y: number, depth: number): string[] | null {
   const drawing = openDrawing(text);
   const item = named(drawing, what);

@@ -1,4 +1,4 @@
-// Stop lists as ribbons and profiles edit them.
+// Edits of stop lists in ribbons and profiles.
 import { describe, expect, it } from "vitest";
 import {
   mixNumbers,
@@ -53,7 +53,7 @@ describe("a list of stops", () => {
         const placed = withStop(now, { offset: at, value: valueAt(now.stops, at, mixNumbers) });
         expect(placed.value.stops[placed.index].offset).toBe(at);
         now = placed.value;
-        // A stop with the value that is there changes nothing that is seen.
+        // A new stop with the present value there changes nothing visible.
         for (const t of [0, 0.13, 0.5, 0.77, 1]) {
           expect(valueAt(now.stops, t, mixNumbers)).toBeCloseTo(
             valueAt(before.stops, t, mixNumbers),

@@ -1,4 +1,4 @@
-// Commands that must not change the picture, held to its pixels; and transforms, held to the moved one.
+// Commands that must not change the picture, compared by pixels; and transforms, compared with the moved picture.
 import { expect, test } from "vitest";
 import {
   deleteItems,
@@ -22,14 +22,14 @@ import type { Painter, Pixels } from "./picture.js";
 import { Random } from "./random.js";
 
 /**
- * Code values. Numbers that are written anew lie up to half a step, 1e-7 of the artboard, from where
- * they were, so that the mesh may have other triangles. Each picture is within max-error = 1 of the
- * exact one but for single pixels beside curves; on the mean they differ by far less.
+ * Code values. Rewritten numbers lie up to half a step, 1e-7 of the artboard, from their former values, so the mesh
+ * may have other triangles. Each picture is within max-error = 1 of the exact one, except single pixels beside
+ * curves; the mean difference is far smaller.
  */
 const MOST_MEAN = 0.05;
 const MOST = 5;
 
-/** A text after some commands, or null where they do nothing. */
+/** Returns a text after some commands, or null if they do nothing. */
 type Trial = (d: Drawing, random: Random) => string | null;
 
 function done(d: Drawing, outcome: Outcome | null): string | null {
@@ -41,7 +41,7 @@ function pick(d: Drawing, random: Random, fits: (item: Item) => boolean = () => 
   return all.length > 0 ? random.pick(all) : null;
 }
 
-/** Siblings in a row. */
+/** Returns consecutive siblings. */
 function row(d: Drawing, random: Random): Item[] {
   const item = pick(d, random);
   if (!item) return [];
@@ -79,11 +79,11 @@ const TRIALS: Readonly<Record<string, Trial>> = {
     return moved ? done(d, restack(d, [moved.handle], -1)) : null;
   },
   "moveInto, next to itself": (d, random) => {
-    // Out of a plain group, or into one, and still between the same neighbours.
+    // Moves an item out of a plain group or into one, between the same neighbours.
     const item = pick(d, random, ({ parent }) => parent?.kind === "group");
     const around = item?.parent;
     if (!item || !around || around.opacity < 1 || around.blend !== "normal") return null;
-    // What leaves a group leaves its instances, too.
+    // An item that leaves a group also leaves the group's instances.
     if ([...d.all()].some((use) => use.kind === "use" && use.target === around)) return null;
     const siblings = around.parent?.children ?? d.items;
     const index = siblings.indexOf(around);
@@ -142,10 +142,10 @@ test.skipIf(!isThere).each(Object.keys(TRIALS))("%s leaves the picture as it is"
   expect(compared).toBeGreaterThan(3);
 }, 240_000);
 
-/** A map of the artboard, and what it makes of the picture. */
+/** A map of the artboard, and its effect on the picture. */
 interface Mirror {
   readonly map: (box: Drawing["artboard"]) => readonly number[];
-  /** The pixel of the picture before that comes to x, y. */
+  /** Returns the former picture's pixel that moves to x, y. */
   readonly from: (x: number, y: number, width: number, height: number) => readonly [number, number];
 }
 
@@ -173,18 +173,18 @@ function mirrored(pixels: Pixels, from: Mirror["from"], width: number): Pixels {
   });
 }
 
-/** All that moves: whole layers, groups and uses, or every curve by itself. */
+/** Returns all movable items: whole layers, groups and uses, or every single curve. */
 function movable(d: Drawing, isEachCurve: boolean): readonly Item[] {
   if (!isEachCurve) return d.items;
   return [...d.all()].filter(({ kind }) => kind === "curve" || kind === "stroke");
 }
 
-/** The mesh of a mirrored drawing has other triangles: what is above for all pixels at once. */
+/** The mesh of a mirrored drawing has other triangles: the limit above, for all pixels at once. */
 const MOST_MEAN_MIRRORED = 0.4;
-/** Shares of pixels that may differ by more than 6 code values: those on sharp curves. */
+/** Share of pixels that may differ by more than 6 code values: pixels on sharp curves. */
 const ODD_SHARE = 0.01;
 
-/** Textures repeat beyond the artboard and stay; curves that uses copy would move twice. */
+/** Excluded: textures repeat beyond the artboard and stay, and curves copied by uses would move twice. */
 function samplesFor(isEachCurve: boolean): readonly Sample[] {
   return texts.filter(({ text }) => !/<pattern/.test(text) && !(isEachCurve && /<(s:)?use/.test(text)));
 }
@@ -215,7 +215,7 @@ test.skipIf(!isThere)("transform by similarities: seen in the moved artboard, th
   const easel = (await painter()) as Painter;
   const random = new Random(11);
   for (const isEachCurve of [false, true]) {
-    // A background is no item, and covers the artboard as it was.
+    // A background is not an item, and it keeps covering the artboard.
     const bare = samplesFor(isEachCurve).filter(({ text }) => !/<rect width="(100%|200)"/.test(text));
     expect(bare.length).toBeGreaterThan(1);
     for (const sample of bare) {

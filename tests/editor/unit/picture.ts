@@ -1,22 +1,24 @@
-// Pictures of texts, as the module draws them.
+// Pictures of texts, drawn by the module.
 import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { file, modulePath } from "./drawings.js";
 
-/** Code values, red, green, blue and alpha in turn; colours are premultiplied: what is not seen does not count. */
+/**
+ * Code values: red, green, blue and alpha in turn. Colours are premultiplied, so that invisible ones do not count.
+ */
 export type Pixels = Float64Array;
 
 export interface Painter {
-  /** @throws SfumatoError where the text is no drawing */
+  /** Reads a text. @throws SfumatoError if the text is not a valid drawing */
   read(text: string): void;
-  /** Of the artboard. @throws SfumatoError where the text is no drawing */
+  /** Draws the artboard. @throws SfumatoError if the text is not a valid drawing */
   paint(text: string, width?: number): Pixels;
 }
 
-/** A picture for any image: what commands do to drawings does not hang on it. */
+/** Replaces every image, because the effect of commands on drawings does not depend on images. */
 const STAND_IN = { width: 2, height: 2, data: new Uint8Array([200, 90, 40, 255, 30, 80, 160, 255, 60, 120, 50, 255, 240, 230, 200, 255]) };
 
-/** null where there is no module. */
+/** Returns null if there is no module. */
 export async function painter(): Promise<Painter | null> {
   const path = modulePath();
   if (!path) return null;
@@ -62,7 +64,7 @@ function premultiplied(rgba: Uint16Array): Pixels {
   });
 }
 
-/** The largest difference, and the mean one, in code values. */
+/** Returns the largest and the mean difference, in code values. */
 export function difference(a: Pixels, b: Pixels): { most: number; mean: number } {
   if (a.length !== b.length) return { most: Infinity, mean: Infinity };
   let most = 0;

@@ -1,14 +1,14 @@
-// The module for tests in node: `make editor` builds it; SFUMATO_WASM may name another.
+// The module for tests in node. `make editor` builds it; SFUMATO_WASM may name another one.
 import { existsSync, readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import type { Host } from "../../../web/editor/src/engine/seat.js";
 import type { MessageEndpoint } from "../../../web/editor/src/engine/rpc.js";
 import { serve } from "../../../web/editor/src/engine/serve.js";
 
-export const root = fileURLToPath(new URL("../../../", import.meta.url));
+export const root = fileURLToPath(new URL("../../..", import.meta.url));
 const path = process.env.SFUMATO_WASM ?? `${root}build-wasm/sfumato.wasm`;
 
-/** Whether the module was built; tests that need it are skipped where it was not. */
+/** Whether the module was built; tests that need it are skipped otherwise. */
 export const hasModule = existsSync(path);
 
 let compiled: Promise<WebAssembly.Module> | undefined;
@@ -17,10 +17,10 @@ export function module(): Promise<WebAssembly.Module> {
   return compiled;
 }
 
-/** A text of the project. */
+/** Returns a text file of the project. */
 export const textOf = (file: string) => readFileSync(root + file, "utf8");
 
-/** A worker that lives in this thread: messages are copied, and come later. */
+/** A worker in this thread: messages are copied, and arrive later. */
 class LocalWorker {
   onmessage: ((event: MessageEvent) => void) | null = null;
   onerror = null;
@@ -53,7 +53,7 @@ class LocalWorker {
   }
 }
 
-/** Counts the workers that were started, and those that live. */
+/** Returns a host that counts the workers that were started, and the live ones. */
 export function localHost(): Host & { workers: number; living: number } {
   return {
     workers: 0,

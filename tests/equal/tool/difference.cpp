@@ -54,7 +54,8 @@ bool same_number(const TraceArray& a, const TraceArray& b, std::size_t index) {
   return std::memcmp(a.bytes.data() + at, b.bytes.data() + at, size) == 0;
 }
 
-/// The first number that differs of two arrays of one stage and type; the end of the shorter one.
+/// Returns the first number that differs between two arrays of one stage and type; the end of the
+/// shorter one.
 Difference difference_within(const TraceArray& a, const TraceArray& b) {
   Difference difference;
   difference.stage = a.stage;
@@ -86,7 +87,8 @@ std::string kind_text(const TraceArray* array) {
          std::to_string(array->width);
 }
 
-/// Two arrays at one place of their traces that are not the same step; null: there is none.
+/// Returns the difference between two arrays at one place of their traces that are not the same
+/// step; null: missing.
 Difference difference_of_steps(const TraceArray* a, const TraceArray* b) {
   Difference difference;
   difference.stage = "the steps themselves";

@@ -35,7 +35,7 @@ void add_nodes(const PatchField& field, Hasher& hasher) {
   hasher.add(field.shader);
 }
 
-/// Of what exporters draw as pixels: enough to tell, and quick.
+/// Resolution for exporters that draw pixels: enough to detect differences, and quick.
 constexpr double kDpi = 24;
 
 template <class Options>

@@ -14,7 +14,7 @@ class Hasher {
  public:
   void add_bytes(const void* bytes, std::size_t size);
 
-  /// The numbers and how many there are.
+  /// Adds the numbers and their count.
   template <class Items>
   void add(const Items& items) {
     const std::uint64_t count = items.size();
@@ -28,7 +28,7 @@ class Hasher {
   std::uint64_t value_ = 0xcbf29ce484222325u;
 };
 
-/// What a stage of a scene gave, as a hash of its bits.
+/// The result of a stage of a scene, as a hash of its bits.
 struct StageHash {
   std::string stage;
   std::uint64_t hash = 0;
@@ -36,8 +36,8 @@ struct StageHash {
   friend bool operator==(const StageHash&, const StageHash&) = default;
 };
 
-/// A scene through diffuse() and rasterize(): its document, mesh, nodes, pixels and png; then what
-/// else the scene asks for. A stage that fails has the hash of its error, and ends the list.
+/// Hashes a scene through diffuse() and rasterize(): its document, mesh, nodes, pixels and png;
+/// then the scene's other outputs. A stage that fails has the hash of its error, and ends the list.
 std::vector<StageHash> digest_scene(Context& context, const Scene& scene);
 
 /// "17 document:0123456789abcdef mesh:…".

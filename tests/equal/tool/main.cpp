@@ -1,4 +1,4 @@
-// Scenes drawn under several configurations, which must give the same bits (README.md).
+// Draws scenes under several configurations, which must give the same bits (README.md).
 #include <charconv>
 #include <cstdio>
 #include <optional>
@@ -33,7 +33,7 @@ int fail(const Status& status) {
   return kUsage;
 }
 
-/// "1-1000" as seeds; else the text itself.
+/// Returns "1-1000" as seeds; otherwise the text itself.
 std::vector<std::string> scene_names(std::string_view text) {
   std::uint64_t first = 0, last = 0;
   const char* const end = text.data() + text.size();
@@ -46,7 +46,7 @@ std::vector<std::string> scene_names(std::string_view text) {
   return names;
 }
 
-/// The configurations that a word stands for; the seed decides on those of "few" and "one".
+/// Returns the configurations for a word; the seed chooses those for "few" and "one".
 std::vector<Configuration> configurations(std::string_view word, std::uint64_t seed) {
   if (word == "all") return all_configurations();
   std::vector<Configuration> chosen = configurations_of(seed);

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kFileSidePx = 512;
 
-/// Scale, image and viewport: `scale` pixels a unit of what is shown.
+/// Sets scale, image and viewport, with `scale` pixels per unit of the visible part.
 void set_size(const Box& shown, double scale, Scene& scene) {
   scene.diffuse.viewport = shown;
   scene.diffuse.pixels_per_unit = scale;
@@ -27,7 +27,7 @@ void set_size(const Box& shown, double scale, Scene& scene) {
 
 class SceneOptions {
  public:
-  /// Not the numbers that the document of this seed is made of.
+  /// Uses other random numbers than the document of this seed.
   explicit SceneOptions(std::uint64_t seed) : bits_(~seed) {}
 
   void choose(Scene& scene) {
@@ -54,7 +54,7 @@ class SceneOptions {
       const Vec2 size{real(0.3, 0.9) * shown.width(), real(0.3, 0.9) * shown.height()};
       shown = {shown.min + corner, shown.min + corner + size};
     }
-    // The large ones have several stripes of a PNG, and more tiles than there are threads.
+    // The large ones have several stripes of a PNG, and more tiles than threads.
     set_size(shown, chance(0.03) ? real(2, 3.5) : real(0.4, 1.2), scene);
   }
 

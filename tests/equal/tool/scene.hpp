@@ -11,7 +11,7 @@
 
 namespace sfumato::test {
 
-/// A document and all that is asked of it.
+/// A document with all options for drawing it.
 struct Scene {
   std::string name;
   Document document;
@@ -21,15 +21,15 @@ struct Scene {
   bool with_outputs = false;  ///< also written in every format
 };
 
-/// A random document, and options that the seed decides on: scale, viewport, pixel format, dither,
-/// orders of patches, errors, rays, and for one scene in ten every output.
+/// Returns a random document with options that the seed chooses: scale, viewport, pixel format,
+/// dither, orders of patches, errors, rays, and every output for one scene in ten.
 Scene random_scene(std::uint64_t seed);
 
-/// A file, one pixel a unit, at most 512 pixels wide and high. Textures are looked for beside it.
-/// Errors: those of reading it.
+/// Returns the scene of a file: one pixel per unit, at most 512 pixels wide and high. Textures are
+/// read beside the file. Returns the errors of reading it.
 Result<Scene> file_scene(const std::string& path);
 
-/// The scene of a seed ("17") or a file.
+/// Returns the scene of a seed ("17") or a file.
 Result<Scene> scene_of(const std::string& seed_or_path);
 
 }  // namespace sfumato::test

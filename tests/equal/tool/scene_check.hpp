@@ -13,19 +13,19 @@
 
 namespace sfumato::test {
 
-/// What came of one scene under several configurations.
+/// The result of one scene under several configurations.
 struct SceneCheck {
-  std::string line;       ///< digest_line under the first of them
-  std::string complaint;  ///< empty where all gave the same; else who did not, and where it begins
+  std::string line;       ///< digest_line under the first configuration
+  std::string complaint;  ///< empty if all agree; otherwise which one differs, and where
 };
 
-/// Works on scenes under configurations; keeps the threads from one to the next.
+/// Runs scenes under configurations, and reuses the threads.
 class SceneChecker {
  public:
   std::vector<StageHash> digest(const Scene& scene, const Configuration& configuration);
   Result<Trace> trace(const Scene& scene, const Configuration& configuration);
 
-  /// configurations   not empty
+  /// configurations: not empty
   SceneCheck check(const Scene& scene, const std::vector<Configuration>& configurations);
 
  private:

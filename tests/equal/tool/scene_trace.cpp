@@ -7,8 +7,8 @@
 #include "sfumato/api/render_pixels.hpp"
 #include "sfumato/codecs/png.hpp"
 #include "sfumato/formats/svg/svg_write.hpp"
-#include "solve/layer_solver.hpp"
-#include "solve/prepare_layer.hpp"
+#include "solve/layers/layer_solver.hpp"
+#include "solve/layers/prepare_layer.hpp"
 
 namespace sfumato::test {
 namespace {
@@ -37,7 +37,7 @@ void add_attributes(const std::string& stage, const curves::SegmentAttributes& a
   add_segments(stage + " right", attributes, attributes.right, trace);
 }
 
-/// Per triangle its centre.
+/// Returns the centre of each triangle.
 std::vector<Vec2> triangle_centers(const mesh::TriangleMesh& mesh) {
   std::vector<Vec2> centers;
   for (std::size_t i = 0; i < mesh.triangle_vertex.size(); i += 3) {
@@ -107,7 +107,7 @@ void add_image(const std::string& stage, const Image& image, Trace& trace) {
                    image.bytes, std::move(center)});
 }
 
-/// The first `count` items of a stack; groups that are open there are closed.
+/// Returns the first `count` items of a stack; open groups are closed.
 std::vector<PictureItem> first_items(const std::vector<PictureItem>& stack, std::size_t count) {
   std::vector<PictureItem> items(stack.begin(), stack.begin() + static_cast<std::ptrdiff_t>(count));
   std::ptrdiff_t open_groups = 0;
@@ -173,7 +173,7 @@ Status Tracer::add_picture(Picture& picture) {
   return ok_status();
 }
 
-/// As diffuse() does it, with an eye on every round.
+/// Solves a layer as diffuse() does, and records every round.
 Result<PatchLayer> Tracer::solve_layer(std::uint32_t index, const Box& viewport) {
   const std::string stage = "layer " + std::to_string(index) + ", ";
   const solve::LayerSight sight = solve::sight_of_layer(scene_.document, index, viewport);

@@ -7,10 +7,10 @@
 
 namespace sfumato::test {
 
-/// Works on a scene as diffuse() and rasterize() do and keeps what each step gave: the document,
-/// then for each layer its flattened curves, visibility mesh, the mesh, node positions and node
-/// values of every round, and patches; then the image of ever more of the stack, whole, and as PNG.
-/// Errors: those of diffuse() and rasterize().
+/// Works on a scene like diffuse() and rasterize(), and keeps the result of each step: the
+/// document; then, for each layer, its flattened curves, visibility mesh, the mesh, node positions
+/// and node values of every round, and patches; then the image of growing parts of the stack, the
+/// whole image, and its PNG. Returns the errors of diffuse() and rasterize().
 Result<Trace> trace_scene(Context& context, const Scene& scene);
 
 }  // namespace sfumato::test

@@ -28,7 +28,7 @@ class Reader {
     return true;
   }
 
-  /// A count of items, and the items.
+  /// Writes the number of items, and the items.
   template <class Items>
   bool take_items(Items& items) {
     std::uint64_t count = 0;

@@ -15,25 +15,25 @@ enum class NumberType : std::uint8_t { u8, u16, u32, i32, f32, f64 };
 
 std::size_t size_of(NumberType type);
 
-/// An array of numbers that one step of a computation gave.
+/// An array of numbers, the result of one step of a computation.
 struct TraceArray {
   std::string stage;                  ///< "layer 0, round 2: node values"
   NumberType type = NumberType::u8;   ///< of each number
   std::uint32_t width = 1;            ///< numbers of one item
   std::vector<std::uint8_t> bytes{};  ///< the numbers, in the machine's byte order
-  std::vector<Vec2> position{};       ///< per item: where it lies; empty: nowhere
+  std::vector<Vec2> position{};       ///< per item: its place; empty: none
 
   std::size_t number_count() const { return bytes.size() / size_of(type); }
 };
 
-/// All that a computation went through, in its order.
+/// All steps of a computation, in order.
 using Trace = std::vector<TraceArray>;
 
-/// Writes or reads one file. Errors: io; bad_input where the file is none of these.
+/// Writes or reads one file. Errors: io; bad_input for a file of another kind.
 Status save_trace(const std::string& path, const Trace& trace);
 Result<Trace> load_trace(const std::string& path);
 
-/// The same as bytes.
+/// Returns the same as bytes.
 std::string trace_bytes(const Trace& trace);
 Result<Trace> parse_trace(std::string_view bytes);
 
@@ -48,7 +48,7 @@ constexpr NumberType number_type() {
   return NumberType::u8;
 }
 
-/// An array of `width` numbers to an item.
+/// Returns an array of `width` numbers per item.
 template <class Number>
 TraceArray numbers(std::string stage, const std::vector<Number>& values, std::uint32_t width,
                    std::vector<Vec2> position = {}) {
@@ -60,7 +60,7 @@ TraceArray numbers(std::string stage, const std::vector<Number>& values, std::ui
           std::move(position)};
 }
 
-/// Points, each where it lies.
+/// Returns points, each with itself as its place.
 TraceArray points(std::string stage, const std::vector<Vec2>& values);
 
 }  // namespace sfumato::test

@@ -54,7 +54,7 @@ std::string textured(const std::string& file) {
       "sf:right='url(#p)'/></g>\n");
 }
 
-/// Waves, which pack well.
+/// Returns waves, which compress well.
 Image waves(int side, PixelFormat format) {
   Image image{side, side, format, {}};
   image.bytes.resize(image.row_bytes() * static_cast<std::size_t>(side));
@@ -85,7 +85,7 @@ std::string jpeg_texture(int side) {
 
 using Words = std::vector<std::string>;
 
-/// A case of one drawing, whose output is DIR/out.EXTENSION.
+/// Returns a case of one drawing, whose output is DIR/out.EXTENSION.
 Case rendered(std::string name, std::function<std::string()> drawing, const std::string& extension,
               const Words& more = {}) {
   Case made{std::move(name), {{"in.svg", std::move(drawing)}}, {}};
@@ -149,7 +149,7 @@ void add_curves(std::vector<Case>& cases) {
     cases.push_back(rendered(std::string("3,000 curves, ") + extension, text, extension,
                              {"--max-error", "off", "--width", "512"}));
   }
-  // Solving takes longer; what it takes it has by then.
+  // Solving would take longer, and its memory is already at its peak by then.
   for (const int count : {20'000, 200'000}) {
     const auto text = [count] { return test::many_curves_svg(static_cast<std::size_t>(count)); };
     cases.push_back(rendered(std::to_string(count) + " curves, 10 s of them", text, "png",

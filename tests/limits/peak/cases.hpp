@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-/// What takes `sfumato` the most memory: inputs near the limits, and each of its outputs.
+/// The calls of `sfumato` that take the most memory: inputs near the limits, and each output.
 namespace sfumato::peak {
 
 struct InputFile {
@@ -19,7 +19,7 @@ struct Case {
   bool is_quick = false;               ///< small enough for every run of the tests
 };
 
-/// The drawing that takes as good as nothing: what the process needs of itself.
+/// Returns the drawing that takes almost nothing: the process's own memory.
 Case empty_drawing();
 
 std::vector<Case> all_cases();

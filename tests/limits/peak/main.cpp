@@ -1,4 +1,4 @@
-// Peak resident memory of `sfumato` beside its --max-memory: tests/limits/README.md.
+// Peak resident memory of `sfumato` compared with its --max-memory: tests/limits/README.md.
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -20,18 +20,19 @@ using test::CommandResult;
 using test::TemporaryFolder;
 
 constexpr double kMebibyte = 1 << 20;
-/// What a process may take beyond its budget: heaps that are torn, stacks, small things.
+/// Allowance beyond the budget: fragmented heaps, stacks, small objects.
 constexpr double kLargestRatio = 1.25;
 
 struct Options {
   std::string binary = test::sfumato_program();
-  std::vector<std::string> words;  ///< only cases whose name has one of them
+  std::vector<std::string> words;  ///< only cases whose names contain one of them
   std::vector<int> budgets_mib{64, 128, 256, 512, 1024};
-  int steps_between = 3;  ///< between the last budget that is refused and the first that is enough
+  int steps_between = 3;  ///< between the last refused budget and the first sufficient one
   bool quick = false;
 };
 
-/// In a process of its own: one that was large at its fork would pass that on as the child's peak.
+/// Runs in a separate process, because a process that is large at its fork passes that peak on to
+/// the child.
 bool write_files(const Case& of, const TemporaryFolder& folder) {
   const pid_t id = fork();
   if (id == 0) {
@@ -61,18 +62,19 @@ bool is_wanted(const Options& options, const Case& of) {
   });
 }
 
-/// One case under one budget after the other.
+/// One case under increasing budgets.
 class Measurement {
  public:
   Measurement(const Options& options, const Case& of, std::size_t base_bytes)
       : options_(options), of_(of), base_bytes_(static_cast<double>(base_bytes)) {}
 
-  /// The budgets in their order up to the first that is enough, then some between it and the one
-  /// before: the peak is highest beside the smallest that is enough. Whether all were kept to.
+  /// Runs the budgets in order up to the first that suffices, then some between it and the previous
+  /// one, because the relative peak is highest at the smallest sufficient budget. Returns whether
+  /// all stayed within their limits.
   bool run_all();
 
  private:
-  /// Prints a line; whether the budget was enough.
+  /// Prints a line. Returns whether the budget sufficed.
   bool is_enough(int budget_mib);
 
   const Options& options_;

@@ -1,4 +1,4 @@
-// Builds a drawing in code and takes it through every verb of the public face: outside FOLDER
+// Builds a drawing in code and uses every public function on it: outside FOLDER
 #include <cmath>
 #include <cstdio>
 #include <sfumato/sfumato.hpp>
@@ -23,15 +23,15 @@ sfumato::Document drawing() {
   return document;
 }
 
-/// Writes a result's bytes, or says why there are none.
+/// Writes a result's bytes, or prints the error.
 bool write(const sfumato::Result<std::vector<std::uint8_t>>& bytes, const std::string& path) {
   const sfumato::Status status = bytes ? sfumato::write_file(path, *bytes) : bytes.status();
   if (!status) std::fprintf(stderr, "%s: %s\n", path.c_str(), to_string(status).c_str());
   return status.ok();
 }
 
-/// Just above the middle of the wave its left colour shows, and just below it the right one's mean
-/// with it, which blur makes.
+/// Checks colours: just above the middle of the wave its left colour shows, and just below it the
+/// mean of the left and right colours, by blur.
 bool evaluates(sfumato::Context& context, const sfumato::Document& document) {
   using namespace sfumato;
   const auto evaluator = PointEvaluator::create(context, document, {});

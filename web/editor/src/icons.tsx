@@ -134,7 +134,7 @@ const own = {
 
 export type IconName = keyof typeof lucide | keyof typeof own;
 
-/** What stands between `<svg …>` and `</svg>` of lucide's file. */
+/** Returns the text between `<svg …>` and `</svg>` of lucide's file. */
 const inside = (svg: string) =>
   svg.slice(svg.indexOf(">", svg.indexOf("<svg")) + 1, svg.lastIndexOf("</svg>"));
 

@@ -25,7 +25,7 @@ async function fetchWork(): Promise<Work> {
   const { begin, commandsOf } = await import("./work.js");
   const work = begin(editor, engine);
   later.value = work;
-  // What was asked for early is no part of this: if it fails, the rest is there all the same.
+  // An early request is separate from this: if it fails, the rest still works.
   queueMicrotask(() => editor.learn(commandsOf(work.documents)));
   void work.documents.openServed();
   return work;
@@ -35,7 +35,7 @@ const missing = () => editor.say(en.panels.partsMissing);
 
 const work = fetchWork();
 const documents = work.then((there) => there.documents);
-// Whoever waits for a file that does not come is told.
+// A request for a file that does not arrive gets a message.
 documents.catch(() => editor.learn({ get: () => missing }));
 const parts = fetchParts(work);
 const recent = computed(() =>
@@ -57,6 +57,6 @@ render(
   <App editor={editor} later={later} examples={examplesOf(documents)} recent={recent} />,
   document.getElementById("app")!,
 );
-// Whoever drives the page finds all of it there.
+// A script that drives the page finds all of it there.
 void parts.then(() => work).then((there) => there.publish(), () => undefined);
 keepOffline();

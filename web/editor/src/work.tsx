@@ -1,4 +1,5 @@
-// What the editor needs from the first drawing on, in a file of its own: the first page does not wait for it.
+// The code that the editor needs from the first drawing on, in a separate file: the first page does not wait
+// for it.
 import { listenToCopying } from "./app/clipboard.js";
 import { commandTable } from "./app/commands.js";
 import type { DrawingEditor } from "./app/editor.js";
@@ -54,5 +55,5 @@ export function begin(editor: DrawingEditor, engine: WorkerEngine): Work {
   };
 }
 
-/** What menus and keys name. */
+/** Returns the commands that menus and keys name. */
 export const commandsOf = (documents: Documents) => commandTable(fileCommands(() => documents));

@@ -2,6 +2,7 @@
 import { readFileSync, writeFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { build } from "vite";
+import { licencesPlugin } from "./licences.mjs";
 import { packedElement } from "./pack.mjs";
 import { hashOf, inlineScripts, intoHead, policyTag } from "./policy.mjs";
 
@@ -29,10 +30,11 @@ function contentOf(output) {
 }
 
 /** The script that unpacks the others. */
-async function unpackScript() {
+async function unpackScript(module) {
   const { output } = await build({
     configFile: false,
     logLevel: "warn",
+    plugins: [licencesPlugin(module)],
     worker: { format: "iife" },
     build: { write: false, target: "es2022", modulePreload: false, rolldownOptions: { input: here("unpack.ts") } },
   });
@@ -53,7 +55,7 @@ function withBytes(page, part, bytes) {
 /** @param module path of sfumato.wasm */
 async function pageOf({ script, style }, module) {
   const page = readFileSync(here("../index.html"), "utf8").replace(`    ${utf8}\n`, "");
-  const unpack = await unpackScript();
+  const unpack = await unpackScript(module);
   const policy = policyTag([...inlineScripts(page), unpack, script].map(hashOf).join(" "), hashOf(style));
   const icon = `<link rel="icon" href="${iconUri()}" />`;
   const frame = intoHead(page, `${byteForCharacter}\n    ${policy}`)

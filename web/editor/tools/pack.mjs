@@ -5,7 +5,7 @@ import { execFileSync } from "node:child_process";
 
 const ESCAPE = 0x1b;
 const SHIFT = 64;
-/** Bytes that HTML reads as others, and those that would end the element. */
+/** Returns whether HTML reads a byte as another one, or would end the element there. */
 const isChanged = (byte, next) =>
   byte === 0x00 || byte === 0x0d || byte === ESCAPE || (byte === 0x3c && (next === 0x2f || next === 0x21));
 

@@ -1,5 +1,4 @@
-// What the editor's pages may do: run their own code and nothing else, and ask no server but the one
-// that they come from.
+// The policy of the editor's pages: run only their own code, and contact only the server that they come from.
 import { createHash } from "node:crypto";
 
 /** A source of Content-Security-Policy that allows one inline text. */

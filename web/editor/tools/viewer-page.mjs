@@ -1,5 +1,5 @@
 // The viewer's page as `sfumato render -o page.html` writes it, with the marks {{title}}, {{fallback}} and
-// {{payload}} left for the editor. What stands in it, and in which order, src/export/html/html.cpp says.
+// {{payload}} left for the editor. src/export/html/html.cpp defines its parts and their order.
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { deflateSync } from "node:zlib";

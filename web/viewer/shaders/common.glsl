@@ -1,13 +1,13 @@
-// What every shader begins with. docs/gpu.md is the interface.
+// The beginning of every shader. docs/gpu.md describes the interface.
 precision highp float;
 precision highp int;
 precision highp sampler2D;
 precision highp usampler2D;
 
-/// Of a triangle, in the order of picture/patch.hpp.
+/// Nodes of a triangle, in the order of picture/patch.hpp.
 const int kNodes = 10;
 
-/// Where entry i of a data texture lies.
+/// Returns the texel of entry i of a data texture.
 ivec2 table_texel(int i) {
   return ivec2(i & 2047, i >> 11);
 }
@@ -24,8 +24,8 @@ vec2 mapped(vec3 row[2], vec2 p) {
   return vec2(dot(row[0], vec3(p, 1.0)), dot(row[1], vec3(p, 1.0)));
 }
 
-// Where the strips of a blur end, in radii from the edge; the most that a radius is, pixels: as
-// raster/soft_strip.hpp has them.
+// Where the strips of a blur end, in radii from the edge, and the largest radius, pixels: as in
+// raster/coverage/soft_strip.hpp.
 const float kStripReach[4] = float[4](0.08373, 0.25630, 0.44840, 0.71157);
 const float kMostReach = 64.0;
 
@@ -33,12 +33,13 @@ float longest_edge_squared(vec2 a, vec2 b, vec2 c) {
   return max(dot(b - a, b - a), max(dot(c - b, c - b), dot(a - c, a - c)));
 }
 
-/// Whether what bends in a triangle may bend within a pixel: as raster::MixedPixels has it.
+/// Returns whether a triangle's colours may bend within a pixel, as raster::MixedPixels does.
 bool is_small(vec2 a, vec2 b, vec2 c) {
   return longest_edge_squared(a, b, c) <= 9.0;
 }
 
-/// Whether a small triangle is parted by a pixel's quarters, likewise.
+/// Returns whether a small triangle is divided into quarters of a pixel, as raster::MixedPixels
+/// does.
 bool is_read_in_quarters(vec2 a, vec2 b, vec2 c) {
   return is_small(a, b, c) && longest_edge_squared(a, b, c) > 0.36;
 }
@@ -62,7 +63,7 @@ vec3 linear_from_oklab(vec3 lab) {
               -0.0041960863 * c.x - 0.7034186147 * c.y + 1.7076147010 * c.z);
 }
 
-/// A colour of the space of interpolation as code values, clamped to [0, 1].
+/// Converts a colour of the interpolation space to code values, clamped to [0, 1].
 vec3 clamped_code(int space, vec3 color) {
   if (space == kOklab) color = linear_from_oklab(color);
   color = clamp(color, 0.0, 1.0);

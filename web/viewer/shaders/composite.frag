@@ -1,5 +1,6 @@
-// Source over backdrop: W3C Compositing and Blending Level 1, sections 5, 10.1 and 10.2, on code
-// values. b is the backdrop's colour, s the source's, as Cb and Cs there.
+// Composites source over backdrop: W3C Compositing and Blending Level 1, sections 5, 10.1 and 10.2,
+// on code values. b is the backdrop's colour, s the source's colour: Cb and Cs in the
+// specification.
 uniform sampler2D source;
 uniform float opacity;
 #ifdef WITH_EDGES
@@ -10,19 +11,19 @@ uniform vec3 frame_from_pixel[2];
 
 out vec4 fragment;
 
-/// What was added up may be out of range.
+/// Clamps a sum, which may be out of range.
 vec4 in_range(vec4 pixel) {
   float alpha = clamp(pixel.a, 0.0, 1.0);
   return vec4(clamp(pixel.rgb, 0.0, alpha), alpha);
 }
 
 #ifdef WITH_EDGES
-// A centre of which half the square is covered is one that the centre rule decides.
+// If half of the square around a centre is covered, the centre rule decides.
 const float kLeastArea = 0.5 + 1e-4;
-// More is all of a pixel, but for the rounding of the sum (in half precision, too).
+// From this area on the whole pixel is covered; the sum is rounded, in half precision too.
 const float kWholeArea = 1.0 - 2e-3;
 
-/// Whether all of the pixel lies in the layer's frame, which is [0, 1]².
+/// Returns whether the whole pixel lies in the layer's frame, which is [0, 1]².
 bool in_frame() {
   vec2 center = mapped(frame_from_pixel, gl_FragCoord.xy);
   vec2 reach = 0.5 * vec2(abs(frame_from_pixel[0].x) + abs(frame_from_pixel[0].y),
@@ -31,8 +32,8 @@ bool in_frame() {
          all(lessThanEqual(center + reach, vec2(1.0)));
 }
 
-/// The mean over the pixel's square where a curve cuts it. The frame is no outline: as
-/// raster::MixedPixels.
+/// Returns the mean over the pixel's square where a curve cuts it. The frame is not an outline, as
+/// in raster::MixedPixels.
 vec4 with_edges(vec4 pixel) {
   vec4 mean = texelFetch(edges, ivec2(gl_FragCoord.xy), 0);
   if (mean.a < 0.0) return pixel;
@@ -95,7 +96,7 @@ float soft_light(float b, float s) {
   return b + (s + s - 1.0) * (s <= 0.5 ? b * (1.0 - b) : d - b);
 }
 
-/// B(Cb, Cs) of the separable modes.
+/// Returns B(Cb, Cs) of the separable modes.
 float separable(float b, float s) {
   switch (blend_mode) {
     case kMultiply: return b * s;

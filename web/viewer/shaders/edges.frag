@@ -1,5 +1,5 @@
-// The pixels that an edge cuts become 0, and are marked in the stencil. A pixel is the half-open
-// square from its upper left corner on, as raster::MixedPixels takes it.
+// Sets the pixels that an edge cuts to 0, and marks them in the stencil. A pixel is the half-open
+// square that begins at its upper left corner, as in raster::MixedPixels.
 flat in vec2 begin;
 flat in vec2 end;
 
@@ -8,7 +8,7 @@ out vec4 fragment;
 void main() {
   vec2 from = begin - gl_FragCoord.xy, to = end - gl_FragCoord.xy;
   if (min(from.y, to.y) >= 0.5 || max(from.y, to.y) < -0.5) discard;
-  // Where the edge enters and leaves the row; its ends where they lie in the row.
+  // Where the edge enters and leaves the row; an end of the edge that lies in the row.
   vec2 row = vec2(0.0, 1.0);
   if (from.y != to.y) row = clamp((vec2(-0.5, 0.5) - from.y) / (to.y - from.y), 0.0, 1.0);
   vec2 x = mix(vec2(from.x), vec2(to.x), row);

@@ -1,4 +1,4 @@
-// Edges that are curves, six vertices to an edge: quads over all pixels that an edge may cut.
+// Edges that are curves, six vertices per edge: quads over all pixels that an edge may cut.
 uniform usampler2D triangle_vertex;
 uniform sampler2D vertex_position;
 uniform usampler2D edge_slot;

@@ -1,5 +1,5 @@
-// A pixel's exact colour, gathered at its centre by gather/point_walk.glsl. Not premultiplied; what
-// is not found stays as it is, and has no alpha from 0 to 1.
+// The exact colour of a pixel, gathered at its centre by gather/point_walk.glsl. The colour is not
+// premultiplied. A point that is not found keeps its pixel; its alpha is then outside 0 to 1.
 //
 // WITH_BLUR: some curve is blurred. WITH_OPACITY: a second field, whose triangles follow.
 uniform sampler2D places;
@@ -9,7 +9,7 @@ uniform float negligible;
 uniform int step_limit;
 uniform int triangle_count;
 uniform int interpolation;
-/// In a pixel that a curve cuts: 16, or 0, where it is left out.
+/// Samples in a pixel that a curve cuts: 16, or 0 to leave the pixel out.
 uniform int cut_samples;
 uniform sampler2D end_table;
 uniform ivec2 end_count;
@@ -24,8 +24,8 @@ float side_of(int ax, int ay, int bx, int by, vec2 p) {
   return e.x * (p.y - a.y) - e.y * (p.x - a.x);
 }
 
-/// From where the rasteriser found the point to where it is: its corners lie on a grid of 1/256
-/// pixels.
+/// Walks from the triangle that the rasteriser found, whose corners lie on a grid of 1/256 pixels,
+/// to the triangle that holds the point.
 int located(vec2 p, int t) {
   for (int i = 0; i < kHops; ++i) {
     ivec4 t0 = triangle_at(3 * t), t1 = triangle_at(3 * t + 1), t2 = triangle_at(3 * t + 2);
@@ -45,7 +45,7 @@ int located(vec2 p, int t) {
   return t;
 }
 
-/// A point on a corner sees two edges under no angle: it is moved a thousandth inwards.
+/// Moves a point on a corner a thousandth inwards, because it sees two edges at no angle.
 vec2 off_corners(vec2 p, int t) {
   ivec4 t0 = triangle_at(3 * t), t1 = triangle_at(3 * t + 1);
   vec3 x = intBitsToFloat(t0.xyz), y = intBitsToFloat(ivec3(t0.w, t1.xy));
@@ -54,7 +54,7 @@ vec2 off_corners(vec2 p, int t) {
   return is_on ? p + 1e-3 * (vec2(dot(x, vec3(1.0)), dot(y, vec3(1.0))) / 3.0 - p) : p;
 }
 
-/// Adds the terms of free ends, as gather/kernels/end_terms.hpp does. Returns the weight with them.
+/// Adds the terms of free ends, as gather/kernels/end_terms.hpp does. Returns the new weight.
 float with_ends(vec2 p, int first, int count, float weight, inout vec4 mean) {
   for (int i = first; i < first + count; ++i) {
     vec4 a = table_value(end_table, 5 * i), b = table_value(end_table, 5 * i + 1);
@@ -79,7 +79,7 @@ float with_ends(vec2 p, int first, int count, float weight, inout vec4 mean) {
   return weight;
 }
 
-/// The colour at p, premultiplied; alpha -1 where it was not found.
+/// Returns the colour at p, premultiplied; alpha -1 if the point was not found.
 vec4 color_at(vec2 p, int t) {
   gather(p, t, negligible, step_limit);
   if (failed) return vec4(-1.0);
@@ -95,7 +95,7 @@ vec4 color_at(vec2 p, int t) {
   return vec4(alpha * clamped_code(interpolation, color.rgb), alpha);
 }
 
-/// Point i of the samples of a pixel, evenly spread, relative to its centre.
+/// Returns sample i of a pixel, relative to its centre; samples are evenly spread.
 vec2 sample_place(int i) {
   vec2 cell = vec2(i & 3, i >> 2);
   return (cell - 1.5) / 4.0 + (cell.yx - 1.5) * vec2(1.0, -1.0) / 16.0;
@@ -114,7 +114,7 @@ void main() {
     if (color.a < 0.0) discard;
     sum += color;
   }
-  // Mesa's llvmpipe ends all loops of a pixel after 65,535 rounds: then sums are of a part.
+  // Mesa's llvmpipe ends all loops of a pixel after 65,535 rounds; sums would then be incomplete.
   int rounds = 0;
   for (int i = 0; i < min(step_limit, 2); ++i) ++rounds;
   if (rounds < min(step_limit, 2)) discard;

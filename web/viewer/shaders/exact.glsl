@@ -1,4 +1,4 @@
-// What src/gather/point_walk.glsl, which follows, asks of who includes it.
+// The declarations that src/gather/point_walk.glsl, which follows, needs.
 precision highp isampler2D;
 
 #define FN
@@ -28,6 +28,6 @@ uniform isampler2D blend_table;
 ivec4 blend_at(int i) {
   return texelFetch(blend_table, table_texel(i), 0);
 }
-// Layers with image-domain shaders are not gathered here.
+// Exact pixels do not support layers with image-domain shaders.
 void add_share(int shader, float share) {}
 #endif

@@ -1,4 +1,4 @@
-// Puts the exact pixels that there are in the place of others.
+// Replaces pixels by the exact pixels that have been gathered.
 uniform sampler2D exact;
 
 out vec4 fragment;

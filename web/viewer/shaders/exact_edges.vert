@@ -1,4 +1,4 @@
-// The sides of curves, six vertices to each: quads over all pixels that one may cut.
+// The sides of curves, six vertices each: quads over all pixels that a side may cut.
 precision highp isampler2D;
 uniform isampler2D hit_table;
 uniform vec3 pixel_from_scene[2];

@@ -1,4 +1,4 @@
-// Which triangle a pixel's centre lies in, but for the rounding of corners. 1: no curve cuts the
+// The triangle that holds a pixel's centre, up to the rounding of corners. 1: no curve cuts the
 // pixel (edges.frag writes 0 there).
 flat in float triangle;
 

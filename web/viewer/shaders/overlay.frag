@@ -1,4 +1,4 @@
-// The share of ink of an edge's line, by the distance to the pixel's centre.
+// The share of ink of an edge's line, from the distance to the pixel's centre.
 flat in vec2 begin;
 flat in vec2 end;
 flat in float half_width;

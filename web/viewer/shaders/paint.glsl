@@ -13,7 +13,7 @@ const int kTexture = 2;
 const int kReflect = 1;
 const int kRepeat = 2;
 
-/// Code values in the space of interpolation.
+/// Converts code values to the interpolation space.
 vec3 from_code(int space, vec3 code) {
   if (space == 0) return code;
   vec3 power = pow((max(code, 0.04045) + 0.055) / 1.055, vec3(2.4));
@@ -42,7 +42,7 @@ int segment_texel(Gradient gradient, int i) {
   return gradient.at + 5 + 4 * i;
 }
 
-/// The segment that holds t from 0 to 1; at a border the later one.
+/// Returns the segment that holds t from 0 to 1; at a border the later one.
 int segment_at(Gradient gradient, float t) {
   int low = 0, high = gradient.segment_count;
   while (high - low > 1) {
@@ -61,7 +61,7 @@ vec4 segment_color(Gradient gradient, int i, float t) {
   return table_value(paint_table, at + 1) + along * table_value(paint_table, at + 2);
 }
 
-/// The integral of the premultiplied colour and of alpha over [low, high] of a segment.
+/// Returns the integral of the premultiplied colour and of alpha over [low, high] of a segment.
 vec4 segment_integral(Gradient gradient, int i, float low, float high) {
   float width = high - low;
   vec4 middle = segment_color(gradient, i, 0.5 * (low + high));
@@ -70,8 +70,8 @@ vec4 segment_integral(Gradient gradient, int i, float low, float high) {
   return width * vec4(middle.rgb * middle.a + bend, middle.a);
 }
 
-/// The same over [low, high] in [0, 1]. What lies next to the ends is not a difference of sums, so
-/// that short intervals keep their digits.
+/// Returns the same over [low, high] in [0, 1]. Parts next to the ends are not differences of sums,
+/// so that short intervals keep their precision.
 vec4 unit_integral(Gradient gradient, float low, float high) {
   int i = segment_at(gradient, low), j = segment_at(gradient, high);
   if (i == j) return segment_integral(gradient, i, low, high);
@@ -83,7 +83,7 @@ vec4 unit_integral(Gradient gradient, float low, float high) {
          segment_integral(gradient, j, begin, high);
 }
 
-/// The same in the cell [k, k + 1] of a gradient that repeats, from k + low to k + high.
+/// Returns the same in the cell [k, k + 1] of a repeating gradient, from k + low to k + high.
 vec4 cell_integral(Gradient gradient, float k, float low, float high) {
   bool backwards = gradient.spread == kReflect && mod(k, 2.0) == 1.0;
   return backwards ? unit_integral(gradient, 1.0 - high, 1.0 - low)
@@ -103,7 +103,7 @@ vec4 spread_integral(Gradient gradient, float low, float high) {
          (j - i - 1.0) * table_value(paint_table, gradient.at + 4);
 }
 
-/// The offset that shows the same, from 0 to 1 but for pad.
+/// Returns the offset with the same colour, from 0 to 1 except for pad.
 float folded(Gradient gradient, float t) {
   if (gradient.spread == 0 || (t >= 0.0 && t < 1.0)) return t;
   if (gradient.spread == kRepeat) return t - floor(t);
@@ -126,26 +126,51 @@ vec4 gradient_mean(Gradient gradient, float center, float half_width) {
   return vec4(color, clamp(sum.a / (high - low), 0.0, 1.0));
 }
 
-// Beyond it a gradient shows the same everywhere.
+// Beyond this offset a gradient shows the same everywhere.
 const float kLargestOffset = 1e9;
 
-/// Offset of a point and half the pixel's width there. Radial: raster::Gradient has the formula.
-vec2 gradient_offset(bool radial, vec2 e, vec3 row[2], vec2 pixel) {
-  vec2 p = mapped(row, pixel);
-  if (!radial) return vec2(clamp(p.x, -kLargestOffset, kLargestOffset), 0.5 * length(row[0].xy));
+float change_over_pixel(vec3 row[2], vec2 slope) {
+  return length(slope.x * row[0].xy + slope.y * row[1].xy);
+}
+
+/// Returns gradient_offset() if the focus is a circle of radius f, or lies outside the circle.
+vec3 cone_offset(vec2 e, float f, vec3 row[2], vec2 p) {
+  float grows = 1.0 - f;
+  float a = grows * grows - dot(e, e), b = dot(p, e) + f * grows, q = dot(p, p) - f * f;
+  float under_root = b * b + a * q;
+  float change = change_over_pixel(row, 2.0 * (b * e + a * p));
+  float coverage = change > 0.0 ? clamp(under_root / change + 0.5, 0.0, 1.0)
+                                : float(under_root > 0.0);
+  float root = sqrt(max(under_root, 0.0));
+  float sum = b > 0.0 ? b + root : b - root;
+  float one = sum != 0.0 ? q / sum : 0.0, other = a != 0.0 ? -sum / a : one;
+  float t = max(one, other);
+  if (!(f + t * grows >= 0.0)) t = min(one, other);
+  if (!(f + t * grows >= 0.0) || coverage == 0.0) return vec3(kLargestOffset, 0.0, 0.0);
+  float slope = root > 0.0 ? change_over_pixel(row, p - e * t) / root : kLargestOffset;
+  float most = a != 0.0 ? sqrt(0.5 * change) / abs(a) : kLargestOffset;
+  return vec3(clamp(t, -kLargestOffset, kLargestOffset), min(0.5 * slope, most), coverage);
+}
+
+/// Returns the offset of a point, half the pixel's width there, and the share of the pixel that the
+/// gradient covers. raster::Gradient has the formulas.
+vec3 gradient_offset(bool radial, vec4 circle, vec3 row[2], vec2 pixel) {
+  vec2 p = mapped(row, pixel), e = circle.xy;
+  if (!radial)
+    return vec3(clamp(p.x, -kLargestOffset, kLargestOffset), 0.5 * length(row[0].xy), 1.0);
+  if (circle.w > 0.0) return cone_offset(e, circle.z, row, p);
   float a = 1.0 - dot(e, e), b = dot(p, e), q = dot(p, p);
   float root = sqrt(b * b + a * q);
   float t = b > 0.0 ? q / (b + root) : (root - b) / a;
   vec2 slope = root > 0.0 ? (p - e * t) / root : vec2(1.0, 0.0);
-  vec2 in_image = slope.x * row[0].xy + slope.y * row[1].xy;
-  return vec2(min(t, kLargestOffset), min(0.5 * length(in_image), kLargestOffset));
+  return vec3(min(t, kLargestOffset), min(0.5 * change_over_pixel(row, slope), kLargestOffset), 1.0);
 }
 
 vec4 gradient_color(int at, vec4 head, vec3 row[2], vec2 pixel) {
   Gradient gradient = Gradient(at, int(head.y), int(head.z));
-  vec2 e = table_value(paint_table, at + 1).xy;
-  vec2 offset = gradient_offset(int(head.x) == kRadial, e, row, pixel);
-  return gradient_mean(gradient, offset.x, offset.y);
+  vec4 circle = table_value(paint_table, at + 1);
+  vec3 offset = gradient_offset(int(head.x) == kRadial, circle, row, pixel);
+  return gradient_mean(gradient, offset.x, offset.y) * vec4(1.0, 1.0, 1.0, offset.z);
 }
 
 // ---- Textures.
@@ -163,7 +188,8 @@ Level texture_level(int at, int i, bool repeats) {
   return Level(ivec2(place.xy), 2048 * int(place.w) + int(place.z), frame.xy, frame.zw, repeats);
 }
 
-/// Coordinates brought to [0, period), or near to the texture where it does not repeat.
+/// Returns coordinates reduced to [0, period), or to the surroundings of a texture that does not
+/// repeat.
 vec2 reduced(Level level, vec2 p) {
   if (!level.repeats) return clamp(p, -level.period - 2.0, 2.0 * level.period + 2.0);
   vec2 inside = p - level.period * floor(p / level.period);
@@ -181,14 +207,14 @@ vec4 texel(Level level, ivec2 place) {
   return vec4(texelFetch(paint_texels, table_texel(level.first + i.y * level.size.x + i.x), 0));
 }
 
-/// Keys' weights (a = -1/2) of the texels at -1, 0, 1, 2 for a point f past texel 0.
+/// Returns Keys' weights (a = -1/2) of the texels at -1, 0, 1, 2 for a point f past texel 0.
 vec4 cubic_weights(float f) {
   float square = f * f;
   return vec4(f * (-0.5 + f * (1.0 - 0.5 * f)), 1.0 + square * (-2.5 + 1.5 * f),
               f * (0.5 + f * (2.0 - 1.5 * f)), square * (-0.5 + 0.5 * f));
 }
 
-/// Cubic convolution, kept within the range of the four texels around the point.
+/// Returns the cubic convolution, kept within the range of the four texels around the point.
 vec4 magnified(Level level, vec2 p) {
   vec2 place = reduced(level, p) - 0.5;
   ivec2 base = ivec2(floor(place));
@@ -209,13 +235,13 @@ vec4 magnified(Level level, vec2 p) {
   return clamp(sum, low, high);
 }
 
-/// A tent of two pixels' width, seen from a level: weight (1 - |across · d|) (1 - |down · d|).
+/// A tent two pixels wide, in the frame of a level: weight (1 - |across · d|) (1 - |down · d|).
 struct Tent {
   vec2 across, down;
   float area, shorter_side;
 };
 
-/// Singular values and directions of the map's linear part; neither value below one texel.
+/// Returns singular values and directions of the map's linear part; neither value below one texel.
 Tent make_tent(vec2 row_x, vec2 row_y) {
   float e = dot(row_x, row_x), g = dot(row_y, row_y), f = dot(row_x, row_y);
   float difference = 0.5 * (e - g), root = length(vec2(difference, f));
@@ -239,7 +265,7 @@ void narrow(float low, float step, inout vec2 range) {
   range = vec2(max(range.x, floor(min(ends.x, ends.y))), min(range.y, ceil(max(ends.x, ends.y))));
 }
 
-/// The mean of all texels under the tent.
+/// Returns the mean of all texels under the tent.
 vec4 minified(Level level, Tent tent, vec2 p) {
   vec2 place = reduced(level, p) - 0.5;
   vec2 reach = tent.area * (abs(tent.across.yx) + abs(tent.down.yx));
@@ -262,7 +288,7 @@ vec4 minified(Level level, Tent tent, vec2 p) {
   return sum / max(total, 1e-20);
 }
 
-// As raster::evaluate_texture chooses, with room for rounding.
+// The same choice as in raster::evaluate_texture, with room for rounding.
 const float kKeepsSize = 1.0 + 1e-5;
 const float kMostTexelsAcross = 14.0 * (1.0 + 1e-5);
 const float kLargestFootprint = 512.0 * (1.0 + 1e-5);
@@ -283,7 +309,7 @@ vec4 texture_sum(int at, int level_count, bool repeats, vec3 row[2], vec2 pixel)
     level = texture_level(at, ++i, repeats);
     tent = make_tent(level.scale.x * row[0].xy, level.scale.y * row[1].xy);
   }
-  // The last level is one texel, and all of it is seen.
+  // The last level is one texel, which is read whole.
   if (i + 1 == level_count) tent = Tent(vec2(1.0, 0.0), vec2(0.0, 1.0), 1.0, 1.0);
   return minified(level, tent, level.scale * p);
 }
@@ -294,7 +320,7 @@ vec4 texture_color(int at, vec4 head, vec3 row[2], vec2 pixel) {
   return vec4(sum.a > 0.0 ? min(sum.rgb / sum.a, 1.0) : vec3(0.0), sum.a / 65535.0);
 }
 
-/// Paint i of the layer at the centre of a pixel of the image.
+/// Returns paint i of the layer at the centre of a pixel of the image.
 vec4 paint_color(int i, vec2 pixel) {
   vec4 x = paint_view[2 * i], y = paint_view[2 * i + 1];
   vec3 row[2] = vec3[2](x.xyz, y.xyz);

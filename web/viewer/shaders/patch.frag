@@ -1,8 +1,9 @@
-// The value of a patch from its ten nodes (paper eq. 17 and 18), with image-domain shaders
-// (eq. 6) where the layer has them.
+// Evaluates a patch from its ten nodes (paper eq. 17 and 18), with image-domain shaders (eq. 6) if
+// the layer has them.
 //
-// WITH_AREAS: the value at the centroid of what the triangle covers of the pixel, times its area.
-// WITH_STRIPS: what a fine blur changes, as raster::MixedPixels::add_blur has it.
+// WITH_AREAS: the value at the centroid of the part of the pixel that the triangle covers, times
+// its area.
+// WITH_STRIPS: the change by a fine blur, as in raster::MixedPixels::add_blur.
 // WITH_MARKS: 0 where either is not 0.
 uniform int patch_order;
 uniform int interpolation;
@@ -48,7 +49,8 @@ void cubic_basis(float w, float u, float v, out float basis[kNodes]) {
       4.5 * v * w * (3.0 * v - 1.0), 4.5 * v * w * (3.0 * w - 1.0), 27.0 * w * u * v);
 }
 
-// The centre of an edge is read from the cubic through its nodes: (-Zi + 9 Zij + 9 Zji - Zj) / 16.
+// The value at an edge's centre follows from the cubic through its nodes: (-Zi + 9 Zij + 9 Zji -
+// Zj) / 16.
 void quadratic_basis(float w, float u, float v, out float basis[kNodes]) {
   float a = 0.25 * w * u, b = 0.25 * u * v, c = 0.25 * v * w;
   basis = float[kNodes](w * (2.0 * w - 1.0) - a - c, u * (2.0 * u - 1.0) - a - b,
@@ -56,7 +58,7 @@ void quadratic_basis(float w, float u, float v, out float basis[kNodes]) {
                         9.0 * c, 0.0);
 }
 
-/// weight: of corners 1 and 2.
+/// weight: the weights of corners 1 and 2.
 void patch_basis(vec2 weight, out float basis[kNodes]) {
   float u = max(weight.x, 0.0), v = max(weight.y, 0.0), w = max(1.0 - u - v, 0.0);
   if (patch_order == 3) {
@@ -76,7 +78,7 @@ uniform sampler2D opacity_weight;
 uniform ivec2 paint_count;
 uniform float paint_step;
 
-/// Four weights, of a field with `groups` times four of them.
+/// Returns four weights, of a field with `groups` times four of them.
 vec4 paint_weights(usampler2D nodes, sampler2D values, int triangle, int groups, int group,
                    float basis[kNodes]) {
   vec4 first = table_value(values, groups * table_index(nodes, kNodes * triangle) + group);
@@ -112,7 +114,7 @@ void add_paints(int triangle, float basis[kNodes], inout vec4 value) {
 }
 #endif
 
-/// A colour of the space of interpolation, and an opacity, as they are painted.
+/// Converts a colour of the interpolation space, with an opacity, to its painted form.
 vec4 shown(vec4 value) {
   float alpha = opacity * clamp(value.a, 0.0, 1.0);
   return vec4(alpha * clamped_code(interpolation, value.rgb), alpha);
@@ -122,7 +124,7 @@ vec4 shown(vec4 value) {
 vec4 patch_value(vec2 weight) {
   float basis[kNodes];
   patch_basis(weight, basis);
-  // Differences to one node, so that a constant patch is exactly its constant.
+  // Sum differences to one node, so that a constant patch gives exactly its constant.
   vec4 value = node[0];
   for (int i = 1; i < kNodes; ++i) value += basis[i] * (node[i] - node[0]);
 #ifdef WITH_PAINTS
@@ -137,15 +139,16 @@ float cross_product(vec2 a, vec2 b) {
   return a.x * b.y - a.y * b.x;
 }
 
-/// Integrals of dx dy, x dx dy and y dx dy over what lies left of the line from a to b, which x and
-/// y are linear on: by Green's theorem of x dy, x² / 2 dy and x y dy along the line.
+/// Returns the integrals of dx dy, x dx dy and y dx dy over the area left of the line from a to b,
+/// on which x and y are linear: by Green's theorem the integrals of x dy, x² / 2 dy and x y dy
+/// along the line.
 vec3 piece_integral(vec2 a, vec2 b) {
   return (b.y - a.y) * vec3(0.5 * (a.x + b.x), (a.x * (a.x + b.x) + b.x * b.x) / 6.0,
                             (a.x * (2.0 * a.y + b.y) + b.x * (a.y + 2.0 * b.y)) / 6.0);
 }
 
-/// The same for an edge whose points are brought to the nearest of the square [-1/2, 1/2]²: summed
-/// over a polygon's edges this is the integral over its part of the square.
+/// Returns the same for an edge whose points are clamped to the square [-1/2, 1/2]². The sum over a
+/// polygon's edges is the integral over the part of the polygon in the square.
 vec3 edge_integral(vec2 a, vec2 b) {
   if (a.y == b.y) return vec3(0.0);
   vec2 rows = clamp((vec2(-0.5, 0.5) - a.y) / (b.y - a.y), 0.0, 1.0);
@@ -160,8 +163,8 @@ vec3 edge_integral(vec2 a, vec2 b) {
   return piece_integral(p, m) + piece_integral(m, n) + piece_integral(n, q);
 }
 
-// Smaller parts of a pixel change nothing, and have no centroid. They are not discarded, so that
-// the test of the stencil may come first.
+// Smaller parts of a pixel change nothing and have no centroid. They are not discarded, so that the
+// stencil test may come first.
 const float kLeastPart = 1e-5;
 
 #ifdef WITH_STRIPS
@@ -175,7 +178,7 @@ vec4 node_value(int slot) {
   return vec4(table_value(node_color, table_index(triangle_node, slot)).rgb, alpha);
 }
 
-/// What a triangle shows on its edge 3 t + k, a share of the way along it.
+/// Returns the triangle's value on its edge 3 t + k, at a share of the way along it.
 vec4 edge_value(int slot, float along) {
   int t = slot / 3, k = slot % 3;
   vec3 corner_weight = vec3(0.0);
@@ -241,7 +244,7 @@ void main() {
   fragment = vec4(0.0);
 }
 #else
-/// What the triangle shows in a square of the pixel about `place`, times the area.
+/// Returns the triangle's value in a square of the pixel about `place`, times the area.
 vec4 part_value(vec2 a, vec2 b, vec2 c, vec2 place, float size) {
   vec2 at_a = (a - place) / size, at_b = (b - place) / size, at_c = (c - place) / size;
   vec3 sum = edge_integral(at_a, at_b) + edge_integral(at_b, at_c) + edge_integral(at_c, at_a);

@@ -1,7 +1,7 @@
-// A layer's triangles; corner k of triangle t is vertex 3 t + k. The ten nodes go to the fragments
-// as they are: the last vertex of a triangle is the one whose flat values count.
+// A layer's triangles; corner k of triangle t is vertex 3 t + k. Fragments receive the ten nodes as
+// flat values, which come from the last vertex of a triangle.
 //
-// WITH_AREAS: two triangles over all pixels that a triangle touches, six vertices to it.
+// WITH_AREAS: two triangles, six vertices, over all pixels that a triangle touches.
 // WITH_STRIPS: the same over the pixels that the strips of a soft edge touch.
 // WITH_MARKS: only small triangles.
 uniform usampler2D triangle_vertex;
@@ -34,7 +34,8 @@ flat out int in_quarters;
 #else
 uniform vec3 clip_from_layer[2];
 
-/// Weights of corners 1 and 2. At the centroid of what is covered: never outside the triangle.
+/// Weights of corners 1 and 2 at the centroid of the covered part, which is never outside the
+/// triangle.
 centroid out vec2 weight;
 #endif
 
@@ -65,7 +66,7 @@ vec2 corner_position(int t, int corner) {
   return table_value(vertex_position, table_index(triangle_vertex, 3 * t + corner)).rg;
 }
 
-/// Corner `corner` of two triangles over all pixels between two points.
+/// Returns corner `corner` of two triangles over all pixels between two points.
 vec4 box_corner(vec2 low, vec2 high, vec2 size, int corner) {
   bool right = corner == 1 || corner == 3 || corner == 4;
   bool below = corner == 2 || corner == 4 || corner == 5;

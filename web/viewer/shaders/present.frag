@@ -16,7 +16,7 @@ void main() {
   vec4 pixel = texelFetch(picture, place, 0);
   vec3 color = pixel.a > 0.0 ? pixel.rgb / pixel.a : vec3(0.0);
   vec2 share = texelFetch(ink, min(place, textureSize(ink, 0) - 1), 0).rg;
-  // Free edges in black or white, whichever stands out.
+  // Free edges are black or white, for the larger contrast.
   float free_ink = dot(color, vec3(0.3, 0.6, 0.1)) < 0.5 ? 1.0 : 0.0;
   color = mix(color, vec3(free_ink), kFreeOpacity * share.r);
   color = mix(color, kCurveInk, share.g);

@@ -1,4 +1,4 @@
-// What a node adds to W Z and W (paper eq. 12 to 16).
+// The contribution of a node to W Z and W (paper eq. 12 to 16).
 uniform mat2 frame_from_pixel;
 uniform bool two_sided;
 
@@ -13,7 +13,7 @@ flat in vec3 difference;
 
 out vec4 fragment;
 
-/// The left side's share at d from the node.
+/// Returns the left side's share at d from the node.
 float beta(vec2 d) {
   float across = tangent.y * d.x - tangent.x * d.y, along = dot(tangent, d);
   float u = 0.5 + 0.5 * across * inversesqrt(blur_squared + turn * along * along);

@@ -1,5 +1,5 @@
-// The nodes of a local curve's segments, sixteen instances to a segment, each a quad as large as
-// the node's reach. curves::StrokeSegment and raster/kernels/local_stroke_kernel.hpp are its model.
+// The nodes of a local curve's segments, sixteen instances per segment, each a quad as large as the
+// node's reach. It follows curves::StrokeSegment and raster/kernels/local_stroke_kernel.hpp.
 uniform sampler2D stroke_segment;
 uniform int first_segment;
 uniform vec3 pixel_from_frame[2];
@@ -16,7 +16,7 @@ flat out float turn;
 flat out vec3 right_color;
 flat out vec3 difference;
 
-// A pixel's square and the range of distances that a node stands for, as blur: docs/mathematics.md.
+// A pixel's square, and the distances that a node stands for, as blur: docs/mathematics.md.
 const float kPixelVariance = 5.0 / 12.0;
 const float kRangeVariance = 5.0 / 3.0;
 
@@ -35,12 +35,12 @@ void main() {
   float influence = mix(s[2].z, s[2].w, u);
   float radius = max(influence, smallest_radius);
   inverse_radius_squared = 1.0 / (radius * radius);
-  // A stroke thinner than a pixel is drawn that wide and as much fainter.
+  // A stroke thinner than a pixel is drawn one pixel wide, and fainter by the same factor.
   node_weight = sqrt(squared) * s[2].x * influence * inverse_radius_squared;
 
   tangent = speed * inversesqrt(squared);
   vec2 normal = vec2(tangent.y, -tangent.x);
-  // Its components along the pixel's edges.
+  // The components of the normal along the pixel's edges.
   vec2 edge = normal * frame_from_pixel;
   float blur = mix(s[3].x, s[3].y, u);
   blur_squared = blur * blur + kPixelVariance * dot(edge, edge);

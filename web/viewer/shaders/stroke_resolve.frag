@@ -1,4 +1,4 @@
-// The sums of a local curve as colour and opacity: Z, and min(1, alpha W) (paper eq. 14).
+// Converts the sums of a local curve to colour and opacity: Z, and min(1, alpha W) (paper eq. 14).
 uniform sampler2D sums;
 uniform int interpolation;
 uniform float alpha;

@@ -1,5 +1,5 @@
 // <sfumato-picture src="a.svg" alt="…" interactive><img src="a.png" alt="…"></sfumato-picture>
-// docs/npm.md says what it does. Outside of a browser the module can be imported, and does nothing.
+// docs/npm.md describes the behaviour. Outside a browser the module can be imported and does nothing.
 import { View } from "../../../../web/viewer/view.js";
 import { Motion } from "../../../../web/viewer/motion.js";
 import { Gestures } from "./gestures.js";
@@ -11,11 +11,11 @@ import { dress } from "./styles.js";
 /** @type {import("./solver.js").Addresses} */
 const addresses = { worker: null, wasm: null };
 
-/** What draws; null until it is wanted. @type {typeof import("./drawing.js") | null} */
+/** The drawing code; null until it is needed. @type {typeof import("./drawing.js") | null} */
 let drawing = null;
 
 async function loadDrawing() {
-  // Whatever bundles this takes it apart here.
+  // Bundlers split the code here.
   drawing ??= await import("./drawing.js");
   return drawing;
 }
@@ -23,15 +23,15 @@ async function loadDrawing() {
 const isBrowser = typeof HTMLElement !== "undefined" && typeof customElements !== "undefined";
 const Base = /** @type {typeof HTMLElement} */ (isBrowser ? HTMLElement : class {});
 
-/** How long a hint stands, milliseconds. */
+/** How long a hint is shown, milliseconds. */
 const HINT_TIME = 1200;
-/** What is printed: pixels to a CSS pixel, which is 1/96 of an inch, and its longer side at most. */
+/** For print: pixels per CSS pixel (1/96 of an inch), and the limit for the longer side. */
 const PAPER_RATIO = 4;
 const PAPER_SIDE = 2400;
-/** Elements out of sight that keep their pixels. */
+/** Number of elements out of sight that keep their pixels. */
 const MOST_HIDDEN = 8;
 
-/** Elements out of sight that have pixels, the last one seen at the end. @type {Set<SfumatoPicture>} */
+/** Elements out of sight that have pixels, the one seen last at the end. @type {Set<SfumatoPicture>} */
 const hidden = new Set();
 
 const sight = isBrowser && typeof IntersectionObserver !== "undefined"
@@ -47,13 +47,13 @@ const isApple = () => /Mac|iP(hone|ad|od)/.test(navigator.platform);
 export class SfumatoPicture extends Base {
   static observedAttributes = ["src", "max-error", "alt", "interactive", "mesh", "background"];
 
-  /** What hints say; a page in another language sets its own. */
+  /** The texts of hints; a page in another language sets its own. */
   static words = {
     wheel: () => `${isApple() ? "⌘" : "Ctrl"} + wheel zooms`,
     touch: () => "Two fingers move and zoom",
   };
 
-  /** Where worker.js lies, if not beside this script. */
+  /** Address of worker.js, if it is not beside this script. */
   static get workerUrl() {
     return addresses.worker;
   }
@@ -61,7 +61,7 @@ export class SfumatoPicture extends Base {
     addresses.worker = address;
   }
 
-  /** Where sfumato-solver.wasm lies, if not beside worker.js. */
+  /** Address of sfumato-solver.wasm, if it is not beside worker.js. */
   static get wasmUrl() {
     return addresses.wasm;
   }
@@ -69,7 +69,7 @@ export class SfumatoPicture extends Base {
     addresses.wasm = address;
   }
 
-  /** Frames shown so far. */
+  /** Number of frames shown so far. */
   frames = 0;
 
   #root = this.attachShadow({ mode: "open" });
@@ -91,7 +91,7 @@ export class SfumatoPicture extends Base {
   #hasPixels = false;
   #failure = false;
   #isLoading = false;
-  /** Which of the attempts to load counts. */
+  /** Number of the current attempt to load; older attempts are ignored. */
   #attempt = 0;
   #named = { role: "", label: "", tab: false };
   #hintTimer = 0;
@@ -120,7 +120,7 @@ export class SfumatoPicture extends Base {
     });
   }
 
-  /** Resolves when the first frame is shown; rejects where there will be none. @returns {Promise<void>} */
+  /** Resolves when the first frame is shown; rejects if none can be shown. @returns {Promise<void>} */
   get ready() {
     return this.#ready;
   }
@@ -153,7 +153,7 @@ export class SfumatoPicture extends Base {
     this.toggleAttribute("mesh", Boolean(is));
   }
 
-  /** The artboard point in the middle, and CSS pixels to a user unit; null before the first frame. */
+  /** The artboard point in the middle, and CSS pixels per user unit; null before the first frame. */
   get view() {
     return this.#picture && { ...this.#view.state };
   }
@@ -201,7 +201,7 @@ export class SfumatoPicture extends Base {
     if (name === "interactive") this.#listen();
   }
 
-  /** For this module: whether it is on the screen, or near. @param {boolean} is */
+  /** For this module: records whether the element is on the screen or near it. @param {boolean} is */
   see(is) {
     this.#isSeen = is;
     if (is) {
@@ -226,12 +226,12 @@ export class SfumatoPicture extends Base {
       this.#resolve = resolve;
       this.#reject = reject;
     });
-    // Nobody has to listen: there is the event.
+    // Callers may ignore the promise, because errors are also reported by the event.
     ready.catch(() => {});
     return ready;
   }
 
-  /** The element as the stage sees it. */
+  /** Returns the element as the stage sees it. */
   #asClient() {
     const element = this;
     return {
@@ -355,7 +355,7 @@ export class SfumatoPicture extends Base {
     view.ratio *= shrink;
     const size = [view.width, view.height].map((length) => Math.max(1, Math.round(length * view.ratio)));
     const isClear = this.getAttribute("background") === "none";
-    // Around the page one looks through to what is behind the element.
+    // The area around the page is transparent and shows the background of the element.
     return { size, pixelFromArtboard: view.pixelFromArtboard(size), desk: [0, 0, 0, 0], mesh: this.mesh, lineScale: view.ratio, isClear };
   }
 
@@ -405,7 +405,7 @@ export class SfumatoPicture extends Base {
     this.dispatchEvent(new ErrorEvent("error", { message, error }));
   }
 
-  /** A name and a role, where the page has given none; what was set here before gives way. */
+  /** Sets a name and a role where the page gives none. An author's value replaces one that was set here. */
   #name() {
     if (!this.isConnected) return;
     const image = this.querySelector("img");
@@ -433,7 +433,7 @@ export class SfumatoPicture extends Base {
     this.#hintTimer = setTimeout(() => this.#hint.classList.remove("shown"), HINT_TIME);
   }
 
-  /** Paper gets the whole page, whatever part the element shows. */
+  /** Prints the whole page, whatever part the element shows. */
   #layOnPaper() {
     if (!this.#hasPixels || !this.#picture) return;
     const side = Math.min(PAPER_SIDE, PAPER_RATIO * Math.max(this.#view.width, this.#view.height));
@@ -442,7 +442,7 @@ export class SfumatoPicture extends Base {
     const copy = document.createElement("canvas");
     [copy.width, copy.height] = [drawn.width, drawn.height];
     copy.getContext("2d")?.drawImage(drawn, 0, 0);
-    // An image whose bytes stand in its address is there at once.
+    // An image with a data: address is available at once.
     const paper = document.createElement("img");
     paper.id = "paper";
     paper.alt = "";

@@ -1,11 +1,11 @@
-// What a person does to a picture, as the viewer has it, but the page's where it could be meant for the page.
+// Gestures on a picture. They match the viewer's, but a gesture that could be meant for the page stays the page's.
 import { obeyKey, PointerInput } from "../../../../web/viewer/input.js";
 
 /** @import { Commands } from "../../../../web/viewer/input.js" */
 /** @import { Motion } from "../../../../web/viewer/motion.js" */
 /** @import { ViewState } from "../../../../web/viewer/view.js" */
 
-/** The viewer's keys that are the element's, too. */
+/** The keys of the viewer that also work here. */
 const keys = /^(Arrow(Left|Right|Up|Down)|[-+=_01])$/;
 
 /**
@@ -36,7 +36,7 @@ function commandsOf(motion, changed, fit) {
   };
 }
 
-/** Pointers on a picture, until free(). */
+/** Handles pointers on a picture, until free(). */
 export class Gestures {
   /**
    * @param {HTMLElement} host
@@ -45,7 +45,7 @@ export class Gestures {
    */
   constructor(host, motion, { changed, fit, takesWheel, hint }) {
     this.commands = commandsOf(motion, changed, fit);
-    // The listeners go with it.
+    // Removing this area also removes the listeners.
     this.area = document.createElement("div");
     this.area.id = "input";
     this.area.addEventListener("pointerdown", () => host.focus({ preventScroll: true }));

@@ -1,4 +1,4 @@
-// Pictures by their addresses: fetched, solved where they are drawings, and shared by all who show them.
+// Pictures by address: fetched, solved if they are drawings, and shared by all elements that show them.
 import { PictureReader } from "../../../../web/viewer/payload.js";
 import { solve } from "./solver.js";
 
@@ -46,7 +46,7 @@ async function made(address, options, addresses) {
   return new PictureReader(payload).run();
 }
 
-/** A picture that somebody shows, until it is released. */
+/** A picture that an element shows, until it is released. */
 export class SharedPicture {
   /**
    * @param {string} address

@@ -1,11 +1,11 @@
-// The page's one worker: solves drawings, one after another, and goes when nothing was asked of it for a while.
+// The page's only worker. It solves drawings one after another, and ends after some idle time.
 import { SfumatoError } from "../../../../web/wasm/library.mjs";
 
-/** A module's memory never shrinks: an idle worker gives it back. Milliseconds. */
+/** Idle time until the worker ends, milliseconds. Ending it frees memory, which a module never shrinks. */
 const PATIENCE = 10_000;
 
 /**
- * Where the worker and its module lie, if not beside this script.
+ * Addresses of the worker and of its module, if they are not beside this script.
  * @typedef {{worker: string | URL | null, wasm: string | URL | null}} Addresses
  */
 
@@ -26,7 +26,7 @@ function end() {
 }
 
 /**
- * A browser lets no worker come from another site; one of this page may import it.
+ * Browsers start no worker from another site, but a worker of this page may import one.
  * @param {string | URL} address
  */
 function ownAddress(address) {
@@ -74,9 +74,9 @@ function answer({ id, payload, error, isSpent }) {
 }
 
 /**
- * What the viewer's scripts draw, of a drawing.
+ * Returns the data that the viewer's scripts draw.
  * @param {Uint8Array<ArrayBuffer>} bytes SVG or Orzan's XML, which goes to the worker
- * @param {string} address its own, for messages and for pictures beside it
+ * @param {string} address address of the drawing, for messages and for pictures beside it
  * @param {Record<string, string>} options of sfumato_solve
  * @param {Addresses} addresses
  * @returns {Promise<Uint8Array>}

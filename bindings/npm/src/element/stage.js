@@ -1,5 +1,5 @@
-// The page's one WebGL context. Elements ask for frames, which are drawn one at a time and copied to their
-// own canvases: browsers allow a page some sixteen contexts.
+// The page's only WebGL context, because browsers allow a page about sixteen. Elements ask for frames, which are
+// drawn one at a time and copied to the elements' own canvases.
 import { Programs } from "../../../../web/viewer/gl.js";
 import { makeTexels } from "../../../../web/viewer/paints.js";
 import { drawPage } from "../../../../web/viewer/paper.js";
@@ -10,21 +10,21 @@ import { shaderText } from "sfumato-shaders";
 /** @import { Frame } from "../../../../web/viewer/renderer.js" */
 
 /**
- * Who shows a picture.
+ * An element that shows a picture.
  * @typedef {object} Client
  * @property {Picture | null} picture
  * @property {boolean} isMoving
- * @property {boolean} isDirty something is to be seen that was not drawn yet
- * @property {boolean} isFine the last frame is as fine as it gets
+ * @property {boolean} isDirty something visible was not drawn yet
+ * @property {boolean} isFine the last frame is as fine as possible
  * @property {() => Frame} frame
- * @property {(now: number) => void} step goes on with a motion
+ * @property {(now: number) => void} step continues a motion
  * @property {(canvas: OffscreenCanvas | HTMLCanvasElement, isFine: boolean) => void} show
  * @property {(error: unknown) => void} fail
  */
 
-/** Pictures that have tables on the GPU. */
+/** Limit for the pictures with tables on the GPU. */
 const MOST_RENDERERS = 8;
-/** After this a context that was lost is not waited for any more, milliseconds. */
+/** How long to wait for a lost context, milliseconds. */
 const PATIENCE = 2000;
 const settings = { alpha: true, antialias: false, depth: false, stencil: false };
 
@@ -35,13 +35,13 @@ class Stage {
       typeof OffscreenCanvas === "undefined" ? document.createElement("canvas") : new OffscreenCanvas(1, 1);
     this.gl = /** @type {WebGL2RenderingContext | null} */ (this.canvas.getContext("webgl2", settings));
     if (!this.gl) throw new Error("This browser has no WebGL 2.");
-    /** By their pictures, the one used last at the end. @type {Map<Picture, Renderer>} */
+    /** By picture, the one used last at the end. @type {Map<Picture, Renderer>} */
     this.renderers = new Map();
     /** @type {WeakMap<Picture, Promise<Uint16Array>>} */
     this.texels = new WeakMap();
     /** @type {WeakMap<Picture, Uint16Array>} */
     this.madeTexels = new WeakMap();
-    /** Whose frame the targets hold. @type {Client | null} */
+    /** The client whose frame the targets hold. @type {Client | null} */
     this.owner = null;
     this.programs = new Programs(this.gl, shaderText);
     this.canvas.addEventListener("webglcontextlost", (event) => {
@@ -51,14 +51,14 @@ class Stage {
     });
   }
 
-  /** What was on the GPU is gone. */
+  /** Forgets everything that was on the GPU, after the context was lost. */
   forget() {
     this.renderers.clear();
     this.owner = null;
     if (this.gl) this.programs = new Programs(this.gl, shaderText);
   }
 
-  /** Decodes the textures of a picture; a frame can be drawn afterwards. @param {Picture} picture */
+  /** Decodes the textures of a picture, after which it can be drawn. @param {Picture} picture */
   async prepare(picture) {
     const { gl } = this;
     if (!gl) return;
@@ -91,7 +91,7 @@ class Stage {
     return renderer;
   }
 
-  /** Gives back what a picture has on the GPU. @param {Picture} picture */
+  /** Frees the memory that a picture uses on the GPU. @param {Picture} picture */
   drop(picture) {
     const renderer = this.renderers.get(picture);
     if (!renderer) return;
@@ -105,12 +105,12 @@ class Stage {
     return renderer?.isBusy ?? false;
   }
 
-  /** One frame, or one step towards a finer one. @param {Client} client */
+  /** Draws one frame, or one step towards a finer one. @param {Client} client */
   draw(client) {
     const picture = /** @type {Picture} */ (client.picture);
     const renderer = this.rendererOf(picture);
     const frame = client.frame();
-    // Targets are large: those of one picture are kept.
+    // Targets are large, so only one picture keeps them.
     for (const other of this.renderers.values()) if (other !== renderer) other.targets.free();
     const [width, height] = frame.size;
     if (this.canvas.width !== width) this.canvas.width = width;
@@ -125,7 +125,7 @@ class Stage {
     if (!renderer.canRefine) client.show(this.canvas, true);
   }
 
-  /** When nothing more is to be drawn. */
+  /** Called when there is nothing more to draw. */
   rest() {
     for (const renderer of this.renderers.values()) renderer.targets.free();
     this.owner = null;
@@ -133,7 +133,7 @@ class Stage {
   }
 
   /**
-   * The whole page of a client's picture, as fine as it gets.
+   * Draws the whole page of a client's picture, as fine as possible.
    * @param {Client} client
    * @param {number} side the longer one, pixels
    */
@@ -149,7 +149,7 @@ class Stage {
 let stage = null;
 /** @type {Set<Client>} */
 const asked = new Set();
-/** Everybody whose picture is shown, and would have to be drawn anew. @type {Set<Client>} */
+/** All clients that show a picture, to draw again when the context is restored. @type {Set<Client>} */
 export const clients = new Set();
 let isScheduled = false;
 
@@ -160,7 +160,7 @@ function redrawAll() {
   }
 }
 
-/** A context that is lost comes back, or another takes its place. */
+/** Waits until a lost context is restored, or replaces it. */
 function waitForAnother() {
   const lost = stage;
   setTimeout(() => {
@@ -171,24 +171,24 @@ function waitForAnother() {
   lost?.canvas.addEventListener("webglcontextrestored", redrawAll, { once: true });
 }
 
-/** Throws where there is no WebGL 2. */
+/** Returns the stage. Throws without WebGL 2. */
 function theStage() {
   stage ??= new Stage(waitForAnother);
   return stage;
 }
 
-/** Of a frame, pixels. */
+/** Returns the largest side that a frame can have, pixels. */
 export function largestSide() {
   const { gl } = theStage();
   return Math.min(gl?.getParameter(gl.MAX_TEXTURE_SIZE) ?? Infinity, ...(gl?.getParameter(gl.MAX_VIEWPORT_DIMS) ?? []));
 }
 
-/** Makes a picture ready to be drawn. @param {Picture} picture */
+/** Makes a picture ready for drawing. @param {Picture} picture */
 export async function prepare(picture) {
   await theStage().prepare(picture);
 }
 
-/** Has a client drawn, until its frame is as fine as it gets. @param {Client} client */
+/** Asks for frames of a client until its frame is as fine as possible. @param {Client} client */
 export function ask(client) {
   asked.add(client);
   schedule();
@@ -203,7 +203,7 @@ export function leave(client) {
   if (picture && ![...clients].some((other) => other.picture === picture)) stage?.drop(picture);
 }
 
-/** Does not draw a client any more until it asks again. @param {Client} client */
+/** Stops drawing a client until it asks again. @param {Client} client */
 export function unask(client) {
   asked.delete(client);
 }
@@ -217,7 +217,7 @@ function schedule() {
   });
 }
 
-/** What a person moves comes first, then what was never shown, then what could be finer. */
+/** Returns the next client: first one that a person moves, then one never shown, then one to refine. */
 function next() {
   let best = null;
   let rank = -1;
@@ -233,7 +233,7 @@ function tick(now) {
   for (const client of asked) if (client.isMoving) client.step(now);
   const client = next();
   if (!client) return;
-  // What the GPU has not done yet would only pile up.
+  // Do not queue more work on a busy GPU.
   if (stage?.isBusy && !stage.gl?.isContextLost()) return schedule();
   try {
     drawOne(client);
@@ -248,7 +248,7 @@ function tick(now) {
 /** @param {Client} client */
 function drawOne(client) {
   const here = theStage();
-  if (here.gl?.isContextLost()) return void asked.clear(); // all are drawn anew afterwards
+  if (here.gl?.isContextLost()) return void asked.clear(); // all are drawn again afterwards
   const { picture } = client;
   if (!picture) return void asked.delete(client);
   if (!here.isPrepared(picture)) {

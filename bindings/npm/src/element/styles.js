@@ -1,4 +1,4 @@
-// What stands in the element's shadow root. A constructed sheet is no inline style, which policies forbid.
+// The styles of the element's shadow root. Content policies forbid inline styles, but not a constructed sheet.
 const text = `
 :host { display: inline-block; position: relative; overflow: hidden; width: 300px; aspect-ratio: 3 / 2; }
 :host([hidden]) { display: none; }

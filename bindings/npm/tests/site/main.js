@@ -1,5 +1,5 @@
 import "sfumato/element";
 
-// What a test asks for later.
+// Read by a test later.
 window.failures = [];
 document.addEventListener("error", ({ target, message }) => window.failures.push([target.id, message]), true);

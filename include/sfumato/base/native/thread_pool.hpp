@@ -6,21 +6,21 @@
 
 namespace sfumato {
 
-/// An Executor with threads of its own, by oneTBB. It may serve several Contexts at once, and must
+/// An Executor with its own threads, by oneTBB. It may serve several Contexts at once, and must
 /// outlive the calls that use it.
 class ThreadPool final : public Executor {
  public:
-  /// Starts `thread_count` threads, the calling one included: at most limits::kThreads, and for 0
-  /// or less one per core that this process may use. Where the system refuses threads the pool has
-  /// fewer, and where memory is exhausted only the calling thread.
+  /// Starts `thread_count` threads, including the calling one: at most limits::kThreads, and for 0
+  /// or less one per core that this process may use. The pool has fewer threads where the system
+  /// refuses them, and only the calling thread where memory is exhausted.
   explicit ThreadPool(int thread_count = 0);
   ~ThreadPool() override;
   ThreadPool(const ThreadPool&) = delete;
   ThreadPool& operator=(const ThreadPool&) = delete;
 
-  /// As Executor::run: in the calling thread and in those of the pool that are free.
+  /// Does Executor::run in the calling thread and in the free threads of the pool.
   void run(std::size_t task_count, FunctionRef<void(std::size_t)> task) override;
-  /// How many threads the pool has, the calling one included.
+  /// Returns the number of the pool's threads, including the calling one.
   int thread_count() const override;
 
  private:

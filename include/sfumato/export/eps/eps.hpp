@@ -16,18 +16,18 @@ namespace sfumato {
 struct EpsOptions {
   /// Width of the picture in points (1/72 inch); default: 3/4 of a point to a user unit.
   std::optional<double> page_width_pt{};
-  /// Resolution of a picture that has to be pixels; facets are made no finer than its pixels.
+  /// Resolution of pictures that are stored as pixels; facets are made no finer than its pixels.
   double dpi = 300;
   double max_error = 0.5;  ///< tolerated in the facets' colours, in code values of 255
   std::string title{};     ///< its printable ASCII characters, at most 200, are written
 };
 
-/// Picture → Encapsulated PostScript, language level 3 (docs/pdf.md), of the picture's viewport.
+/// Exports a picture as Encapsulated PostScript, language level 3 (docs/pdf.md), of the picture's
+/// viewport.
 ///
 /// Layers are triangle meshes with linear colours, each stored once however often it is painted. A
-/// picture with anything that must be composited (opacity, blend modes, textures, gradients, local
-/// curves) is stored as pixels as a whole, on its background or white; `notes`, unless null, then
-/// says so.
+/// picture that needs compositing (opacity, blend modes, textures, gradients, local curves) is
+/// stored as pixels as a whole, on its background or white; `notes`, unless null, then reports it.
 ///
 /// Errors: bad_input (an empty viewport, an invalid picture, options that are not positive
 /// numbers), limit (memory, pixels), cancelled, out_of_memory.

@@ -25,17 +25,17 @@ enum class PdfFlatten : std::uint8_t {
 struct PdfOptions {
   /// Width of the page in points (1/72 inch); default: 3/4 of a point to a user unit, as in CSS.
   std::optional<double> page_width_pt{};
-  double dpi = 300;        ///< of what is stored as pixels: textures, gradients, local curves
+  double dpi = 300;        ///< of parts stored as pixels: textures, gradients, local curves
   double max_error = 0.5;  ///< tolerated in the facets' colours, in code values of 255
   std::string title{};     ///< UTF-8; empty: none
   PdfFlatten flatten = PdfFlatten::automatic;  ///< which layers are images at `dpi`
 };
 
-/// Picture → PDF 1.7: one page that shows the picture's viewport (docs/pdf.md).
+/// Exports a picture as PDF 1.7: one page that shows the picture's viewport (docs/pdf.md).
 ///
-/// Colours and opacities are triangle meshes, called facets, with linear colours; curves are
-/// antialiased; each layer is stored once however often it is painted. `notes`, unless null,
-/// receives the number of facets, and how many layers PdfFlatten::automatic stored as pixels.
+/// Colours and opacities are triangle meshes with linear colours; a triangle is called a facet.
+/// Curves are antialiased. Each layer is stored once however often it is painted. `notes`, unless
+/// null, receives the number of facets, and how many layers PdfFlatten::automatic stored as pixels.
 ///
 /// Errors: bad_input (an empty viewport, an invalid picture, options that are not positive
 /// numbers), limit (memory, pixels), cancelled, out_of_memory.

@@ -21,21 +21,21 @@ enum class SvgMode : std::uint8_t {
 struct SvgOptions {
   SvgMode mode = SvgMode::image;  ///< pixels or triangles
   double scale = 1;               ///< CSS pixels, 96 to an inch, to a user unit
-  double dpi = 192;               ///< of what is stored as pixels
-  /// Shown where no layer covers; default: Picture::background, or nothing.
+  double dpi = 192;               ///< resolution of parts stored as pixels
+  /// Shown where no layer covers; default: Picture::background, or none.
   std::optional<Rgb> background{};
   /// SvgMode::vector: largest tolerated difference from the patches, in code values of 255.
   double max_error = 2;
   bool force = false;  ///< SvgMode::vector: ignore Limits::svg_triangles
 };
 
-/// Picture → SVG of the picture's viewport, in user units. What write_svg() writes instead is the
+/// Exports a picture as SVG of the picture's viewport, in user units. Use write_svg() to save the
 /// document itself.
 ///
 /// With SvgMode::vector each layer is stored once, as three meshes for red, green and blue,
 /// screened onto each other, of triangles filled by plain linear gradients (docs/outputs.md, "SVG
 /// of triangles"). Local curves and layers with image-domain shaders are images between them.
-/// `notes`, unless null, receives the number of triangles, whether anything is stored as pixels,
+/// `notes`, unless null, receives the number of triangles, whether any part is stored as pixels,
 /// and a warning above limits::kSvgTrianglesSlow; nothing for SvgMode::image.
 ///
 /// Errors: bad_input (an invalid picture, an empty viewport, options that are not positive

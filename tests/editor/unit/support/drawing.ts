@@ -1,4 +1,4 @@
-// A drawing without text, and commands that change it: what the canvas needs of the model.
+// A drawing without text, and commands that change it: the part of the model that the canvas needs.
 import type { Affine, Box, Point } from "../../../../web/editor/src/geometry/affine.js";
 import {
   composed,
@@ -110,7 +110,7 @@ export function layer(
   const item: ContainerItem = { ...base(element, name), kind: "layer", children, ...more };
   for (const child of children) {
     (child as { parent: Item | null }).parent = item;
-    // The engine finds a layer by where its curves stand in the text.
+    // The engine finds a layer by the places of its curves in the text.
     const range = element.range as { start: number; end: number };
     range.start = Math.min(range.start, child.element.range.start);
   }
@@ -134,7 +134,7 @@ export function reference(
   return { ...base(elementOf("image"), name), kind: "reference", href: "", box, ...more };
 }
 
-/** A line as a curve of one piece. */
+/** Returns a line as a curve of one piece. */
 export function line(from: Point, to: Point): CubicPath {
   const third = (k: number): Point => [
     from[0] + ((to[0] - from[0]) * k) / 3,
@@ -178,7 +178,7 @@ export class FakeDrawing implements Drawing {
   }
 }
 
-/** An outcome that carries the items to be. */
+/** An outcome that carries the new items. */
 export interface FakeOutcome extends Outcome {
   readonly items: readonly Item[];
 }
@@ -187,7 +187,7 @@ function outcome(items: readonly Item[]): FakeOutcome {
   return { patch: [], items };
 }
 
-/** The items with some changed; parents are renewed above them. */
+/** Returns the items with some changed, and with new parents above them. */
 function changed(
   items: readonly Item[],
   of: ReadonlySet<Handle>,
@@ -242,7 +242,7 @@ function withMoved(path: CubicPath, nodes: readonly number[], by: Point): CubicP
   return { ...path, points };
 }
 
-/** In place of model/commands: the same names, on items. */
+/** Replaces model/commands: the same names, on items. */
 export const fakeCommands = {
   setPath: (d: Drawing, h: Handle, k: number, to: CubicPath) =>
     changedCurve(d, h, (item) => withPath(item, k, to)),

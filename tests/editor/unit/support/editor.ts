@@ -1,4 +1,4 @@
-// An editor without a page: signals, gestures on a FakeDrawing, and a log of what was undoable.
+// An editor without a page: signals, gestures on a FakeDrawing, and a log of undoable steps.
 import { signal } from "@preact/signals";
 import type { Editor, Gesture, Settings } from "../../../../web/editor/src/app/types.js";
 import type { Box, Point } from "../../../../web/editor/src/geometry/affine.js";
@@ -14,12 +14,12 @@ import { FakeDrawing, type FakeOutcome } from "./drawing.js";
 
 export interface FakeEditor extends Editor {
   readonly drawing: FakeDrawing;
-  /** Labels of the steps of undo, and gestures that were dropped. */
+  /** Labels of undo steps, and of cancelled gestures. */
   readonly steps: string[];
   readonly dropped: string[];
-  /** Of each step: those of one name that follow each other quickly are one. */
+  /** The merge key of each step; steps of one key in quick succession become one. */
   readonly merges: string[];
-  /** What `colors` answers: red, green, blue, opacity at a point. */
+  /** The answer of `colors`: red, green, blue, opacity at a point. */
   paint: (x: number, y: number) => readonly [number, number, number, number];
   layers: { layer: number; offset: number }[];
 }
@@ -43,7 +43,7 @@ function settings(): Settings {
   };
 }
 
-/** @param width of the stage in CSS pixels; the view shows the artboard one to one, its corner at 0, 0 */
+/** @param width of the stage in CSS pixels; the view shows the artboard at 1:1, its corner at 0, 0 */
 export function fakeEditor(items: readonly Item[], width = 400, height = 300): FakeEditor {
   const drawing = new FakeDrawing(items);
   const revision = signal(0);
@@ -118,6 +118,9 @@ export function fakeEditor(items: readonly Item[], width = 400, height = 300): F
     showOutlines: signal(false),
     announcement: signal(""),
     toast: signal(null),
+    draft: signal(null),
+    opened: signal(0),
+    awaitEdit: () => undefined,
     get activeLayer() {
       return drawing.items.find((item) => item.kind === "layer" && !item.locked) ?? null;
     },
@@ -151,7 +154,7 @@ export function fakeEditor(items: readonly Item[], width = 400, height = 300): F
   return editor as unknown as FakeEditor;
 }
 
-/** Motions of the view are jumps: nothing draws frames in a test. */
+/** Motions of the view are jumps, because tests draw no frames. */
 export function canvasOf(editor: Editor): Canvas {
   return new Canvas(editor, navigationOf(editor));
 }

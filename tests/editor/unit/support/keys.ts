@@ -1,4 +1,4 @@
-// Keys pressed on the canvas while the select tool is in hand.
+// Keys pressed on the canvas with the select tool.
 import type { Canvas } from "../../../../web/editor/src/canvas/canvas.js";
 import { pressKey } from "../../../../web/editor/src/canvas/keyboard.js";
 import { Pointers } from "../../../../web/editor/src/canvas/pointers.js";
@@ -14,7 +14,7 @@ export interface Keyboard {
   press(key: string, more?: object): boolean;
 }
 
-/** An editor with a layer of curves. */
+/** Returns an editor with a layer of curves. */
 export function keyboardOn(...curves: readonly CurveItem[]): Keyboard {
   const editor = fakeEditor([layer("layer", [...curves])]);
   const canvas = canvasOf(editor);

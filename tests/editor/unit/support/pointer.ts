@@ -1,4 +1,4 @@
-// Hands for tests: sequences of presses for a tool, or of pointers for a stage.
+// Pointer input for tests: sequences of presses for a tool, or of pointers for a stage.
 import type { Point } from "../../../../web/editor/src/geometry/affine.js";
 import type { Drag, Press, Tool } from "../../../../web/editor/src/canvas/tools/tool.js";
 import type { Pointers, StagePointer } from "../../../../web/editor/src/canvas/pointers.js";
@@ -17,7 +17,7 @@ export function press(at: Point, more: Partial<Press> = {}): Press {
   };
 }
 
-/** Presses, moves through the points, lets go at the last. */
+/** Presses, moves through the points, and releases at the last one. */
 export function dragThrough(tool: Tool, points: readonly Point[], more: Partial<Press> = {}): void {
   const drag = tool.press(press(points[0], more));
   for (const at of points.slice(1)) drag?.move(press(at, more));
@@ -29,7 +29,7 @@ export function click(tool: Tool, at: Point, more: Partial<Press> = {}): void {
   dragThrough(tool, [at], more);
 }
 
-/** A drag that has moved but not ended. */
+/** Returns a drag that has moved but not ended. */
 export function begun(tool: Tool, points: readonly Point[], more: Partial<Press> = {}): Drag {
   const drag = tool.press(press(points[0], more));
   if (!drag) throw new Error("nothing is dragged");

@@ -1,4 +1,4 @@
-// Drawings and questions that the tests of curves' edits share.
+// Drawings and helpers for the tests of curve edits.
 import { expect } from "vitest";
 import { mixed, type Rgb } from "../../../../web/editor/src/geometry/color.js";
 import { pieceCount, type CubicPath } from "../../../../web/editor/src/geometry/cubic.js";
@@ -34,7 +34,7 @@ export function curvesIn(drawing: Drawing): CurveItem[] {
   );
 }
 
-/** The drawing afterwards. */
+/** Returns the drawing after an outcome. */
 export function after(drawing: Drawing, outcome: Outcome | null): Drawing {
   expect(outcome).not.toBeNull();
   const next = openDrawing(drawing.text);
@@ -42,7 +42,7 @@ export function after(drawing: Drawing, outcome: Outcome | null): Drawing {
   return next;
 }
 
-/** The value of a list at a place (piece + t), by the engine's rules. */
+/** Returns the value of a list at a place (piece + t), by the engine's rules. */
 export function valueAt<Value>(
   path: CubicPath,
   side: SideValue<Value>,
@@ -54,7 +54,7 @@ export function valueAt<Value>(
     at: placeOfOffset(path, side.space, offset),
     value,
   }));
-  // Arc length is interpolated in arc length: places of its stops are not enough.
+  // In arc-length lists, values are interpolated by arc length, so the stops' places do not suffice.
   const measure = side.space === "arc" ? fractionAtParameter(path, place) : place;
   const marks = side.space === "arc" ? side.stops.map((s) => s.offset) : stops.map((s) => s.at);
   const behind = marks.findIndex((mark) => mark > measure);
@@ -67,7 +67,7 @@ export function valueAt<Value>(
 export const mixRgb = (a: Rgb, b: Rgb, t: number) => mixed(a, b, t, "srgb");
 export const mixNumber = (a: number, b: number, t: number) => a + (b - a) * t;
 
-/** What a curve shows beside points of it: the side that faces a direction. */
+/** Returns the values that a curve shows beside points of it, on the side that faces a direction. */
 export function shownAt(
   item: CurveItem,
   index: number,
@@ -87,7 +87,7 @@ export function shownAt(
   };
 }
 
-/** The picture's curve is the same: shape, and what it shows on both sides. */
+/** Expects the same picture of the curve: shape, and values on both sides. */
 export function expectSamePicture(
   a: CurveItem,
   b: CurveItem,
@@ -122,7 +122,7 @@ export function expectNear(p: unknown, q: unknown, tolerance: number, hint: stri
   } else expect(q, hint).toBe(p);
 }
 
-/** Smooth paths that do not come near to themselves, so that nearest points are the same places. */
+/** Returns smooth paths that do not come near themselves, so that nearest points are unique places. */
 export function wave(random: Random, pieces: number, closed: boolean): string {
   const point = (i: number) => {
     const angle = (i / pieces) * (closed ? 2 * Math.PI : 3);

@@ -1,4 +1,4 @@
 #pragma once
 
-// Not Sfumato's: what an embedder may have under this name.
+// Not Sfumato's: a header that an embedder may have under this name.
 enum class Status { fine, lost };

@@ -1,6 +1,6 @@
 #pragma once
 
-// Not Sfumato's: what an embedder may have under this name.
+// Not Sfumato's: a header that an embedder may have under this name.
 struct Mesh {
   int vertex_count = 0;
 };

@@ -7,7 +7,7 @@ import type { DrawingEditor } from "./editor.js";
 import { chosen } from "./selected.js";
 import { isForPage } from "./keys.js";
 
-/** What was copied last, where the system's clipboard is refused. */
+/** The text that was copied last, where the system's clipboard is refused. */
 let own = "";
 
 export function copySelection(editor: DrawingEditor): string {
@@ -32,7 +32,10 @@ export function pasteText(editor: DrawingEditor, text: string): void {
   }
 }
 
-/** What may not be there, as an instance within what it copies, is put on top of all. Returns whether there is any. */
+/**
+ * Pastes into the layer; markup that cannot stand there, such as an instance inside what it copies, goes on
+ * top of everything. Returns whether there was anything to paste.
+ */
 function pasteInto(editor: DrawingEditor, text: string, layer: Handle | null): boolean {
   const outcome = paste(editor.drawing, text, layer);
   if (!outcome) return false;
@@ -41,7 +44,7 @@ function pasteInto(editor: DrawingEditor, text: string, layer: Handle | null): b
   return true;
 }
 
-/** For menus and keys: the clipboard may be asked for by the browser, or refused. */
+/** For menus and keys: the browser may ask the user about the clipboard, or refuse it. */
 export async function copyByMenu(editor: DrawingEditor, cut: boolean): Promise<void> {
   const text = cut ? cutSelection(editor) : copySelection(editor);
   try {
@@ -56,12 +59,12 @@ export async function pasteByMenu(editor: DrawingEditor): Promise<void> {
   try {
     text = (await navigator.clipboard.readText()) || own;
   } catch {
-    // What was copied here last.
+    // The text that was copied here last.
   }
   pasteText(editor, text);
 }
 
-/** Hears Ctrl+C and X as the browser tells them; of Ctrl+V page/pastes.ts hears. */
+/** Handles the browser's copy and cut events; page/pastes.ts handles paste. */
 export function listenToCopying(editor: DrawingEditor): void {
   const on = (name: "copy" | "cut", act: () => string) =>
     document.addEventListener(name, (event) => {

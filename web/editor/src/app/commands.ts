@@ -1,4 +1,4 @@
-// What menus and keys name.
+// The commands that menus and keys name.
 import type { Box, Point } from "../geometry/affine.js";
 import {
   addLayer,
@@ -27,7 +27,7 @@ import { copyByMenu, pasteByMenu } from "./clipboard.js";
 import type { DrawingEditor } from "./editor.js";
 import { takeInHandle } from "./handles.js";
 import { deleteStop } from "./stops.js";
-import { chosen, chosenCurves, chosenItems, chosenNodes, chosenStop, primaryCurve } from "./selected.js";
+import { chosen, chosenCurves, chosenItems, chosenNodes, chosenStop, isPrimaryClosed, primaryCurve } from "./selected.js";
 import type { ToolName } from "./types.js";
 
 type Command = (editor: DrawingEditor) => void;
@@ -127,7 +127,7 @@ function joinChosen(editor: DrawingEditor) {
 function closeChosen(editor: DrawingEditor) {
   const curve = primaryCurve(editor);
   if (!curve) return;
-  const isClosed = curve.paths.every(({ closed }) => closed);
+  const isClosed = isPrimaryClosed(editor);
   const all = curve.paths.map((_, path) => path);
   const made = setClosed(editor.drawing, curve.handle, all, !isClosed, editor.step(curve));
   editor.run(isClosed ? en.commands.open : en.commands.close, made);
@@ -240,7 +240,7 @@ const table: readonly (readonly [string, Command])[] = [
   ),
 ];
 
-/** All commands but those of files, which `more` adds or replaces. */
+/** Returns all commands except those for files, which `more` adds or replaces. */
 export function commandTable(more: readonly (readonly [string, Command])[]): ReadonlyMap<string, Command> {
   return new Map([...table, ...more]);
 }

@@ -1,5 +1,5 @@
 // The editor's state: the drawing, what is selected and seen, and every change of them.
-import { batch, effect, signal, untracked, type Signal } from "@preact/signals";
+import { batch, computed, effect, signal, untracked, type Signal } from "@preact/signals";
 import type { Affine, Box, Point } from "../geometry/affine.js";
 import type { Engine, EngineCurve, EngineStatus, Hint } from "../engine/types.js";
 import { openDrawing } from "../model/drawing.js";
@@ -26,6 +26,7 @@ import { quickChanges } from "./sync.js";
 import type {
   Dialog,
   Difference,
+  Draft,
   Editor,
   ExactState,
   FileState,
@@ -43,13 +44,14 @@ const STEP = 1 / 1000;
 /** Hints are looked for when an exact picture has stood for this long, milliseconds. */
 const HINT_REST = 1000;
 
-/** What the editor has done by others: the commands that menus and keys name. */
+/** The work that the editor leaves to others: the commands that menus and keys name. */
 type CommandTable = Pick<ReadonlyMap<string, (editor: DrawingEditor) => void>, "get">;
 
 export class DrawingEditor implements Editor {
   readonly engine: Engine;
   readonly settings = openSettings();
   readonly navigation: Navigation;
+  readonly opened = signal(0);
   readonly selection: Signal<Selection> = signal<Selection>([]);
   readonly tool = signal<ToolName>("select");
   readonly attribute = signal<Attribute>("color");
@@ -59,8 +61,10 @@ export class DrawingEditor implements Editor {
   readonly pointer = signal<Point | null>(null);
   readonly status = signal<EngineStatus>({ kind: "empty" });
   readonly hints = signal<readonly Hint[]>([]);
+  readonly hintsKnown = computed(() => this.#hintedRevision.value === this.#revision.value);
   readonly hintsShown = signal(false);
   readonly file = signal<FileState>({ name: "", isChanged: false, kept: "nowhere" });
+  readonly draft = signal<Draft | null>(null);
   readonly toast = signal<Toast | null>(null);
   readonly task = signal<Task | null>(null);
   readonly dialog = signal<Dialog>(null);
@@ -77,22 +81,30 @@ export class DrawingEditor implements Editor {
   readonly announcement = signal("");
   /** Called when the text has changed and rests. */
   onEdit: () => void = () => {};
-  /** Called before another drawing takes the place of this one, whoever opens it. */
+  /** Called when a drawing that was opened cannot be drawn. */
+  onUnseen: () => void = () => {};
+  /** Called before another drawing replaces this one, whatever opens it. */
   onOpen: (name: string) => void = () => {};
 
   #drawing: Drawing;
   readonly #revision = signal(0);
   readonly #history = new History();
   #gesture: LiveGesture | null = null;
+  /** Edits that are on their way. */
+  readonly #coming = new Set<Promise<void>>();
   #commands: CommandTable | null;
-  /** Commands that were asked for before there were any. */
+  /** Commands that were requested before any were available. */
   #asked: string[] = [];
   /** Elements by their place, in the texts that the engine was given. */
   #snapshots = new Map<number, ReadonlyMap<number, Handle>>();
   #known = { serial: -1, curves: new Map<Handle, EngineCurve[]>() };
-  /** The view that shows all of the artboard; another is the hand's. */
+  /** The view that shows the whole artboard; the user's own view is another. */
   #fitted: ViewState | null = null;
   #hintTimer = 0;
+  /** Whether the drawing could be drawn since it was opened. */
+  #wasDrawn = false;
+  /** The revision of the drawing that the hints describe. */
+  readonly #hintedRevision = signal(-1);
 
   /** @param commands null: they come later, by learn() */
   constructor(engine: Engine, commands: CommandTable | null, text: string) {
@@ -111,12 +123,11 @@ export class DrawingEditor implements Editor {
     return this.#drawing;
   }
 
-  get undoLabel() {
-    return this.#history.undoLabel;
-  }
-  get redoLabel() {
-    return this.#history.redoLabel;
-  }
+  readonly undoLabel = computed(() => this.draft.value?.undoLabel ?? this.#history.undoLabel.value);
+  readonly redoLabel = computed(() => {
+    const draft = this.draft.value;
+    return draft ? draft.redoLabel : this.#history.redoLabel.value;
+  });
 
   // Documents.
 
@@ -124,6 +135,7 @@ export class DrawingEditor implements Editor {
   open(text: string, name: string, log: HistoryLog = { done: [], undone: [] }): void {
     const drawing = openDrawing(text);
     this.#endGesture();
+    this.draft.peek()?.drop();
     this.onOpen(name);
     batch(() => {
       this.#drawing = drawing;
@@ -137,7 +149,8 @@ export class DrawingEditor implements Editor {
       this.#revision.value += 1;
       this.fit();
     });
-    this.#showText(false);
+    this.#wasDrawn = false;
+    this.opened.value = this.#showText(false);
   }
 
   /** The engine has what it lacked before. */
@@ -157,28 +170,33 @@ export class DrawingEditor implements Editor {
     const before = this.#places();
     const change = this.#drawing.apply(outcome.patch);
     if (this.#refuses(change, outcome.patch, before)) return false;
-    this.#record(label, outcome, before, merge);
+    this.#record(label, outcome, before, merge && this.#mergeKey(merge, change));
     this.#changed(change, false);
     return true;
   }
 
-  /** Takes an edit back after which nobody could draw the drawing, and says why; whether it was one. */
+  /** Reverts an edit that would make the drawing impossible to show, and says why. Returns whether it did. */
   #refuses(change: Change, patch: Patch, before: Places): boolean {
     const fault = faultOf(this.#drawing, change);
     if (fault === null) return false;
     const back = this.#drawing.apply(inverse(patch));
     if (faultOf(this.#drawing, back) !== null) {
-      // So it was before.
+      // The text was like this before.
       this.#drawing.apply(patch);
       return false;
     }
     this.say(en.commands.faults[fault]);
     batch(() => {
       this.#changed(united([change, back]), false);
-      // What was moved there and back is another item now.
+      // An item that was moved there and back is a different item now.
       this.#select(before);
     });
     return true;
+  }
+
+  /** Edits of other objects, or other parts of one, are steps of their own. */
+  #mergeKey(merge: string, { touched }: Change): string {
+    return JSON.stringify([merge, this.selection.peek(), [...touched.keys()]]);
   }
 
   #mayEdit(): boolean {
@@ -223,12 +241,35 @@ export class DrawingEditor implements Editor {
     return this.#gesture !== null && !this.#gesture.isOver;
   }
 
+  awaitEdit(work: Promise<unknown>): void {
+    const end = () => void this.#coming.delete(coming);
+    const coming: Promise<void> = work.then(end, end);
+    this.#coming.add(coming);
+  }
+
+  /** Does something after the edits that are on their way. @returns false: there are none */
+  #isPutOff(act: () => void): boolean {
+    if (this.#coming.size === 0) return false;
+    void Promise.all(this.#coming).then(act);
+    return true;
+  }
+
   undo(): void {
+    const draft = this.draft.peek();
+    if (draft && draft.undoLabel !== null) return draft.undo();
+    if (this.#isPutOff(() => this.undo())) return;
+    draft?.drop();
     this.#endGesture();
     this.#replay(this.#history.undo());
   }
 
   redo(): void {
+    const draft = this.draft.peek();
+    if (draft) {
+      if (draft.redoLabel !== null) draft.redo();
+      return;
+    }
+    if (this.#isPutOff(() => this.redo())) return;
     this.#endGesture();
     this.#replay(this.#history.redo());
   }
@@ -243,7 +284,7 @@ export class DrawingEditor implements Editor {
     });
   }
 
-  /** The text has changed: tells the engine and whoever looks. */
+  /** Notifies the engine and all observers that the text has changed. */
   #changed(change: Change, moving: boolean) {
     batch(() => {
       this.#revision.value += 1;
@@ -254,14 +295,17 @@ export class DrawingEditor implements Editor {
     if (!moving) this.onEdit();
   }
 
-  #showText(moving: boolean, quick?: ReturnType<typeof quickChanges>) {
+  /** @returns its number */
+  #showText(moving: boolean, quick?: ReturnType<typeof quickChanges>): number {
     const serial = this.engine.show(this.#drawing.text, moving, quick);
-    // Texts of which it takes the change alone are not read, but for the last.
-    if (quick && moving) return;
-    // What places mean in this text is asked when the engine has read it, perhaps after other edits.
+    // The engine takes only the change from quick moves, and reads only the last text.
+    if (quick && moving) return serial;
+    // The engine names places in this text. They are looked up when it has read the text, perhaps after other
+    // edits.
     const places = new Map<number, Handle>();
     for (const item of this.#drawing.all()) places.set(item.element.range.start, item.handle);
     this.#snapshots.set(serial, places);
+    return serial;
   }
 
   // The engine's numbers.
@@ -296,16 +340,23 @@ export class DrawingEditor implements Editor {
 
   #hearStatus(status: EngineStatus) {
     this.status.value = status;
+    if (status.kind === "exact") this.#wasDrawn = true;
+    if (status.kind === "problem" && !this.#wasDrawn) this.onUnseen();
     clearTimeout(this.#hintTimer);
     if (status.kind === "exact") this.#hintTimer = setTimeout(() => void this.#lookForHints(), HINT_REST) as never;
   }
 
   async #lookForHints(): Promise<void> {
+    const revision = this.#revision.peek();
     try {
       const hints = await this.engine.lint();
-      if (hints) this.hints.value = hints.filter((hint) => isWorthTelling(this.#drawing, hint));
+      if (!hints || this.#revision.peek() !== revision) return;
+      batch(() => {
+        this.hints.value = hints.filter((hint) => isWorthTelling(this.#drawing, hint));
+        this.#hintedRevision.value = revision;
+      });
     } catch {
-      // A text that cannot be looked at has a status that says so.
+      // An unreadable text has a status that says so.
       this.hints.value = [];
     }
   }
@@ -326,7 +377,7 @@ export class DrawingEditor implements Editor {
     });
   }
 
-  /** What is no longer there is not selected. */
+  /** Removes items that no longer exist from the selection. */
   #prune() {
     const { value } = this.selection;
     const there = value.filter(({ handle }) => this.#drawing.item(handle));
@@ -385,7 +436,7 @@ export class DrawingEditor implements Editor {
     this.navigation.zoomBy(factor, at);
   }
 
-  /** The artboard stays fitted while the window changes, until the hand moves the view. */
+  /** The artboard stays fitted while the window changes, until the user moves the view. */
   #keepFitted() {
     void this.stage.value;
     if (this.#fitted && this.#fitted === this.view.peek()) untracked(() => this.fit());
@@ -404,7 +455,7 @@ export class DrawingEditor implements Editor {
     else if (!this.#asked.includes(name)) this.#asked.push(name);
   }
 
-  /** What was asked for until now is done, in its order. */
+  /** Takes the commands, and runs those that were requested before, in order. */
   learn(commands: CommandTable): void {
     this.#commands = commands;
     for (const name of this.#asked.splice(0)) this.command(name);

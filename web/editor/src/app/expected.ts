@@ -1,9 +1,10 @@
-// Tells the engine which curve the hand is about to take: what it points at, or what is selected.
+// Reports to the engine which curve is likely to be dragged next: the one under the pointer, or the selected
+// one.
 import { effect, type Signal } from "@preact/signals";
 import type { CurvePlace, Engine, EngineStatus } from "../engine/types.js";
 import type { Handle, Selection } from "../model/types.js";
 
-/** How long the hand must point at a curve, milliseconds. */
+/** How long the pointer must rest on a curve, milliseconds. */
 const REST = 100;
 
 interface Pointing {

@@ -1,13 +1,13 @@
-// One movement of the hand: each look at it starts from the drawing as it was.
+// One movement of the pointer: each step starts from the drawing at the beginning.
 import { inverse, type Patch } from "../source/patch.js";
 import type { Change, Drawing, Outcome } from "../model/types.js";
 import type { Gesture } from "./types.js";
 
-/** What a gesture asks of the editor. */
+/** The functions of the editor that a gesture uses. */
 export interface GestureHost {
   readonly drawing: Drawing;
   apply(patch: Patch): Change;
-  /** Shows what changed: between two looks, and whether the hand still moves. */
+  /** Shows the changes since the last step, and whether the pointer still moves. */
   changed(changes: readonly Change[], moving: boolean): void;
   /** Keeps the patch, which made this change, as one step of undo. */
   keep(outcome: Outcome, change: Change): void;

@@ -1,4 +1,4 @@
-// What becomes of a chosen handle that is deleted: it goes back into its node, and the curve stays.
+// Deleting a chosen handle: it goes back into its node, and the curve stays.
 import { movedHandle, nodeOfHandle } from "../geometry/nodes.js";
 import { nodePath } from "../geometry/natural.js";
 import { setPath } from "../model/commands/index.js";

@@ -33,10 +33,41 @@ function sizeOf({ patch }: Step): number {
 /** Parts of a text hold the whole of it in memory: copies do not. */
 const detached = (patch: Patch): Patch => JSON.parse(JSON.stringify(patch)) as Patch;
 
+/** A list that knows its size. */
+class Steps {
+  #size: number;
+
+  constructor(readonly list: Step[]) {
+    this.#size = list.reduce((sum, step) => sum + sizeOf(step), 0);
+  }
+
+  get last(): Step | undefined {
+    return this.list.at(-1);
+  }
+
+  add(step: Step): void {
+    this.list.push(step);
+    this.#size += sizeOf(step);
+  }
+
+  /** Removes the last group of steps. @returns them, the last one first */
+  takeGroup(): Step[] {
+    const group = this.last?.group;
+    const steps: Step[] = [];
+    while (this.last && this.last.group === group) steps.push(this.list.pop()!);
+    for (const step of steps) this.#size -= sizeOf(step);
+    return steps;
+  }
+
+  /** Removes the oldest steps until the size is within a limit, but never the last step. */
+  shorten(most: number): void {
+    while (this.#size > most && this.list.length > 1) this.#size -= sizeOf(this.list.shift()!);
+  }
+}
+
 export class History {
-  #done: Step[] = [];
-  #undone: Step[] = [];
-  #size = 0;
+  #done = new Steps([]);
+  #undone = new Steps([]);
   #group = 0;
   #merge: { key: string; time: number } | null = null;
   readonly #undoLabel = signal<string | null>(null);
@@ -55,12 +86,9 @@ export class History {
       merge !== "" && this.#merge?.key === merge && now - this.#merge.time < MERGE_TIME;
     if (!isMerged) this.#group += 1;
     this.#merge = { key: merge, time: now };
-    this.#done.push({ ...step, patch: detached(step.patch), group: this.#group });
-    this.#size += sizeOf(step as Step);
-    this.#undone = [];
-    while (this.#size > MOST_CHARACTERS && this.#done.length > 1) {
-      this.#size -= sizeOf(this.#done.shift()!);
-    }
+    this.#done.add({ ...step, patch: detached(step.patch), group: this.#group });
+    this.#undone = new Steps([]);
+    this.#done.shorten(MOST_CHARACTERS);
     this.#show();
   }
 
@@ -76,32 +104,29 @@ export class History {
   }
 
   /** Moves the last group from one list to the other. */
-  #take(from: Step[], to: Step[]): Step[] {
-    const group = from.at(-1)?.group;
-    const steps: Step[] = [];
-    while (from.length > 0 && from.at(-1)!.group === group) steps.push(from.pop()!);
-    to.push(...steps);
+  #take(from: Steps, to: Steps): Step[] {
+    const steps = from.takeGroup();
+    for (const step of steps) to.add(step);
     this.#merge = null;
     this.#show();
     return steps;
   }
 
   get log(): HistoryLog {
-    return { done: [...this.#done], undone: [...this.#undone] };
+    return { done: [...this.#done.list], undone: [...this.#undone.list] };
   }
 
   /** Takes the place of all that was done. */
   restore({ done, undone }: HistoryLog): void {
-    this.#done = [...done];
-    this.#undone = [...undone];
-    this.#size = done.reduce((sum, step) => sum + sizeOf(step), 0);
+    this.#done = new Steps([...done]);
+    this.#undone = new Steps([...undone]);
     this.#group = [...done, ...undone].reduce((most, step) => Math.max(most, step.group), 0);
     this.#merge = null;
     this.#show();
   }
 
   #show() {
-    this.#undoLabel.value = this.#done.at(-1)?.label ?? null;
-    this.#redoLabel.value = this.#undone.at(-1)?.label ?? null;
+    this.#undoLabel.value = this.#done.last?.label ?? null;
+    this.#redoLabel.value = this.#undone.last?.label ?? null;
   }
 }

@@ -1,14 +1,14 @@
-// Keys of the whole page. What a field, a menu or the stage has taken (preventDefault) is not heard.
+// Keys of the whole page. A key that a field, a menu or the stage has handled (preventDefault) is ignored.
 import type { DrawingEditor } from "./editor.js";
 import { commandOfKey, isTyping } from "./keys.js";
 
-/** Clipboard keys are left to the browser, which then tells of copy, cut and paste. */
+/** The browser handles clipboard keys, and then sends copy, cut and paste events. */
 const BROWSERS = new Set(["copy", "cut", "paste"]);
 /** These work while somebody types, too. */
 const ALWAYS = new Set(["save", "save-as", "open", "export", "new"]);
 const HIDE_KEY = "`";
 
-/** Out of a field, so that keys are heard again. @returns whether one had the focus */
+/** Leaves a field, so that the page's keys work again. @returns whether one had the focus */
 function leaveField({ key, target }: KeyboardEvent): boolean {
   const stage = document.querySelector<HTMLElement>(".canvas-stage");
   if (key !== "Escape" || !isTyping(target) || !stage) return false;
@@ -22,7 +22,7 @@ function fieldNow(): HTMLElement | null {
   return isTyping(activeElement) ? (activeElement as HTMLElement) : null;
 }
 
-/** What was typed counts before what comes next, which may take the field away. */
+/** Commits typed text before the next action, which may remove the field. */
 function keepTyped(): void {
   const field = fieldNow();
   field?.blur();

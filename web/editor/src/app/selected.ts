@@ -1,8 +1,8 @@
-// What is selected, as commands ask for it.
+// The selection, in the forms that commands need.
 import type { CurveItem, Handle, Item, Part } from "../model/types.js";
 import type { Editor } from "./types.js";
 
-/** Elements, each once, in the order in which they were chosen. */
+/** Returns the selected elements, each once, in the order in which they were chosen. */
 export function chosen(editor: Editor): readonly Handle[] {
   return [...new Set(editor.selection.value.map(({ handle }) => handle))];
 }
@@ -22,7 +22,12 @@ export function primaryCurve(editor: Editor): CurveItem | null {
   return item?.kind === "curve" || item?.kind === "stroke" ? item : null;
 }
 
-/** Curves and local curves, those of chosen containers too. */
+/** Whether all of the primary curve is closed: then it can be opened. */
+export function isPrimaryClosed(editor: Editor): boolean {
+  return primaryCurve(editor)?.paths.every(({ closed }) => closed) ?? false;
+}
+
+/** Returns the selected curves and local curves, including those inside selected containers. */
 export function chosenCurves(editor: Editor): readonly CurveItem[] {
   const found = new Map<Handle, CurveItem>();
   const visit = (item: Item) => {

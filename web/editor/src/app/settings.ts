@@ -1,4 +1,4 @@
-// What this browser keeps of how somebody likes to work.
+// The user's preferences, which this browser stores.
 import { effect, signal, type Signal } from "@preact/signals";
 import type { Rgb } from "../geometry/color.js";
 import type { Settings, Surround, Theme } from "./types.js";

@@ -11,7 +11,7 @@ function without<Value>(value: SideValue<Value>, index: number): SideValue<Value
   return stops.length > 0 ? { ...value, stops } : { kind: "open" };
 }
 
-/** Of a gradient one stop at least stays. */
+/** Deletes a stop of a gradient; a gradient keeps at least one. */
 function withoutGradientStop(drawing: Drawing, href: string, index: number): Outcome | null {
   const stops = gradientOf(drawing, href)?.stops ?? [];
   if (index >= stops.length) return null;

@@ -21,7 +21,7 @@ export type Surround = "dark" | "mid" | "light";
 export interface Settings {
   readonly theme: Signal<Theme>;
   readonly surround: Signal<Surround>;
-  /** Pencil: how far a stroke may be from the hand's, CSS pixels, 0.5 to 8. */
+  /** Pencil: the largest distance of the curve from the drawn line, CSS pixels, 0.5 to 8. */
   readonly smoothing: Signal<number>;
   /** "auto": unless the graphics driver draws in software. */
   readonly exactPixels: Signal<"auto" | "on" | "off">;
@@ -70,10 +70,12 @@ export interface TracedPhoto {
   readonly artboardFromPhoto: Affine | null;
 }
 
-/** What is asked for over the page; null: nothing. */
+/** The dialog that is open over the page; null: none. */
 export type Dialog =
   | { readonly kind: "trace"; readonly photo: TracedPhoto | null }
-  | { readonly kind: "export" | "keys" | "new" | "recover" | "about" | "problem" | "document" }
+  | {
+      readonly kind: "export" | "keys" | "new" | "recover" | "about" | "problem" | "document" | "foreign";
+    }
   | null;
 
 /** The colour picker: what it edits. */
@@ -83,7 +85,7 @@ export interface PickerTarget {
   readonly stop: number;
 }
 
-/** One movement of the hand: shown while it lasts, kept as one step of undo. */
+/** One movement of the pointer: shown while it lasts, kept as one step of undo. */
 export interface Gesture {
   /** Shows what a command makes of the drawing as it was when the gesture began. null: nothing. */
   show(make: (before: Drawing) => Outcome | null): void;
@@ -92,12 +94,25 @@ export interface Gesture {
   readonly isOver: boolean;
 }
 
+/** Work that a tool has begun and that is not in the drawing yet: undo and redo belong to it while it lasts. */
+export interface Draft {
+  /** The steps that undo and redo would take within it, or null. */
+  readonly undoLabel: string | null;
+  readonly redoLabel: string | null;
+  undo(): void;
+  redo(): void;
+  /** Ends it, and leaves nothing. */
+  drop(): void;
+}
+
 export interface FileState {
   readonly name: string;
   /** Whether there is something that no file has. */
   readonly isChanged: boolean;
   /** Where it is safe: "file", "browser" (autosave), or "nowhere" (storage refused). */
   readonly kept: "file" | "browser" | "nowhere";
+  /** Why nowhere: the browser refuses, has no room, or another tab goes on with the drawing. */
+  readonly lost?: "refused" | "full" | "elsewhere";
   /** Whether the newest change is still to be written there. */
   readonly isWaiting?: boolean;
 }
@@ -112,6 +127,8 @@ export type ExactState =
 export interface Editor {
   /** Within components and effects, reading it subscribes to its changes. */
   readonly drawing: Drawing;
+  /** The engine's number of the text that it began with: pictures of earlier ones are of another drawing. */
+  readonly opened: ReadonlySignal<number>;
   readonly selection: Signal<Selection>;
   readonly tool: Signal<ToolName>;
   /** Which stops stand on the curve: keys 1 2 3. */
@@ -126,11 +143,15 @@ export interface Editor {
   readonly engine: Engine;
   readonly status: ReadonlySignal<EngineStatus>;
   readonly hints: ReadonlySignal<readonly Hint[]>;
+  /** Whether the hints describe the present drawing: lint has answered for it. */
+  readonly hintsKnown: ReadonlySignal<boolean>;
   readonly hintsShown: Signal<boolean>;
   readonly file: Signal<FileState>;
   /** Labels of what undo and redo would do, or null. */
   readonly undoLabel: ReadonlySignal<string | null>;
   readonly redoLabel: ReadonlySignal<string | null>;
+  /** The draft of the present tool, or null. */
+  readonly draft: Signal<Draft | null>;
   readonly toast: Signal<Toast | null>;
   readonly task: Signal<Task | null>;
   readonly dialog: Signal<Dialog>;
@@ -147,14 +168,16 @@ export interface Editor {
   readonly welcome: Signal<boolean>;
   /** Step of the tour, 0 to 4; null: none. */
   readonly tour: Signal<number | null>;
-  /** What is read to who cannot see it. */
+  /** The text that a screen reader announces. */
   readonly announcement: Signal<string>;
 
   /** One step of undo; false where nothing changes or the drawing is read-only (it says so). */
   run(label: string, outcome: Outcome | null, merge?: string): boolean;
   gesture(label: string): Gesture;
-  /** Whether one is open, also while its hand holds still. */
+  /** Whether a gesture is open, also while its pointer rests. */
   readonly isInGesture: boolean;
+  /** An edit that is on its way into the drawing: undo and redo wait for it. */
+  awaitEdit(work: Promise<unknown>): void;
   undo(): void;
   redo(): void;
   /** A new document takes the place of this one. */

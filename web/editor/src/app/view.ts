@@ -27,7 +27,7 @@ export function artboardFromStage(
   return [1 / zoom, 0, 0, 1 / zoom, x - width / (2 * zoom), y - height / (2 * zoom)];
 }
 
-/** What of the plane is seen. */
+/** Returns the part of the plane that is visible. */
 export function seenBox({ x, y, zoom }: ViewState, { width, height }: { readonly width: number; readonly height: number }): Box {
   const [dx, dy] = [width / 2 / zoom, height / 2 / zoom];
   return [x - dx, y - dy, x + dx, y + dy];
@@ -74,7 +74,7 @@ class StageView extends View {
   }
 }
 
-/** What navigation needs of the editor. */
+/** The state of the editor that navigation needs. */
 export type ViewOwner = Pick<Editor, "view" | "stage"> & {
   readonly drawing: { readonly artboard: Box };
 };
@@ -85,7 +85,7 @@ export class Navigation {
   private seen: StageView;
   private frame = 0;
 
-  /** @param ratio device pixels to a CSS pixel, asked for at each step */
+  /** @param ratio device pixels to a CSS pixel, read at each step */
   constructor(
     private readonly owner: ViewOwner,
     private readonly ratio: () => number = () => globalThis.devicePixelRatio ?? 1,

@@ -10,7 +10,7 @@ import type { Stops } from "./sides.js";
 /** Paths do not change: each is mapped once, so that it is measured once. */
 const inLayers = new WeakMap<CubicPath, { readonly map: Affine; readonly inLayer: CubicPath }>();
 
-/** A path of an item in the frame of its layer, in which arc lengths count. */
+/** Returns a path of an item in the frame of its layer, where arc lengths are measured. */
 export function pathInLayer({ layerFromItem: map }: CurveItem, path: CubicPath): CubicPath {
   const known = inLayers.get(path);
   if (known && map.every((value, k) => value === known.map[k])) return known.inLayer;
@@ -19,7 +19,7 @@ export function pathInLayer({ layerFromItem: map }: CurveItem, path: CubicPath):
   return inLayer;
 }
 
-/** Of paths, and of lists of stops on them. */
+/** Places of stops, by path and by the list of stops on it. */
 const stopPlaces = new WeakMap<CubicPath, WeakMap<Stops<unknown>, readonly number[]>>();
 
 /** Where the stops of a list stand on a path, in the frame of its layer. */
@@ -33,7 +33,7 @@ export function placesOfStops(inLayer: CubicPath, list: Stops<unknown>): readonl
   return places;
 }
 
-/** @param map from the path's coordinates to the point's, in which distances are measured */
+/** @param map from the path's coordinates to the point's, where distances are measured */
 export function nearestAt(path: CubicPath, map: Affine, point: Point): Nearest {
   return nearestOn(mappedPath(map, path), point);
 }

@@ -41,7 +41,7 @@ export function wholes(selection: Selection): Handle[] {
   return selection.filter(({ part }) => part.kind === "whole").map(({ handle }) => handle);
 }
 
-/** What of a selection may be moved: nothing that is locked, nor what is within something else of it. */
+/** Returns the items of a selection that may be moved: none that is locked or lies within another of them. */
 export function movable(drawing: Drawing, selection: Selection): Item[] {
   const chosen = new Set(wholes(selection));
   const isInside = (item: Item | null): boolean =>
@@ -125,11 +125,11 @@ export function boxMarks(
     .filter((mark) => mark.isChosen || mark.kind === "turn" || hasRoom(mark.grip));
 }
 
-/** What a scaled box may not become: nothing that cannot be scaled back. */
+/** The least factor of scaling: a smaller box could not be scaled back. */
 const LEAST_FACTOR = 1e-3;
 
 /**
- * The map that brings a corner or edge of a box by a vector, artboard units.
+ * Returns the map that moves a corner or edge of a box by a vector, artboard units.
  * @param keepsShape both directions by the same factor
  * @param aboutMiddle else the opposite corner or edge stays
  */

@@ -1,4 +1,4 @@
-// What stage, overlay and tools share: the marks, what lies under a point, where points snap.
+// State that stage, overlay and tools share: the marks, the objects under a point, the snapping of points.
 import { computed, signal, type ReadonlySignal, type Signal } from "@preact/signals";
 import { inverted, mapped, type Affine, type Point } from "../geometry/affine.js";
 import type { Editor } from "../app/types.js";
@@ -52,7 +52,7 @@ export class Canvas {
     return mapped(this.stageFromArtboard(), point);
   }
 
-  /** Where the hand is, as far out as a file may say. */
+  /** Returns the place of the pointer, limited to the largest coordinates of a file. */
   toArtboard(point: Point): Point {
     const back = inverted(this.stageFromArtboard());
     const [x, y] = back ? mapped(back, point) : point;
@@ -146,7 +146,7 @@ export class Canvas {
     return markAt(this.marks.peek(), at, REACH[kind].mark);
   }
 
-  /** What lies under the pointer, a mark before a curve; the curve looks so. */
+  /** Returns the object under the pointer, a mark before a curve, and highlights the curve. */
   hover(at: Point, kind: PointerKind): { readonly mark: Mark | null; readonly curve: CurveHit | null } {
     const mark = this.markAt(at, kind);
     const curve = mark ? null : this.curveAt(at, kind);

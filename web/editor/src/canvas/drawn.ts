@@ -37,7 +37,7 @@ export async function addCurve(editor: Editor, path: CubicPath, label: string): 
   if (!back) return false;
   const inLayer = mappedPath(back, path);
   const sides = (layer && (await takenSides(editor, layer, inLayer))) ?? (isBlank(editor) ? FIRST : OPEN);
-  // The layer may have gone while its colours were asked for.
+  // The layer may have been deleted while its colours were fetched.
   const into = layer && editor.drawing.item(layer.handle) ? layer.handle : null;
   const step = editor.step(layer);
   const endStep = meetsEnd(editor, path) ? step / WELD_FINER : step;

@@ -165,7 +165,7 @@ function deleteStops(editor: Editor, handle: Handle, parts: readonly Part[]): vo
     if (editor.run(en.tools.undo.deleteStops, outcome))
       editor.selection.value = [{ handle, part: { kind: "whole" } }];
   };
-  // Of a gradient, whose stops are not on the canvas.
+  // The stop belongs to a gradient, whose stops are not on the canvas.
   if (!list) return taken(deleteStop(editor.drawing, item, primary));
   const gone = parts.flatMap((part) =>
     part.kind === "stop" && part.side === side && part.attribute === attribute ? [part.index] : [],
@@ -177,8 +177,8 @@ function deleteStops(editor: Editor, handle: Handle, parts: readonly Part[]): vo
 }
 
 /**
- * Moves what is chosen by pixels of the stage: a stop along its curve, a handle, a grip of a paint,
- * nodes, or whole things. Steps that follow each other quickly are one step of undo.
+ * Moves the chosen part by pixels of the stage: a stop along its curve, a handle, a grip of a paint, nodes,
+ * or whole items. Steps that follow each other quickly are one step of undo.
  * @returns false where nothing can be moved
  */
 export function nudge(editor: Editor, [dx, dy]: Point): boolean {

@@ -1,5 +1,5 @@
-// Exact pixels of the stage (docs/viewer.md, "Exact pixels"): once the picture rests, the engine is asked for
-// the curves of its layers, and the viewer's renderer gathers from them.
+// Exact pixels of the stage (docs/viewer.md, "Exact pixels"): once the picture rests, the engine returns the
+// curves of its layers, and the viewer's renderer gathers from them.
 import { exactPixels, isSoftware } from "../../../viewer/exact.js";
 import type { ExactLayer } from "../../../viewer/exact_fields.js";
 import type { Frame, Renderer } from "../../../viewer/renderer.js";
@@ -18,12 +18,12 @@ interface Known {
   readonly failure: string;
 }
 
-/** What the stage draws. */
+/** The picture that the stage draws. */
 export interface Shown {
   readonly layerCount: number;
   /** A number that grows with each change of a layer. */
   version(layer: number): number;
-  /** When it changed last, as performance.now() has it. */
+  /** Time of the last change, by performance.now(). */
   readonly changedAt: number;
 }
 
@@ -34,7 +34,7 @@ export class ExactStage {
   readonly #wake: () => void;
   readonly #known: Known[] = [];
   #isAsking = false;
-  /** Of the context drawn with; null: not known yet. */
+  /** Whether the context draws in software; null: not known yet. */
   #isSoftware: boolean | null = null;
 
   constructor(editor: Editor, shown: Shown, wake: () => void) {

@@ -1,18 +1,24 @@
 // The handles of the selection's box by the keyboard: arrows scale by one, and turn by another.
-import { signal, type Signal } from "@preact/signals";
+import { signal, type ReadonlySignal, type Signal } from "@preact/signals";
 import { turning, type Affine, type Box, type Point } from "../geometry/affine.js";
+import type { Editor } from "../app/types.js";
 import { transform } from "../model/commands/index.js";
 import type { Handle } from "../model/types.js";
 import { en } from "../strings/en.js";
 import { movable, scaling, selectionBox } from "./box.js";
-import type { Canvas } from "./canvas.js";
 import { shown } from "./format.js";
 import type { BoxMark, Mark } from "./marks.js";
 import { keyOf } from "./walk.js";
 
-/** Of an arrow, and with Shift: of the handle that turns, degrees; of the others, CSS pixels. */
+/** Steps of an arrow key, and with Shift: degrees for the handle that rotates, CSS pixels for the others. */
 const TURN = { plain: 1, shift: 15 } as const;
 const SCALE = { plain: 1, shift: 10 } as const;
+
+/** The parts of the canvas that the handles use. */
+export interface GripCanvas {
+  readonly editor: Editor;
+  readonly marks: ReadonlySignal<readonly Mark[]>;
+}
 
 export interface GripKeys {
   readonly shift: boolean;
@@ -37,7 +43,7 @@ export class Grips {
     signal(null);
   private turned: Turning | null = null;
 
-  constructor(private readonly canvas: Canvas) {}
+  constructor(private readonly canvas: GripCanvas) {}
 
   /** Reading it in a computation subscribes. @param of what is selected last */
   isChosen(of: Handle, key: string): boolean {

@@ -1,4 +1,4 @@
-// What lies under the pointer: marks first, then curves, then the layer that is seen there.
+// Hit testing: marks first, then curves, then the topmost layer at the point.
 import { mapped, composed, type Affine, type Box, type Point } from "../geometry/affine.js";
 import { split, type Cubic, type CubicPath } from "../geometry/cubic.js";
 import { distanceToBox, flatten, nearestOn } from "../geometry/nearest.js";
@@ -14,7 +14,7 @@ const TOLERANCE = 0.25;
 const LARGEST = 2 * CELL;
 const DEEPEST = 24;
 
-/** How far from the pointer things are hit, CSS pixels. */
+/** How far from the pointer an object is hit, CSS pixels. */
 export const REACH = {
   mouse: { mark: 12, curve: 6 },
   pen: { mark: 12, curve: 8 },
@@ -76,7 +76,7 @@ export class CurveGrid {
     }
   }
 
-  /** Only what is on the stage is cut, and only as far as the cells ask for it. */
+  /** Cuts only curves on the stage, and only as finely as the cells need. */
   private addPart(part: Part, depth: number): void {
     const [x0, y0, x1, y1] = hullBox(part.cubic);
     // Comparisons that numbers which are none fail.
@@ -157,7 +157,7 @@ export class CurveGrid {
     return [...best.values()].sort((a, b) => a.distance - b.distance || b.order - a.order);
   }
 
-  /** Places of which a curve crosses a rectangle of the stage, each once. */
+  /** Returns the places whose curve crosses a rectangle of the stage, each once. */
   within(low: Point, high: Point): Set<Place> {
     const found = new Set<Place>();
     for (const part of this.partsIn(low[0], low[1], high[0], high[1])) {
@@ -194,7 +194,7 @@ function crosses(cubic: Cubic, low: Point, high: Point): boolean {
   return points.some((point, k) => k > 0 && chordCrosses(points[k - 1], point, low, high));
 }
 
-/** What is left of a chord after each of the four cuts. */
+/** Returns whether a chord crosses the rectangle: the part of it that is left after each of the four cuts. */
 function chordCrosses(a: Point, b: Point, low: Point, high: Point): boolean {
   let [from, to] = [0, 1];
   for (const axis of [0, 1] as const) {
@@ -241,8 +241,8 @@ export function markAt(marks: readonly Mark[], [x, y]: Point, reach: number): Ma
 }
 
 /**
- * The topmost layer whose curves go around a point of the artboard, by the box of their points; null:
- * none does. Of a <use> it is the <use>.
+ * Returns the topmost layer whose curves surround a point of the artboard, by the box of their points; null:
+ * there is none. For a layer that a <use> shows it returns the <use>.
  */
 export function layerAt(places: readonly Place[], [x, y]: Point): Item | null {
   const boxes = new Map<Handle, { owner: Item; box: [number, number, number, number] }>();
@@ -252,7 +252,7 @@ export function layerAt(places: readonly Place[], [x, y]: Point): Item | null {
       owner: top,
       box: [Infinity, Infinity, -Infinity, -Infinity],
     };
-    // Later places are on top: a map keeps the order in which keys came last.
+    // Later places are on top: a map keeps keys in the order of their last insertion.
     boxes.delete(top.handle);
     boxes.set(top.handle, known);
     for (const path of item.paths)

@@ -1,4 +1,4 @@
-// The stage's own keys. What is not handled here goes on to the editor's.
+// The stage's own keys. Other keys go on to the editor.
 import type { Point } from "../geometry/affine.js";
 import type { Canvas } from "./canvas.js";
 import { deleteParts, nudge } from "./edits.js";
@@ -19,7 +19,7 @@ const ARROWS: Readonly<Record<string, Point>> = {
   ArrowUp: [0, -1],
   ArrowDown: [0, 1],
 };
-/** Of Shift and an arrow, CSS pixels. */
+/** The step of Shift and an arrow, CSS pixels. */
 const LARGE_STEP = 10;
 
 /** @returns whether the key was the stage's */

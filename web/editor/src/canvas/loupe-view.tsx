@@ -3,7 +3,8 @@ import { useLayoutEffect, useRef } from "preact/hooks";
 import type { Point } from "../geometry/affine.js";
 import type { Rgb } from "../geometry/color.js";
 import { hexOf } from "../geometry/colortext.js";
-import { LOUPE_PIXELS, type Loupe } from "./loupe.js";
+import { LOUPE_PIXELS } from "./loupe.js";
+import type { Loupe } from "./sketch.js";
 
 /** CSS pixels: of a pixel in it, of its ring, and of all of it. */
 const SCALE = 10;

@@ -1,4 +1,4 @@
-// What the loupe of the Sample tool shows: the pixels around the pointer, and what is sampled there.
+// Content of the Sample tool's loupe: the pixels around the pointer, and the colours that are sampled there.
 import { inverted, mapped, type Point } from "../geometry/affine.js";
 import type { Rgb } from "../geometry/color.js";
 import { hexOf } from "../geometry/colortext.js";
@@ -8,37 +8,23 @@ import type { Canvas } from "./canvas.js";
 import type { CurveHit, PointerKind } from "./hit.js";
 import type { PlacedPhoto } from "./photo.js";
 import { photoColor, sampledAt } from "./sampled.js";
+import type { Loupe } from "./sketch.js";
 import { pixelsOf, rgbOf, stillOf } from "./still.js";
 
 /** Pixels on each side of the one in the middle. */
 export const REACH = 5;
 export const LOUPE_PIXELS = 2 * REACH + 1;
-/** Of the middle one among their numbers. */
+/** The index of the middle pixel's first number. */
 const MIDDLE = 4 * (REACH * LOUPE_PIXELS + REACH);
-
-export interface Loupe {
-  /** Of the pointer, on the stage. */
-  readonly at: Point;
-  readonly kind: PointerKind;
-  /** RGBA, in rows. */
-  readonly pixels: Uint8ClampedArray;
-  /** The halves of its ring: new above old; beside a curve left and right of it. */
-  readonly ring: readonly [Rgb | null, Rgb | null];
-  /** Where the first half's middle is, radians from above, clockwise. */
-  readonly turn: number;
-  /** Where the sides are sampled, in pixels from the middle. */
-  readonly spots: readonly Point[];
-  readonly text: string;
-}
 
 export interface LoupeWish {
   readonly at: Point;
   readonly kind: PointerKind;
-  /** What is sampled, where it has a colour; else the picture is. */
+  /** The photo to sample, where it has a colour; otherwise the picture is sampled. */
   readonly photo: PlacedPhoto | null;
   /** The curve whose sides are sampled there. */
   readonly hit: CurveHit | null;
-  /** What a stop had before it took another colour. */
+  /** The stop's colour before it took another one. */
   readonly old: Rgb | null;
   /** The picture that is sampled; absent: as it was drawn last. */
   readonly still?: OffscreenCanvas | null;
@@ -53,7 +39,7 @@ export function loupeOf(canvas: Canvas, wish: LoupeWish): Loupe | null {
 
 type Sides = NonNullable<ReturnType<typeof sampledAt>>;
 
-/** Of a curve the photo alone is sampled, also where it has nothing. */
+/** Samples beside a curve. Only the photo counts, also where it has no pixels. */
 function besideCurve(canvas: Canvas, { at, kind }: LoupeWish, photo: PlacedPhoto, sides: Sides): Loupe {
   const middle = pixelOf(photo, canvas.toArtboard(at));
   const named = (color: Rgb | null) => (color ? hexOf(color) : en.canvas.clear);

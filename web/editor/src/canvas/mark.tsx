@@ -108,7 +108,7 @@ function Stop({ mark }: { readonly mark: StopMark }) {
   );
 }
 
-/** What shows through an opacity stop. */
+/** The ground that shows through an opacity stop. */
 function Chequers() {
   return (
     <>

@@ -19,7 +19,7 @@ import { en } from "../strings/en.js";
 import { pathInLayer, placesOfStops, standing } from "./along.js";
 import { percent, shown } from "./format.js";
 import { handlesOf } from "./nodes.js";
-import { isSamePart } from "./sketch.js";
+import { isSamePart } from "./part.js";
 import { kindOn, SIDES, stopsOf, type StopKind, type Stops, type Value } from "./sides.js";
 
 interface MarkBase {
@@ -47,7 +47,7 @@ export interface StopMark extends MarkBase {
   readonly value: Value;
 }
 
-/** Of the selection's box: which corner or edge, -1 to 1 across and down. */
+/** A mark of the selection's box: which corner or edge, -1 to 1 across and down. */
 export interface BoxMark extends MarkBase {
   readonly kind: "scale" | "turn";
   readonly grip: readonly [number, number];
@@ -247,7 +247,7 @@ function radiusAt(list: Stops<Value>, at: readonly number[], after: number, here
   );
 }
 
-/** What selecting a mark selects. */
+/** Returns the selection that results from selecting a mark. */
 export function selectedOf(mark: Mark): Selected {
   return { handle: mark.handle, part: mark.part };
 }

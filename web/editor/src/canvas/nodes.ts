@@ -1,4 +1,4 @@
-// Nodes and handles of a path: which control point is whose, and how they answer the hand.
+// Nodes and handles of a path: which control points belong to which node, and how they follow the pointer.
 import type { Point } from "../geometry/affine.js";
 import { pieceAt, pieceCount, pointAt, type CubicPath } from "../geometry/cubic.js";
 import { locate } from "../geometry/length.js";
@@ -25,7 +25,7 @@ export function otherEnd(path: CubicPath, node: number): Point | null {
   return path.points[node === 0 ? 3 * last : 0];
 }
 
-/** Of a node's two handles the one whose piece leads to where it is pulled. */
+/** Returns the handle, of a node's two, whose piece leads to where it is pulled. */
 export function pulledHandle(path: CubicPath, node: number, [dx, dy]: Point): number | null {
   const { before, after } = handlesOf(path, node);
   if (before === null || after === null) return after ?? before;

@@ -32,7 +32,7 @@ export function outlineOf(places: readonly Place[]): string {
   return places.map(placeData).join("");
 }
 
-/** What is selected itself, and what is shown by something that is selected: a layer, a group, a use. */
+/** Returns the places that are selected themselves, and those that a selected layer, group or <use> shows. */
 export function selectedPlaces(
   places: readonly Place[],
   selected: ReadonlySet<Handle>,

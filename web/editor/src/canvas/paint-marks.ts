@@ -6,7 +6,7 @@ import type { CurveItem, Drawing, PaintAttribute, PaintGrip, Part, Side } from "
 import { en } from "../strings/en.js";
 import type { PaintMark } from "./marks.js";
 import { SIDES } from "./sides.js";
-import { isSamePart } from "./sketch.js";
+import { isSamePart } from "./part.js";
 
 /** A focus that is nearer to the middle cannot be taken apart from it, CSS pixels. */
 const APART = 9;
@@ -16,7 +16,7 @@ interface ShownPaint extends PaintFrame {
   readonly attribute: PaintAttribute;
 }
 
-/** What the sides show for an attribute; a paint of both sides once. */
+/** Returns the paints that the sides show for an attribute; a paint of both sides once. */
 export function shownPaints(d: Drawing, item: CurveItem, attribute: PaintAttribute): ShownPaint[] {
   const found: ShownPaint[] = [];
   for (const side of SIDES) {

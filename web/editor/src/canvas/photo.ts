@@ -9,7 +9,7 @@ import {
   type Point,
 } from "../geometry/affine.js";
 import type { Photo } from "../geometry/photo.js";
-import { isLowest } from "../model/commands/items.js";
+import { isLowest } from "../model/commands/structure/items.js";
 import type { Drawing, ReferenceItem } from "../model/types.js";
 import { isHidden, isLocked } from "./places.js";
 

@@ -35,7 +35,7 @@ export function Photos({ canvas, map, below }: Props) {
   );
 }
 
-/** What shows where the picture is clear: the background, and photos on it. */
+/** The ground where the picture is clear: the background, and photos on it. */
 export function Ground({ canvas }: { readonly canvas: Canvas }) {
   const { editor } = canvas;
   const isUsed = useComputed(() => editor.showReference.value && photosOf(editor.drawing, true).length > 0);

@@ -1,18 +1,18 @@
 // Where the curves of a drawing are seen: each in its place, and through every <use> once more.
 import { composed, inverted, type Affine } from "../geometry/affine.js";
-import { shiftOf } from "../model/commands/items.js";
+import { shiftOf } from "../model/commands/structure/items.js";
 import type { CurveItem, Drawing, Item } from "../model/types.js";
 
 export interface Place {
   readonly item: CurveItem;
-  /** What a click on it selects: the curve, or the outermost <use> that shows it. */
+  /** The item that a click selects: the curve, or the outermost <use> that shows it. */
   readonly owner: Item;
   readonly artboardFromItem: Affine;
 }
 
 /**
- * What of a place can be edited: the curve where it stands, also if only a <use> shows it there;
- * else the <use>.
+ * Returns the item to edit at a place: the curve that stands there, even if only a <use> shows it there;
+ * otherwise the <use>.
  */
 export function editedAt({ item, owner, artboardFromItem }: Place): Item {
   const isInPlace = item.artboardFromItem.every(

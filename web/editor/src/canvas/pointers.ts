@@ -29,7 +29,7 @@ export interface Modifiers {
   readonly ctrl: boolean;
 }
 
-/** A hand that lies on the screen after the pen is not a finger: milliseconds. */
+/** A palm that touches the screen this long after the pen is not a finger: milliseconds. */
 const PALM_TIME = 500;
 /** Two presses within these are a double click: milliseconds, CSS pixels by kind. */
 const DOUBLE_TIME = 400;
@@ -51,6 +51,7 @@ export class Pointers {
   /** Fingers that move the picture: until all are lifted none of them draws. */
   private isPinching = false;
   private isSpace = false;
+  /** When a pen was seen last, milliseconds: from then on a finger moves the picture. */
   private penTime = -Infinity;
   private lastDown = { time: -Infinity, at: [0, 0] as Point, clicks: 0 };
 
@@ -78,7 +79,7 @@ export class Pointers {
     const { time, at, clicks } = this.lastDown;
     const isNear = Math.hypot(e.at[0] - at[0], e.at[1] - at[1]) <= DOUBLE_REACH[e.kind];
     const now = e.time - time <= DOUBLE_TIME && isNear ? clicks + 1 : 1;
-    // A third click begins anew.
+    // A third click starts a new count.
     this.lastDown = { time: e.time, at: e.at, clicks: now === 2 ? 0 : now };
     return now;
   }
@@ -95,7 +96,8 @@ export class Pointers {
       if (this.isPinching) return true;
     }
     if (this.held || (e.button !== 0 && e.button !== MIDDLE)) return false;
-    const isPan = e.button === MIDDLE || this.isSpace;
+    const isFingerBesidePen = e.kind === "touch" && this.penTime > -Infinity;
+    const isPan = e.button === MIDDLE || this.isSpace || isFingerBesidePen;
     const p = this.press(e, isPan ? 1 : this.countClicks(e));
     const drag = isPan ? new PanDrag(this.canvas, p) : this.tool().press(p);
     this.held = { id: e.id, drag, clicks: p.clicks, last: p };
@@ -158,7 +160,7 @@ export class Pointers {
     if (this.fingers.delete(id) && this.fingers.size === 0) this.isPinching = false;
   }
 
-  /** The pointer was taken away: as if it had not been pressed. */
+  /** Undoes the press, because the pointer was taken away. */
   lost(id: number): void {
     this.lift(id);
     if (this.held?.id === id) this.cancel();

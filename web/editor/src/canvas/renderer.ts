@@ -41,6 +41,8 @@ export class PictureCanvas {
   /** Texels of the paints that are drawn; new ones take time, and updates wait for them. */
   #texels: { readonly paints: Paints; readonly texels: Uint16Array } | null = null;
   #queue: Promise<void> = Promise.resolve();
+  /** The number of the text that the picture is of. */
+  #serial = -1;
   /** Whether layers and paints belong together: while textures are decoded they do not. */
   #isWhole = true;
   #isDirty = false;
@@ -93,7 +95,7 @@ export class PictureCanvas {
     }, PATIENCE);
   }
 
-  /** Everything anew from what the page has. */
+  /** Rebuilds everything from the page's data. */
   #build() {
     const { picture } = this.#scene;
     if (!this.#gl || this.#gl.isContextLost() || !picture || !this.#texels) return;
@@ -102,10 +104,10 @@ export class PictureCanvas {
     this.change();
   }
 
-  /** What a frame depends on, beside the picture. */
+  /** Reads the signals that a frame depends on, besides the picture. */
   #watch() {
-    const { view, stage, showMesh, settings, tool } = this.#editor;
-    void [tool.value, this.#isClear.value, view.value, stage.value, showMesh.value, settings.surround.value, settings.theme.value, settings.exactPixels.value];
+    const { opened, view, stage, showMesh, settings, tool } = this.#editor;
+    void [opened.value, tool.value, this.#isClear.value, view.value, stage.value, showMesh.value, settings.surround.value, settings.theme.value, settings.exactPixels.value];
     this.change();
   }
 
@@ -123,6 +125,7 @@ export class PictureCanvas {
     const isNew = !this.#texels || !samePaints(this.#texels.paints, picture.paints);
     if (isNew) this.#texels = { paints: picture.paints, texels: await this.#texelsOf(this.#gl, picture.paints) };
     this.#isWhole = true;
+    this.#serial = update.serial;
     this.#follow(change);
   }
 
@@ -158,8 +161,9 @@ export class PictureCanvas {
     const renderer = this.#renderer;
     // Without graphics there is nothing to wait for; what comes makes a frame itself.
     if (!renderer || !this.#isWhole) return this.#settle();
-    // What the GPU has not done yet would only pile up.
+    // More work would only pile up behind unfinished work of the GPU.
     if (renderer.isBusy) return this.#schedule();
+    if (!this.#isOurs) return this.#showNothing();
     if (this.#isDirty) {
       this.#isDirty = false;
       renderer.draw(this.#frameOf());
@@ -173,6 +177,22 @@ export class PictureCanvas {
       this.#keep();
     }
     this.#schedule();
+  }
+
+  /** Whether the picture is of the drawing that is open. */
+  get #isOurs(): boolean {
+    return this.#serial >= this.#editor.opened.peek();
+  }
+
+  #showNothing() {
+    const gl = this.#gl!;
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    gl.disable(gl.SCISSOR_TEST);
+    gl.clearColor(0, 0, 0, 0);
+    gl.clear(gl.COLOR_BUFFER_BIT);
+    this.#keep();
+    this.#isDrawn = true;
+    this.#settle();
   }
 
   /** A copy for the loupe, of the tool that has one. */
@@ -198,12 +218,12 @@ export class PictureCanvas {
 
   // Small pictures of parts.
 
-  /** Of the picture that is drawn; null: there is none. */
+  /** The stack of the picture that is drawn; null: there is none. */
   get stack(): readonly StackItem[] | null {
-    return (this.#renderer && this.#isWhole && this.#scene.picture?.stack) || null;
+    return (this.#renderer && this.#isWhole && this.#isOurs && this.#scene.picture?.stack) || null;
   }
 
-  /** Whether frames are still to be drawn, but for exact pixels, or textures to be decoded. */
+  /** Whether frames remain to be drawn or textures to be decoded. Exact pixels do not count. */
   get isDrawing(): boolean {
     return (this.#frame !== 0 && !this.#isDrawn) || !this.#isWhole;
   }
@@ -231,7 +251,7 @@ export class PictureCanvas {
     return (this.#scene.picture?.layers[layer]?.opacity ?? null) !== null;
   }
 
-  /** Items of the stack by themselves, on nothing; null while nothing can be drawn. */
+  /** Draws only these items of the stack, on nothing; null while nothing can be drawn. */
   small(items: StackItem[], size: number[], pixelFromArtboard: number[]): Uint8ClampedArray<ArrayBuffer> | null {
     if (!this.#renderer || !this.stack) return null;
     this.#small ??= new SmallPictures(this.#renderer);

@@ -37,14 +37,14 @@ export interface SampleWish extends Omit<TraceOptions, "photoFromPath"> {
 }
 
 export interface SampledSides extends Readonly<Record<Side, SideValue<Rgb> | null>> {
-  /** null: it stays, because it was not asked for, or there is no transition. */
+  /** null: the value stays, because it was not requested, or there is no transition. */
   readonly blur: Readonly<Record<Side, SideValue<number>>> | null;
 }
 
 /**
- * What the sides become when a stretch of a subpath takes the colours of a photo; stops beyond the
- * stretch stay. null: on that side no pixel of the photo is seen.
- * @param wish lengths are those of the layer
+ * Returns the sides after a stretch of a subpath has taken the colours of a photo; stops beyond the stretch
+ * stay. null: no pixel of the photo is visible on that side.
+ * @param wish lengths are in the layer's coordinates
  */
 export function sampledSides(
   photo: PlacedPhoto,
@@ -110,8 +110,8 @@ function stepped(
 }
 
 /**
- * What is sampled beside one place of a curve: the colours, where in the photo, and the way to the
- * left there. null: the curve has no direction there. @param at piece + t
+ * Samples beside one place of a curve. Returns the colours, their places in the photo, and the direction to
+ * the left. null: the curve has no direction there. @param at piece + t
  */
 export function sampledAt(
   photo: PlacedPhoto,
@@ -136,7 +136,7 @@ export function sampledAt(
   return { left, right, spots, normal };
 }
 
-/** Stops of a stretch between those that are beyond it. */
+/** Returns the stops of a stretch between the stops beyond it. */
 function merged<V>(
   list: Stops<V> | null,
   inLayer: CubicPath,

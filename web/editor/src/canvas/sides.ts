@@ -20,7 +20,7 @@ export interface Stops<V> {
 
 export const SIDES: readonly Side[] = ["left", "right"];
 
-/** What stands on the curve for an attribute: of a local curve its radii take the place of blur. */
+/** Returns the kind of stops shown on the curve for an attribute: a local curve shows radii instead of blur. */
 export function kindOn(item: CurveItem, attribute: Attribute): StopKind | null {
   if (item.kind === "curve") return attribute;
   return attribute === "blur" ? "radius" : attribute === "color" ? "color" : null;

@@ -1,8 +1,9 @@
-// What a gesture shows above the picture beside the drawing itself.
+// Shapes that a gesture shows above the picture, besides the drawing itself.
 import type { Point } from "../geometry/affine.js";
+import type { Rgb } from "../geometry/color.js";
 import type { CubicPath } from "../geometry/cubic.js";
 import type { Handle, Part } from "../model/types.js";
-import type { Loupe } from "./loupe.js";
+import type { PointerKind } from "./hit.js";
 
 /** Lines to which something snapped, on the stage; where both ends are one point, a ring. */
 export interface Guide {
@@ -21,18 +22,34 @@ export interface Draft {
   readonly hasNodes: boolean;
 }
 
+/** The pixels around the pointer, enlarged, and what is sampled there. */
+export interface Loupe {
+  /** Place of the pointer, on the stage. */
+  readonly at: Point;
+  readonly kind: PointerKind;
+  /** RGBA, in rows. */
+  readonly pixels: Uint8ClampedArray;
+  /** The halves of its ring: new above old; beside a curve left and right of it. */
+  readonly ring: readonly [Rgb | null, Rgb | null];
+  /** Where the first half's middle is, radians from above, clockwise. */
+  readonly turn: number;
+  /** Where the sides are sampled, in pixels from the middle. */
+  readonly spots: readonly Point[];
+  readonly text: string;
+}
+
 export interface Sketch {
   readonly draft: Draft | null;
   /** Two corners on the stage. */
   readonly marquee: readonly [Point, Point] | null;
   readonly guides: readonly Guide[];
   readonly tag: { readonly at: Point; readonly text: string } | null;
-  /** What is dragged keeps its strength while the other handles fade. */
+  /** The part that is dragged keeps its strength while the other handles fade. */
   readonly dragged: { readonly handle: Handle; readonly part: Part } | null;
   readonly isFaded: boolean;
   /** A circle at the pointer, CSS pixels: the brush. */
   readonly brush: { readonly at: Point; readonly radius: number } | null;
-  /** What is magnified at the pointer. */
+  /** The magnified view at the pointer. */
   readonly loupe: Loupe | null;
 }
 
@@ -46,8 +63,3 @@ export const NO_SKETCH: Sketch = {
   brush: null,
   loupe: null,
 };
-
-export function isSamePart(a: Part, b: Part): boolean {
-  const [mine, others] = [Object.entries(a), new Map(Object.entries(b))];
-  return mine.length === others.size && mine.every(([name, value]) => others.get(name) === value);
-}

@@ -9,7 +9,7 @@ import type { Guide } from "./sketch.js";
 export const SNAP_REACH = 8;
 /** Points that are nearer are the same, CSS pixels. */
 export const SAME_PX = 1e-6;
-/** What has snapped is written so much finer, so that both points are the same. */
+/** A snapped point is written with this many times finer steps, so that both points are identical. */
 export const WELD_FINER = 1000;
 /** Lines of the grid are at least so far apart, CSS pixels. */
 const GRID_STEP_PX = 8;
@@ -23,10 +23,10 @@ export interface Snapped {
 export interface SnapWish {
   readonly snaps: boolean;
   readonly grid: boolean;
-  /** Of a CSS pixel to an artboard unit, and where the artboard's origin is on the stage. */
+  /** CSS pixels in an artboard unit, and the artboard's origin on the stage. */
   readonly zoom: number;
   readonly origin: Point;
-  /** Curves that do not count: those that are moved. */
+  /** Returns whether a curve counts; curves that are moved do not. */
   readonly isWanted: (place: Place) => boolean;
   /** Ends that count although their curve is moved: its own other end. */
   readonly also: readonly Point[];

@@ -1,6 +1,7 @@
 // Which part of the picture's stack a layer or a group of the document is.
 import type { readStack } from "../../../viewer/payload.js";
 import type { Editor } from "../app/types.js";
+import { inverted } from "../geometry/affine.js";
 import type { Item } from "../model/types.js";
 
 export type StackItem = ReturnType<typeof readStack>["stack"][number];
@@ -11,10 +12,11 @@ export interface Part {
   readonly layers: readonly number[];
 }
 
-/** A layer of the engine by its number, a local curve, or a layer whose number is not known. */
+/**
+ * A layer of the engine by its number, a local curve, or a layer whose number is not known: one that
+ * is empty, or holds copies alone.
+ */
 type Leaf = number | "stroke" | "layer";
-
-const isCopying = (item: Item): boolean => item.children.some((child) => child.kind === "use" || isCopying(child));
 
 /** Where what an item puts on the stack begins and ends, among all leaves in the stack's order. */
 type Ranges = Map<Item, readonly [number, number]>;
@@ -24,9 +26,8 @@ function addLeaves(editor: Editor, item: Item, ranges: Ranges, leaves: Leaf[]): 
   if (item.hidden) return;
   if (item.kind === "stroke") leaves.push("stroke");
   else if (item.kind === "layer") {
-    // Copies within a layer do not tell the engine's number; what has neither is not drawn.
-    const leaf = editor.engineLayer(item) ?? (isCopying(item) ? "layer" : null);
-    if (leaf !== null) leaves.push(leaf);
+    // The engine leaves out what its transform flattens to nothing.
+    if (inverted(item.artboardFromItem)) leaves.push(editor.engineLayer(item) ?? "layer");
   } else if (item.kind === "use" && item.target) addLeaves(editor, item.target, new Map(), leaves);
   else if (item.kind === "group") for (const child of item.children) addLeaves(editor, child, ranges, leaves);
   ranges.set(item, [from, leaves.length]);
@@ -75,7 +76,7 @@ export const lookOf = (items: readonly StackItem[]): string => items.map(lookOfO
 
 interface Placed {
   readonly ranges: Ranges;
-  /** Of each leaf, on the stack. */
+  /** The place of each leaf on the stack. */
   readonly places: readonly number[];
 }
 
@@ -89,11 +90,11 @@ function placedOn(editor: Editor, stack: readonly StackItem[]): Placed | null {
   return isSame ? { ranges, places } : null;
 }
 
-/** Parts by their items; none where the text is another one. */
-export function partsOf(editor: Editor, stack: readonly StackItem[]): ReadonlyMap<Item, Part> {
+/** Parts by their items; null where the text is another one. */
+export function partsOf(editor: Editor, stack: readonly StackItem[]): ReadonlyMap<Item, Part> | null {
   const parts = new Map<Item, Part>();
   const placed = placedOn(editor, stack);
-  if (!placed) return parts;
+  if (!placed) return null;
   const { ranges, places } = placed;
   for (const [item, [from, to]] of ranges) {
     if (from === to || (item.kind !== "layer" && item.kind !== "group")) continue;
@@ -104,7 +105,10 @@ export function partsOf(editor: Editor, stack: readonly StackItem[]): ReadonlyMa
   return parts;
 }
 
-/** What of the document put something on the stack, an instance as such; null: it cannot be said. */
+/**
+ * Returns the item of the document that put an object on the stack, an instance as a whole; null: it cannot
+ * be determined.
+ */
 export function itemAt(editor: Editor, stack: readonly StackItem[], at: number): Item | null {
   const placed = placedOn(editor, stack);
   const shown = stack[at];

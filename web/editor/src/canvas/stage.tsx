@@ -23,7 +23,7 @@ export interface StageProps {
   readonly navigation: Navigation;
   /** The canvas to draw into, once; null when it goes. Its size in pixels is the renderer's matter. */
   readonly onCanvas: (canvas: HTMLCanvasElement | null) => void;
-  /** The context menu is asked for: place in the window, CSS pixels. */
+  /** Opens the context menu at a place in the window, CSS pixels. */
   readonly onMenu: (x: number, y: number) => void;
 }
 
@@ -192,8 +192,8 @@ function useListeners(parts: Parts, root: { current: HTMLDivElement | null }): v
 }
 
 /**
- * What a tool has not finished is finished when another is taken up: at once, since a frame later
- * the pointer may be down with the new one.
+ * Finishes a tool's pending work at once when another tool is chosen: a frame later the pointer may already
+ * be down with the new one.
  */
 function useToolChanges(editor: Editor, parts: Parts): void {
   useLayoutEffect(() => {
@@ -211,7 +211,7 @@ function changeTool(editor: Editor, { pointers, leave, canvas }: Parts, from: To
   leave(from);
   const { draft } = canvas.sketch.peek();
   canvas.sketch.value = { ...NO_SKETCH, draft };
-  // The box is of whole things.
+  // The box surrounds whole items.
   if (to === "select") letGoOfParts(editor);
 }
 

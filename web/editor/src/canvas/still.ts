@@ -17,7 +17,7 @@ export function keepStill(editor: Editor, drawn: HTMLCanvasElement): void {
   stills.set(editor, still);
 }
 
-/** What was kept last; null: nothing. */
+/** Returns the picture that was kept last; null: none. */
 export function stillOf(editor: Editor): OffscreenCanvas | null {
   return stills.get(editor) ?? null;
 }
@@ -31,7 +31,10 @@ export function heldStill(editor: Editor): OffscreenCanvas | null {
   return held;
 }
 
-/** RGBA of a square around a point of the stage. What is outside is clear. @param reach pixels to each side */
+/**
+ * Returns the RGBA pixels of a square around a point of the stage. Pixels outside are clear. @param reach
+ * pixels to each side
+ */
 export function pixelsOf(still: OffscreenCanvas, [x, y]: Point, reach: number): Uint8ClampedArray | null {
   const ratio = globalThis.devicePixelRatio || 1;
   const [left, top] = [x, y].map((k) => Math.floor(k * ratio) - reach);

@@ -15,7 +15,7 @@ import type { CurveItem, Item, SideValue, Stop } from "../model/types.js";
 import { pathInLayer } from "./along.js";
 import { outermostLayer } from "./hit.js";
 
-/** How far beside the curve colours are asked for, and how far apart, CSS pixels. */
+/** How far beside the curve colours are sampled, and how far apart, CSS pixels. */
 const BESIDE = 1.5;
 const APART = 4;
 /** Places along a curve, whatever its length. */
@@ -23,7 +23,7 @@ const FEWEST = 8;
 const MOST = 160;
 /** How far stops may be from the colours that they stand for, in OKLab: hardly seen. */
 const TOLERANCE = 0.008;
-/** What covers less is not there. */
+/** A smaller coverage counts as none. */
 const NOTHING = 1 / 255;
 
 interface Sides<V> {
@@ -32,8 +32,8 @@ interface Sides<V> {
 }
 
 /**
- * Points of a layer as the engine can tell them: beside the artboard, where nothing is solved, the
- * nearest one of its edge stands for them.
+ * Returns points of a layer that the engine can evaluate: nothing is solved outside of the artboard, so the
+ * nearest point of its edge replaces a point there.
  */
 function withinArtboard(editor: Editor, layer: Item, points: readonly Point[]): readonly Point[] {
   const back = inverted(layer.artboardFromItem);
@@ -92,8 +92,8 @@ function pointsBeside(path: CubicPath, at: number, distance: number): [Point, Po
 }
 
 /**
- * Stops for both sides of a path that is to come into a layer. A side beside which nothing is stays
- * open. null: the layer has no colours yet, or the engine does not tell.
+ * Returns stops for both sides of a path to be added to a layer. A side with nothing beside it stays open.
+ * null: the layer has no colours yet, or the engine does not answer.
  * @param path in the layer's frame
  */
 export async function takenSides(

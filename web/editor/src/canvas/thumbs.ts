@@ -1,5 +1,5 @@
-// Small pictures of layers and groups, drawn by the renderer while nothing else is to be done, of
-// what has changed and is asked for.
+// Small pictures of layers and groups. The renderer draws those that have changed and are requested while it
+// is idle.
 import { effect, signal, untracked, type Signal } from "@preact/signals";
 import type { Editor } from "../app/types.js";
 import { mappedBox, type Box } from "../geometry/affine.js";
@@ -16,7 +16,7 @@ const RATIO = 2;
 /** Around curves, as a share of their box. */
 const ROOM = 0.08;
 
-/** What a thumb shows: by its key it is known whether that has changed. */
+/** The content of a thumb; a different key means different content. */
 interface Shown {
   readonly part: Part;
   readonly view: Box;
@@ -42,8 +42,8 @@ export class Thumbs {
   /** Addresses of pictures; null: there is none yet, or none can be made. */
   readonly #addresses = new Map<Handle, Signal<string | null>>();
   readonly #keys = new Map<Handle, string>();
-  /** Of this stack, and of the document as it is. */
-  #parts: { readonly of: readonly unknown[]; readonly parts: ReadonlyMap<Item, Part> } | null = null;
+  /** The parts of this stack and of the present document. */
+  #parts: { readonly of: readonly unknown[]; readonly parts: ReadonlyMap<Item, Part> | null } | null = null;
   #isWaiting = false;
 
   constructor(editor: Editor, picture: PictureCanvas) {
@@ -56,6 +56,7 @@ export class Thumbs {
 
   /** The address for a row; within components, reading it subscribes. */
   of(handle: Handle): string | null {
+    this.#meet(untracked(() => this.#editor.drawing));
     let address = this.#addresses.get(handle);
     if (!address) {
       address = signal(null);
@@ -75,26 +76,29 @@ export class Thumbs {
   async #work() {
     this.#isWaiting = false;
     const { status, isInGesture } = this.#editor;
-    // While something changes or moves: it comes to rest, and then this is asked for again.
+    // While something changes or moves, wait: this runs again once it rests.
     if (isInGesture || status.peek().kind !== "exact") return;
     const drawing = untracked(() => this.#editor.drawing);
-    if (drawing !== this.#drawing) this.#forget(drawing);
+    this.#meet(drawing);
     if (this.#picture.isDrawing) return this.#wait();
-    if (!this.#picture.stack) return;
+    const parts = this.#partsNow(drawing);
+    // The stack belongs to another text: thumbs stay until the picture is that of this one.
+    if (!parts) return;
     for (const [handle, address] of this.#addresses) {
       const item = drawing.item(handle);
       if (!item) {
         this.#drop(handle);
         continue;
       }
-      // What is hidden is not drawn: it stays as it was.
+      // A hidden item is not drawn: its thumb stays as it was.
       if (isHidden(item)) continue;
-      const shown = this.#shownOf(drawing, item);
+      const part = parts.get(item);
+      const shown = part ? this.#shownOf(drawing, item, part) : null;
       if ((shown?.key ?? "") === this.#keys.get(handle)) continue;
       // Near by, a part of the picture is made: what is beyond waits until it is made again.
       if (shown && !this.#isMade(drawing, shown.view)) continue;
       this.#keys.set(handle, shown?.key ?? "");
-      await this.#show(address, shown);
+      await this.#show(handle, address, shown);
       return this.#wait();
     }
   }
@@ -106,17 +110,18 @@ export class Thumbs {
     return isAcross && y <= Math.max(y0, top) && endY >= Math.min(y1, bottom);
   }
 
-  async #show(address: Signal<string | null>, shown: Shown | null) {
+  async #show(handle: Handle, address: Signal<string | null>, shown: Shown | null) {
     const before = address.peek();
     const size = [WIDTH * RATIO, HEIGHT * RATIO];
     const pixels = shown && this.#picture.small(shown.part.items, size, fitting(shown.view, size));
-    address.value = pixels ? await addressOf(pixels, size) : null;
+    const made = pixels ? await addressOf(pixels, size) : null;
+    // Another drawing may have been opened in the meantime.
+    if (this.#addresses.get(handle) !== address) return void (made && URL.revokeObjectURL(made));
+    address.value = made;
     if (before) URL.revokeObjectURL(before);
   }
 
-  #shownOf(drawing: Drawing, item: Item): Shown | null {
-    const part = this.#partsNow(drawing)?.get(item);
-    if (!part) return null;
+  #shownOf(drawing: Drawing, item: Item, part: Part): Shown {
     const versions = part.layers.map((layer) => this.#picture.version(layer));
     // A layer without opacity fills the plane.
     const isShape = part.layers.every((layer) => this.#picture.isShape(layer));
@@ -134,10 +139,11 @@ export class Thumbs {
     return this.#parts!.parts;
   }
 
-  /** Another drawing counts its handles anew. */
-  #forget(drawing: Drawing) {
+  /** Forgets the pictures of the previous drawing, because another drawing numbers its handles from the start. */
+  #meet(drawing: Drawing) {
+    if (drawing === this.#drawing) return;
     this.#drawing = drawing;
-    this.#keys.clear();
+    for (const handle of [...this.#addresses.keys()]) this.#drop(handle);
   }
 
   #drop(handle: Handle) {

@@ -1,4 +1,4 @@
-// Going from thing to thing by the keyboard: curves by Tab, into one by Enter, out by Escape.
+// Keyboard navigation of the canvas: Tab goes from curve to curve, Enter into one, Escape out of it.
 import type { Editor } from "../app/types.js";
 import type { Handle, Item, Part, Selected } from "../model/types.js";
 import { en } from "../strings/en.js";
@@ -19,7 +19,7 @@ export function keyOf(mark: Mark): string {
   return `${mark.handle}-${part.kind}-${part.path}-${part.index}`;
 }
 
-/** What can be gone through: curves, and copies by <use>, each once. */
+/** Returns the items that the keyboard walks through: curves, and copies by <use>, each once. */
 function owners(editor: Editor): Item[] {
   return [...new Set(placesOf(editor.drawing).map(({ owner }) => owner))];
 }

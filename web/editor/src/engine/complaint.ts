@@ -1,6 +1,12 @@
-// What the engine says, as people read it.
+// The engine's errors as readable text.
 import { en } from "../strings/en.js";
 import { EngineError } from "./rpc.js";
+
+/** A warning of the library, with its line in words. */
+export function warningText(warning: string): string {
+  const [, line, column, reason] = /^[^:]*:(\d+):(\d+): ([^]*)$/.exec(warning) ?? [];
+  return reason === undefined ? warning : en.dialogs.reasonAt(Number(line), Number(column), reason);
+}
 
 /** Why a call failed, with the line where it is known. */
 export function complaintOf(error: unknown): string {

@@ -4,16 +4,16 @@ import type { SolveOptions } from "./session.js";
 
 /** Longer side of a picture that is made whole, pixels; nearer, a part of it is made. */
 const WHOLE = 4096;
-/** Less than this nobody looks at; and chords of the paper's mesh would show. */
+/** The least size: a smaller one would show chords of the paper's mesh. */
 const LEAST = 512;
 
-/** What the last picture was made for. */
+/** The settings of the last picture. */
 export interface Detail {
   /** Pixels to an artboard unit. */
   readonly pixelsPerUnit: number;
   /** Part of the artboard; null: all. */
   readonly part: Box | null;
-  /** What `part` and the options' width are of. */
+  /** The box that `part` and the options' width refer to. */
   readonly artboard: Box;
   readonly options: SolveOptions;
 }
@@ -30,7 +30,7 @@ function cut(a: Box, b: Box): Box {
   return [Math.max(a[0], b[0]), Math.max(a[1], b[1]), Math.min(a[2], b[2]), Math.min(a[3], b[3])];
 }
 
-/** The next power of two: so that zooming by a little asks for nothing new. */
+/** Returns the next power of two, so that a small zoom needs no new picture. */
 function rounded(pixelsPerUnit: number): number {
   return 2 ** Math.ceil(Math.log2(pixelsPerUnit) - 1e-9);
 }
@@ -59,7 +59,7 @@ export function detailFor(
   return partDetail(wanted, visible, artboard);
 }
 
-/** The part that is seen, grown by its half on each side: what a hand may pan to. */
+/** Returns the visible part, grown by half of it on each side, so that a pan stays inside. */
 function partDetail(pixelsPerUnit: number, visible: Box, artboard: Box): Detail {
   const [dx, dy] = [widthOf(visible) / 2, heightOf(visible) / 2];
   const part = cut([visible[0] - dx, visible[1] - dy, visible[2] + dx, visible[3] + dy], artboard);

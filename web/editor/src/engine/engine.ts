@@ -11,13 +11,15 @@ import { Pending } from "./pending.js";
 import { Rest } from "./rest.js";
 import { EngineError } from "./rpc.js";
 import { Seat, type Host } from "./seat.js";
-import type { GivenImage, LintReport, Solved, SolveOptions, Way } from "./session.js";
+import type { LintReport, Solved, SolveOptions, Way } from "./session.js";
 import type {
   CurvePlace,
   Engine,
   EngineCurve,
   EngineStatus,
+  GivenImage,
   Hint,
+  ImportedSvg,
   PictureUpdate,
   QuickChange,
   RasterWish,
@@ -202,7 +204,8 @@ export class WorkerEngine implements Engine {
     this.#shownSerial = wanted.serial;
     this.#unsettled = solved.unsettled;
     this.#onShown();
-    this.onPicture({ stack: solved.stack, layers: solved.layers, layerCount: solved.stamps.length, isExact });
+    const { stack, layers, stamps } = solved;
+    this.onPicture({ serial: wanted.serial, stack, layers, layerCount: stamps.length, isExact });
     const kind = isExact ? "exact" : "refining";
     this.onStatus({ kind, milliseconds: solved.milliseconds });
   }
@@ -460,6 +463,18 @@ export class WorkerEngine implements Engine {
     const seat = this.#front;
     await seat.ready;
     return seat.link.call("convert", text);
+  }
+
+  async importSvg(text: string): Promise<ImportedSvg> {
+    const seat = this.#front;
+    await seat.ready;
+    try {
+      await seat.give(this.#images);
+      return await seat.link.call("importSvg", text);
+    } catch (error) {
+      if (!EngineError.of(error).isOfText) this.#lose(seat);
+      throw error;
+    }
   }
 
   free(): void {

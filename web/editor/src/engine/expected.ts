@@ -1,4 +1,4 @@
-// The drag that the hand is about to begin, which the front seat begins while it has nothing else to do.
+// The next drag: the front worker prepares it while it has nothing else to do.
 import { EngineError } from "./rpc.js";
 import type { Seat } from "./seat.js";
 import type { CurvePlace } from "./types.js";
@@ -11,8 +11,8 @@ export class Expected {
   #curve: CurvePlace | null = null;
 
   /**
-   * @param idle the seat, with an exact picture of the text, or null while it is to do something else
-   * @param lose told of a seat whose module is of no more use
+   * @param idle the worker, with an exact picture of the text, or null while it is busy
+   * @param lose called with a worker whose module can no longer be used
    */
   constructor(idle: () => Seat | null, lose: (seat: Seat) => void) {
     this.#idle = idle;
@@ -31,7 +31,7 @@ export class Expected {
     try {
       await seat.link.call("expect", curve.layer, curve.curve);
     } catch (error) {
-      // Of the text the drag itself says what is wrong.
+      // The drag itself reports errors of the text.
       if (!EngineError.of(error).isOfText) this.#lose(seat);
       return;
     }

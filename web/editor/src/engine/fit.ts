@@ -10,7 +10,7 @@ const STOPS = 2;
 
 type Rows = readonly (readonly number[])[];
 
-/** Of the curves of one element, which have the same stops. */
+/** Returns the mean over the curves of one element, which have the same stops. */
 const mean = (lists: readonly Rows[]): Rows =>
   lists[0].map((row, i) =>
     row.map((_, k) => lists.reduce((sum, list) => sum + (list[i]?.[k] ?? row[k]), 0) / lists.length),

@@ -28,7 +28,7 @@ export function getModule(): Promise<WebAssembly.Module> {
 async function compile(): Promise<WebAssembly.Module> {
   const answer = await fetch(moduleUrl);
   if (!answer.ok) throw new Error(`sfumato.wasm: ${answer.status}`);
-  // Some plain servers do not know the type, which streaming asks for.
+  // Some plain servers do not send the type, which streaming needs.
   const isTyped = answer.headers.get("Content-Type")?.startsWith("application/wasm") ?? false;
   return isTyped ? WebAssembly.compileStreaming(answer) : WebAssembly.compile(await answer.arrayBuffer());
 }

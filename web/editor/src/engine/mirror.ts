@@ -4,7 +4,7 @@ import type { FieldUpdate, LayerUpdate, RowRanges } from "./types.js";
 
 type Numbers = Float32Array<ArrayBuffer> | Uint32Array<ArrayBuffer> | Uint8Array<ArrayBuffer>;
 
-/** Room for more rows, in parts of those that are there. */
+/** Spare room for more rows, as a share of the present rows. */
 const SPARE = 0.3;
 
 /** A table whose rows change and grow. */
@@ -70,14 +70,14 @@ class FieldRows {
     this.values.change(update.valueRows, update.valueRanges, update.values);
   }
 
-  /** As web/viewer/field.js has it. */
+  /** The same as in web/viewer/field.js. */
   get field() {
     const { channelCount } = this;
     return { channelCount, triangleNode: this.nodes.values, value: this.values.values };
   }
 }
 
-/** Tables of a layer as web/viewer's renderer takes them, but for what its stack says. */
+/** Tables of a layer as web/viewer's renderer takes them, without the data of its stack. */
 export interface MirroredLayer {
   origin: number[];
   bounds: number[];

@@ -22,6 +22,6 @@ function compile(): Promise<WebAssembly.Module> {
 /** For host.file.ts, which comes with the script. */
 export function beginModule(): void {
   globalThis.sfumatoModule = compile();
-  // Whoever asks for it hears of it.
+  // The requests report the failure.
   globalThis.sfumatoModule.catch(() => undefined);
 }

@@ -15,7 +15,7 @@ export async function started(host: Host): Promise<Link> {
 }
 
 /**
- * What a worker that is begun for it answers; it is ended then, or when the signal says so.
+ * Returns the answer of a worker that is started for it. The worker ends then, or when the signal aborts.
  * @throws the signal's reason; EngineError
  */
 export async function inOwnWorker<Value>(

@@ -27,7 +27,10 @@ export function bytesOfText(text: string): Uint8Array {
   return bytes.subarray(0, count);
 }
 
-/** What an element of the page holds. The element, a megabyte that nobody reads again, is removed. */
+/**
+ * Returns the content of an element of the page. Removes the element: it holds a megabyte that is read only
+ * once.
+ */
 export function takePacked(id: string): string {
   const element = document.getElementById(id);
   if (!element?.textContent) throw new Error(`${id} is missing in the page`);

@@ -5,8 +5,16 @@ import type { CubicPath } from "../geometry/cubic.js";
 import { inOwnWorker, started } from "./own-worker.js";
 import { EngineError, type Link } from "./rpc.js";
 import type { Host } from "./seat.js";
-import type { GivenImage } from "./session.js";
-import type { FittedCurve, FitWish, PhotoPixels, RasterWish, SnapWish, TraceRound, TraceWish } from "./types.js";
+import type {
+  FittedCurve,
+  FitWish,
+  GivenImage,
+  PhotoPixels,
+  RasterWish,
+  SnapWish,
+  TraceRound,
+  TraceWish,
+} from "./types.js";
 import { Status } from "../../../wasm/library.mjs";
 
 const words = en.engine;
@@ -18,8 +26,8 @@ function traceError(error: unknown): Error {
 }
 
 /**
- * The drawing of a photo, as SVG.
- * @param heard told after each round
+ * Returns a photo traced to SVG.
+ * @param heard called after each round
  * @throws the signal's reason; EngineError; Error where it takes more memory than there is
  */
 export async function tracePhoto(
@@ -81,7 +89,7 @@ export interface PreviewWish {
   readonly images?: readonly GivenImage[];
 }
 
-/** Draws texts, the latest of those that are asked for while it works. */
+/** Draws texts. While it works, the latest request replaces earlier ones. */
 export class TracePreviews {
   #link: Promise<Link> | null = null;
   #next: (() => Promise<void>) | null = null;
@@ -91,7 +99,7 @@ export class TracePreviews {
 
   constructor(private readonly host: Host) {}
 
-  /** @param show gets the pixels, unless another text was asked for before its turn came */
+  /** @param show gets the pixels, unless another text replaced this one before its turn came */
   draw(
     { text, isDraft, width, height, background, images = [] }: PreviewWish,
     show: (pixels: PhotoPixels) => void,

@@ -1,17 +1,20 @@
-// How long a hand must rest before the exact picture is asked for, milliseconds.
+// How long the pointer must rest before the exact picture is requested, milliseconds.
 
 const REST = 120;
-/** While a gesture is not over: a colour picker that is open, a hand that holds still. */
+/** While a gesture is open: an open colour picker, or a drag that pauses. */
 const HELD = 600;
-/** The same where the exact picture would hold up a hand that goes on. */
+/** The same where the exact picture would delay a drag that goes on. */
 const LONG = 10_000;
-/** What comes after so long is a change by itself, and is made exact at once. */
+/** A change after a pause of this length, in milliseconds, stands alone, and is made exact at once. */
 const ALONE = 600;
 
 export class Rest {
   #last = -Infinity;
 
-  /** After a change. What opens a drawing, or is undone, need not wait for a hand that goes on. */
+  /**
+   * Returns the wait after a change, in milliseconds. Opening a drawing or undo need not wait for a pointer
+   * that goes on.
+   */
   afterChange(moving: boolean, now = performance.now()): number {
     const isAlone = !moving && now - this.#last > ALONE;
     this.#last = now;

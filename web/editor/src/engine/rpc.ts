@@ -18,7 +18,7 @@ interface Call {
   readonly given: unknown[];
 }
 
-/** What an error says, in a form that messages can carry. */
+/** The content of an error, in a form that messages can carry. */
 export interface Failure {
   readonly message: string;
   readonly reason: string;
@@ -27,7 +27,7 @@ export interface Failure {
   readonly column: number;
 }
 
-/** What a worker tells while it works on a call. */
+/** A report that a worker sends while it works on a call. */
 export interface Note {
   readonly note: unknown;
 }
@@ -41,7 +41,7 @@ interface Answer {
 /** A worker's error, on the page's side. Line and column from 1, 0 where unknown. */
 export class EngineError extends Error {
   readonly reason: string;
-  /** Of Status in web/wasm/library.mjs; 0: not the library's. */
+  /** Status code of web/wasm/library.mjs; 0: not the library's. */
   readonly code: number;
   readonly line: number;
   readonly column: number;
@@ -92,7 +92,7 @@ async function reply(scope: MessageEndpoint, handlers: Handlers, { id, name, giv
   }
 }
 
-/** What a Worker and a worker's own scope have in common. */
+/** The interface that a Worker and a worker's own scope share. */
 export interface MessageEndpoint {
   onmessage: ((event: MessageEvent) => void) | null;
   postMessage(message: unknown, buffers: Transferable[]): void;
@@ -100,7 +100,7 @@ export interface MessageEndpoint {
 
 /** The page's end: calls a worker's functions. */
 export class Link {
-  /** Hears what the worker tells while it works on a call. */
+  /** Receives the worker's reports while it works on a call. */
   onNote: (note: never) => void = () => {};
   #next = 0;
   #waiting = new Map<number, { resolve: (value: never) => void; reject: (error: Error) => void }>();
@@ -144,7 +144,7 @@ export class Link {
     this.#fail("The worker was ended.");
   }
 
-  /** Ends the worker once nobody waits for it, nor is about to ask it. */
+  /** Ends the worker once no call waits for it or is about to start. */
   async endWhenIdle(): Promise<void> {
     do await new Promise((resolve) => setTimeout(resolve, PAUSE));
     while (this.isBusy);

@@ -1,7 +1,7 @@
 // A worker, and what it has of the text.
 import { Link } from "./rpc.js";
-import type { GivenImage, ReadResult, SolveOptions } from "./session.js";
-import type { CurvePlace, EngineCurve, QuickChange } from "./types.js";
+import type { ReadResult, SolveOptions } from "./session.js";
+import type { CurvePlace, EngineCurve, GivenImage, QuickChange } from "./types.js";
 import { en } from "../strings/en.js";
 
 const words = en.engine;
@@ -51,11 +51,11 @@ export class Seat {
   expected: CurvePlace | null = null;
   #imageCount = 0;
 
-  /** @param name tells its stamps from others' */
+  /** @param name distinguishes its stamps from others' */
   constructor(host: Host, name: string) {
     this.link = new Link(workerOf(host), words.noWorker);
     this.ready = this.#start(host, name);
-    // Whoever waits hears of it; that nobody does is no error.
+    // A caller that waits gets the error; it is no error if none waits.
     this.ready.catch(() => {});
   }
 
@@ -64,10 +64,17 @@ export class Seat {
     this.isStarted = true;
   }
 
+  /** Hands in the images that it has not got. */
+  async give(images: readonly GivenImage[]): Promise<void> {
+    if (this.#imageCount >= images.length) return;
+    await this.link.call("addImages", images.slice(this.#imageCount));
+    this.#imageCount = images.length;
+  }
+
   /**
-   * Makes its document that of a text, by changes where these are known. After changes of curves alone
-   * the text of a hand that moves has its curves in the same order, unless one has come to nothing and is
-   * left out: they are counted as before.
+   * Gives its document a text, by changes where these are known. After changes of curves alone, as in a drag,
+   * the text has its curves in the same order. A curve without a length is missing there; the others keep
+   * their numbers.
    * @throws EngineError; the document is as before then
    */
   async bring(
@@ -77,10 +84,7 @@ export class Seat {
     images: readonly GivenImage[],
     moving = false,
   ): Promise<void> {
-    if (this.#imageCount < images.length) {
-      await this.link.call("addImages", images.slice(this.#imageCount));
-      this.#imageCount = images.length;
-    }
+    await this.give(images);
     if (changes) {
       if (changes.length > 0) await this.link.call("change", changes);
       this.isChanged ||= changes.length > 0;

@@ -1,9 +1,9 @@
 // Answers a page's calls by a session of its own.
 import { answer, Handed, type MessageEndpoint, type Note } from "./rpc.js";
-import { Session, type GivenImage, type SolveWish } from "./session.js";
+import { Session, type SolveWish } from "./session.js";
 import { buffersOf } from "./tables.js";
 import { snapped } from "./snap.js";
-import type { FitWish, QuickChange, RasterWish, SnapWish, TraceWish } from "./types.js";
+import type { FitWish, GivenImage, QuickChange, RasterWish, SnapWish, TraceWish } from "./types.js";
 
 export function serve(scope: MessageEndpoint): void {
   let session: Session;
@@ -32,6 +32,7 @@ export function serve(scope: MessageEndpoint): void {
     payload: () => session.payload(),
     lint: () => session.lint(),
     convert: (text: string) => session.convert(text),
+    importSvg: (text: string) => session.importSvg(text),
     fit: (wish: FitWish) => session.fit(wish),
     snap: (wish: SnapWish) => snapped(wish),
     trace: (wish: TraceWish) =>

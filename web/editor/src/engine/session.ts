@@ -26,6 +26,8 @@ import type {
   EngineCurve,
   FittedCurve,
   FitWish,
+  GivenImage,
+  ImportedSvg,
   LayerUpdate,
   PhotoPixels,
   QuickChange,
@@ -34,21 +36,14 @@ import type {
   TraceWish,
 } from "./types.js";
 
-/** Drags begin at once in layers of so many in all, those that were dragged last: 1 kB each. */
+/** Drags begin at once in the layers that were dragged last, up to this many triangles in all: 1 kB each. */
 const DRAG_TRIANGLES = 8_000;
-
-/** An image that a document names or holds: its file's bytes, and its pixels. */
-export interface GivenImage {
-  readonly href: string;
-  readonly bytes: Uint8Array;
-  readonly pixels: { readonly width: number; readonly height: number; readonly data: Uint8ClampedArray };
-}
 
 /** How fine a picture is to be: `sfumato_solve`'s options. */
 export type SolveOptions = Readonly<Record<string, string | number>>;
 
 export type Way =
-  /** What `sfumato render` draws. */
+  /** The picture that `sfumato render` draws. */
   | { readonly kind: "exact" }
   /** To look at while something moves: of one curve in this time, of more roughly. */
   | { readonly kind: "quick"; readonly seconds: number };
@@ -56,7 +51,7 @@ export type Way =
 export interface SolveWish {
   readonly way: Way;
   readonly options: SolveOptions;
-  /** Of each layer, the stamp of what the page shows. */
+  /** The stamp of each layer that the page shows. */
   readonly have: readonly string[];
   /** That of the stack. */
   readonly haveStack: string;
@@ -70,7 +65,7 @@ export interface Solved {
   readonly layers: readonly LayerUpdate[];
   /** Values that wait for time: solve again, with the same text, goes on. */
   readonly waiting: number;
-  /** Triangles of the layers that an exact picture would make anew; infinite before the first one. */
+  /** Triangles of the layers that an exact picture would solve again; infinite before the first one. */
   readonly unsettled: number;
   /** Triangles of the layer that has the most. */
   readonly largest: number;
@@ -87,7 +82,7 @@ class Shown {
   readonly origins: Origins = new Map();
   stamps: string[] = [];
   rows: RowCounts[] = [];
-  /** Of the last exact picture; null: there was none. */
+  /** The last exact picture; null: there was none. */
   #exact: { readonly stamps: ReadonlySet<string>; readonly triangles: readonly number[] } | null = null;
   constructor(
     readonly picture: SfumatoPicture,
@@ -99,7 +94,7 @@ class Shown {
     this.#exact = { stamps: new Set(this.stamps), triangles };
   }
 
-  /** As Solved has it: a rough picture of a layer has fewer than it is going to have. */
+  /** The same as in Solved: a rough picture of a layer has fewer than its final one. */
   get unsettled(): number {
     const exact = this.#exact;
     if (!exact) return Infinity;
@@ -128,7 +123,7 @@ export class Session {
   #stack: { readonly bytes: Uint8Array; readonly stamp: string } | null = null;
   #serial = 0;
   readonly #name: string;
-  /** Of the library. */
+  /** Version of the library. */
   readonly version: string;
 
   private constructor(sfumato: Sfumato, name: string) {
@@ -137,7 +132,7 @@ export class Session {
     this.#name = name;
   }
 
-  /** @param name tells this instance's stamps from others' */
+  /** @param name distinguishes this instance's stamps from others' */
   static async start(module: WebAssembly.Module | BufferSource, name: string): Promise<Session> {
     return new Session(await loadSfumato(module), name);
   }
@@ -221,7 +216,7 @@ export class Session {
     }
   }
 
-  /** What the page lacks of a picture just solved. */
+  /** Returns the parts of a new picture that the page lacks. */
   #stamp(shown: Shown, isExact: boolean, have: readonly string[]): LayerUpdate[] {
     const { picture, stamps, rows, origins } = shown;
     const updates: LayerUpdate[] = [];
@@ -290,7 +285,7 @@ export class Session {
     }
   }
 
-  /** What the HTML viewer draws: made fine enough to be enlarged, as the command does. */
+  /** Returns the picture for the HTML viewer: fine enough to be enlarged, as the command makes it. */
   payload(): Uint8Array {
     const picture = this.#context.solve(this.#read(), { detail: 2 });
     try {
@@ -317,6 +312,17 @@ export class Session {
     }
   }
 
+  /** The shapes of an ordinary SVG as curves (docs/import.md). @throws SfumatoError */
+  importSvg(text: string): ImportedSvg {
+    const load = (href: string) => this.#images.get(href) ?? null;
+    const document = this.#context.importSvg(text, { load }) as SfumatoDocument;
+    try {
+      return { text: document.write(), warnings: this.#context.warnings };
+    } finally {
+      document.free();
+    }
+  }
+
   /**
    * The curves of a text with the colours, or the blur, of a photo.
    * @throws SfumatoError
@@ -328,7 +334,7 @@ export class Session {
   }
 
   /**
-   * A picture as SVG; told after each round how far it is, with the SVG by then.
+   * Returns a picture traced to SVG. Reports its progress, and the SVG so far, after each round.
    * @throws SfumatoError
    */
   trace({ photo, options }: TraceWish, told: (round: TraceRound) => void): string {

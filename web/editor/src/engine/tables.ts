@@ -3,7 +3,7 @@ import { Table, type SfumatoPicture } from "../../../wasm/sfumato.mjs";
 import type { Box } from "../geometry/affine.js";
 import type { FieldUpdate, LayerUpdate, RowRanges } from "./types.js";
 
-/** Of each table, the rows to send. */
+/** Returns the rows of each table to send. */
 type Wanted = (table: number, rows: number) => RowRanges;
 
 const all: Wanted = (_, rows) => (rows > 0 ? [[0, rows]] : []);
@@ -14,7 +14,7 @@ function within(ranges: RowRanges, rows: number): RowRanges {
     .filter(([from, to]) => from < to);
 }
 
-/** The rows that the last solve made anew. */
+/** Returns the rows that the last solve changed. */
 function changed(picture: SfumatoPicture, layer: number): Wanted {
   return (table, rows) => within(picture.changes(layer, table) as [number, number][], rows);
 }
@@ -135,7 +135,7 @@ export function layerUpdate(
   };
 }
 
-/** Whether the last solve made any row of a layer anew, or took rows away. */
+/** Returns whether the last solve changed or removed any row of a layer. */
 export function isChanged(picture: SfumatoPicture, layer: number, rowsBefore: RowCounts): boolean {
   const rows = rowCounts(picture, layer);
   return Object.values(Table).some(
@@ -143,7 +143,7 @@ export function isChanged(picture: SfumatoPicture, layer: number, rowsBefore: Ro
   );
 }
 
-/** Whether the last solve made all of a layer's triangles anew. */
+/** Returns whether the last solve replaced all triangles of a layer. */
 export function isAllNew(picture: SfumatoPicture, layer: number): boolean {
   const { rows } = look(picture, layer, Table.triangles);
   const [first] = picture.changes(layer, Table.triangles);
@@ -156,7 +156,7 @@ export function rowCounts(picture: SfumatoPicture, layer: number): RowCounts {
   return Object.values(Table).map((table) => look(picture, layer, table).rows);
 }
 
-/** A word that tells bytes of different content apart. */
+/** Returns a word that differs for bytes of different content. */
 export function stampOf(parts: Iterable<ArrayBufferView>): string {
   let [a, b] = [0x811c9dc5, 0x1b873593];
   const add = (word: number) => {

@@ -2,14 +2,23 @@
 import type { ExactLayer } from "../../../viewer/exact_fields.js";
 import type { Box } from "../geometry/affine.js";
 import type { CubicPath } from "../geometry/cubic.js";
-import type { GivenImage } from "./session.js";
+
+/** An image that a document names or holds: its file's bytes, and its pixels. */
+export interface GivenImage {
+  readonly href: string;
+  readonly bytes: Uint8Array;
+  readonly pixels: { readonly width: number; readonly height: number; readonly data: Uint8ClampedArray };
+}
 
 export type EngineStatus =
   | { readonly kind: "empty" }
-  /** What is seen is what `sfumato render` would draw of the text. `milliseconds`: of the last solve. */
+  /**
+   * The picture is the one that `sfumato render` would draw from the text. `milliseconds`: time of the last
+   * solve.
+   */
   | { readonly kind: "exact"; readonly milliseconds: number }
   | { readonly kind: "refining"; readonly milliseconds: number }
-  /** The text cannot be drawn; the last picture stays. Line and column from 1, 0 where unknown. */
+  /** The text cannot be drawn; the last picture of the same drawing stays. Line and column from 1, 0 where unknown. */
   | { readonly kind: "problem"; readonly reason: string; readonly line: number; readonly column: number }
   /** WebAssembly or workers are missing, or memory is out. */
   | { readonly kind: "failed"; readonly reason: string };
@@ -35,10 +44,10 @@ export interface Hint {
   readonly layer: number | null;
   readonly curve: number | null;
   readonly side: "left" | "right" | null;
-  /** Where its curve's element stands in the text that was looked at, and which subpath; or null. */
+  /** Place of its curve's element in the text that was read, and which subpath; or null. */
   readonly offset: number | null;
   readonly subpath: number | null;
-  /** Of what has no curve of a layer: its number on the picture's stack, or null. */
+  /** The number on the picture's stack of an object without a curve of a layer, or null. */
   readonly stackItem: number | null;
   /** The point that the message names, in the frame of the layer, or null. */
   readonly at: readonly [number, number] | null;
@@ -71,7 +80,14 @@ export interface RasterWish {
   readonly isDraft?: boolean;
 }
 
-/** RGBA as ImageData has it. */
+/** The result of importing an ordinary SVG. */
+export interface ImportedSvg {
+  readonly text: string;
+  /** The parts that were left out, one line each. */
+  readonly warnings: readonly string[];
+}
+
+/** RGBA in the layout of ImageData. */
 export interface PhotoPixels {
   readonly width: number;
   readonly height: number;
@@ -92,10 +108,10 @@ export interface TraceWish {
   readonly options: TraceOptions;
 }
 
-/** What a trace has reached, and the drawing as SVG. */
+/** The state of a trace after a round, and the drawing as SVG. */
 export interface TraceRound {
   readonly text: string;
-  /** 0: edges of the photo alone; then those of what is missing. */
+  /** 0: edges of the photo alone; later rounds: edges of what is still missing. */
   readonly round: number;
   readonly roundCount: number;
   readonly curves: number;
@@ -127,12 +143,12 @@ export interface FitWish {
   readonly radii: readonly SideStops[];
 }
 
-/** What became of an element's curves: mean values where it has several. */
+/** The fitted values of an element's curves: mean values where it has several. */
 export interface FittedCurve {
   readonly offset: number;
   /** [offset, red, green, blue] of the left and of the right side. */
   readonly colors: readonly [readonly (readonly number[])[], readonly (readonly number[])[]];
-  /** Of its radii of blur: what they were, or began with, times this. */
+  /** Factor of its blur radii, relative to the present or initial ones. */
   readonly factor: number;
   /** The largest radius, artboard units of the layer's frame; 0: none. */
   readonly radius: number;
@@ -156,9 +172,9 @@ export interface Engine {
   show(text: string, moving: boolean, quick?: readonly QuickChange[]): number;
   /** CSS pixels times the device's ratio to an artboard unit, and what is seen: how fine is enough. */
   look(pixelsPerUnit: number, seen: Box, artboard: Box): void;
-  /** The curve that the hand is about to move, as `index` has it: the first frame of its drag comes sooner. */
+  /** Announces the next curve to move, numbered as `index`: the first frame of its drag comes sooner. */
   expect(curve: CurvePlace | null): void;
-  /** Of the library; "" until it has started. */
+  /** Version of the library; "" until it has started. */
   readonly version: string;
   /** The last text that was read: its number, and its curves; changes of curves since leave both. */
   readonly index: { readonly serial: number; readonly curves: readonly EngineCurve[] };
@@ -179,6 +195,8 @@ export interface Engine {
   lint(): Promise<readonly Hint[] | null>;
   /** Orzan's XML as SVG. @throws Error with line and column in words */
   convert(text: string): Promise<string>;
+  /** The shapes of an ordinary SVG as curves. @throws EngineError */
+  importSvg(text: string): Promise<ImportedSvg>;
   onPicture: (update: PictureUpdate) => void;
   onStatus: (status: EngineStatus) => void;
   free(): void;
@@ -187,8 +205,10 @@ export interface Engine {
 /** Rows of a table that are new: ranges from, and up to, ascending. */
 export type RowRanges = readonly (readonly [number, number])[];
 
-/** What canvas/renderer.ts hands to the viewer's renderer. Its shape follows web/viewer/layers.js. */
+/** The data that canvas/renderer.ts passes to the viewer's renderer. Its shape follows web/viewer/layers.js. */
 export interface PictureUpdate {
+  /** The number of its text, as show() gave it. */
+  readonly serial: number;
   /** Bytes that web/viewer's readStack() reads; null: as before. */
   readonly stack: Uint8Array | null;
   readonly layers: readonly LayerUpdate[];

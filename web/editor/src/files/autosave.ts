@@ -1,11 +1,8 @@
 // Drawings that this browser keeps, so that no closed or killed page loses one.
 import { createStore, delMany, get, getMany, keys, setMany } from "idb-keyval";
 import type { UseStore } from "idb-keyval";
-import { en } from "../strings/en.js";
 
-const words = en.files;
-
-/** What a list of kept drawings shows. */
+/** The data that a list of stored drawings shows. */
 export interface KeptHead {
   readonly id: string;
   readonly name: string;
@@ -23,25 +20,21 @@ export interface KeptDrawing {
 
 export interface Kept extends KeptHead, KeptDrawing {}
 
-/** Where the newest state is: in this browser, or nowhere, and why, in words. */
-export interface KeptWhere {
-  readonly kept: "browser" | "nowhere";
-  readonly reason: string | null;
-}
+/** Where the newest state is: in this browser, or nowhere, and why. */
+export type KeptWhere =
+  | { readonly kept: "browser" }
+  | { readonly kept: "nowhere"; readonly lost: "refused" | "full" };
 
 export const mostKept = 20;
 export const pauseBeforeKeeping = 1000;
 
-/** The database; made when it is first asked for, since a browser may refuse it. */
+/** The database; opened at the first request, since a browser may refuse it. */
 export const editorStore = (): UseStore => createStore("sfumato-editor", "drawings");
 
 const headKey = (id: string) => `head:${id}`;
 const bodyKey = (id: string) => `body:${id}`;
 
-export function reasonNotKept(error: unknown): string {
-  const isFull = error instanceof DOMException && error.name === "QuotaExceededError";
-  return isFull ? words.browserFull : words.browserRefuses;
-}
+const isFull = (error: unknown) => error instanceof DOMException && error.name === "QuotaExceededError";
 
 /** The newest first. Empty where the browser refuses. */
 export async function keptDrawings(store: UseStore = editorStore()): Promise<readonly KeptHead[]> {
@@ -93,7 +86,7 @@ export class Autosave {
   #last: Promise<void> = Promise.resolve();
   #store: UseStore | null = null;
 
-  /** @param tell called whenever a state was kept, or could not be */
+  /** @param tell called whenever a state was stored, or could not be */
   constructor(
     private readonly tell: (where: KeptWhere) => void,
     private readonly open: () => UseStore = editorStore,
@@ -105,7 +98,7 @@ export class Autosave {
     return this.#id;
   }
 
-  /** Another drawing is worked on; `id`: of one that was recovered. What waits is kept first. */
+  /** Switches to another drawing; `id`: that of a recovered one. Stores pending changes first. */
   begin(id: string = crypto.randomUUID()): void {
     void this.flush();
     this.#id = id;
@@ -134,7 +127,7 @@ export class Autosave {
     return (this.#last = this.#last.then(() => this.#keep(kept)));
   }
 
-  /** What waits is no longer to be kept: another tab goes on with the drawing. */
+  /** Drops pending changes: another tab edits the drawing now. */
   drop(): void {
     if (this.#timer !== null) clearTimeout(this.#timer);
     this.#timer = this.#waiting = null;
@@ -155,10 +148,10 @@ export class Autosave {
     try {
       await keep(kept, this.#opened());
       await prune(kept.id, this.#opened());
-      this.tell({ kept: "browser", reason: null });
+      this.tell({ kept: "browser" });
     } catch (error) {
       this.#store = null;
-      this.tell({ kept: "nowhere", reason: reasonNotKept(error) });
+      this.tell({ kept: "nowhere", lost: isFull(error) ? "full" : "refused" });
     }
   }
 }

@@ -1,4 +1,4 @@
-// What is dropped on the page: one drawing or photo, and the pictures that the drawing names.
+// Files dropped on the page: one drawing or photo, and the pictures that the drawing names.
 import { en } from "../strings/en.js";
 import type { Convert, Opened } from "./open.js";
 import { openFile } from "./open.js";

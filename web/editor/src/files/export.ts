@@ -1,4 +1,4 @@
-// What a drawing is exported as: PNG, SVG, and the HTML of the viewer.
+// Exports of a drawing: PNG, SVG, and the HTML of the viewer.
 import type { Box } from "../geometry/affine.js";
 import type { Engine } from "../engine/types.js";
 import { encodePng } from "../engine/png.js";
@@ -9,7 +9,7 @@ import { deflated, jpegUri, pageOf } from "./page.js";
 
 const words = en.files;
 
-/** What is to be written. */
+/** The export to write. */
 export interface ExportWish {
   readonly format: "svg" | "png" | "html";
   /** Pixels; of PNG alone. */
@@ -29,7 +29,7 @@ export interface ExportWish {
 export interface ExportSource {
   readonly engine: Pick<Engine, "raster" | "payload">;
   readonly text: string;
-  /** Of the drawing's file, or its title. */
+  /** Name of the drawing's file, or its title. */
   readonly name: string;
   /** The whole artboard. */
   readonly artboard: Box;
@@ -43,13 +43,13 @@ export interface ExportWatch {
 
 export const exportTypes = { svg: "image/svg+xml", png: "image/png", html: "text/html" } as const;
 
-/** Limits of a PNG: a side, as the command has it, and bytes of pixels, which are in memory thrice. */
+/** Limits of a PNG: the command's limit of a side, and bytes of pixels, which are in memory thrice. */
 export const mostSide = 16384;
 export const mostPixelBytes = 512 * 2 ** 20;
 
 const bytesPerPixel = (wish: ExportWish) => ((wish.depth ?? 8) === 16 ? 8 : 4);
 
-/** What is wrong with a size, in words; null: nothing. */
+/** Returns the problem with a size as text; null: none. */
 export function complaintAboutSize(wish: ExportWish): string | null {
   const { width, height } = wish;
   const isWhole = Number.isInteger(width) && Number.isInteger(height) && width > 0 && height > 0;
@@ -58,7 +58,7 @@ export function complaintAboutSize(wish: ExportWish): string | null {
   return width * height * bytesPerPixel(wish) > mostPixelBytes ? words.pictureTooLarge : null;
 }
 
-/** What a call gives, unless the signal comes first. */
+/** Returns the result of a call, unless the signal aborts first. */
 function unlessAborted<Value>(work: Promise<Value>, signal?: AbortSignal): Promise<Value> {
   if (!signal) return work;
   signal.throwIfAborted();
@@ -103,7 +103,7 @@ export function withoutReference(text: string): string {
   return parts.join("") + text.slice(at);
 }
 
-/** The longer side of the picture for browsers without WebGL 2, as the command has it. */
+/** The longer side of the picture for browsers without WebGL 2, as in the command. */
 const fallbackSide = 640;
 
 function smallWish({ artboard }: ExportSource): ExportWish {
@@ -131,7 +131,7 @@ async function exportHtml(source: ExportSource, watch: ExportWatch): Promise<Blo
   return new Blob([page], { type: exportTypes.html });
 }
 
-/** The file that a wish asks for. @throws Error in words; what the signal was aborted with */
+/** Returns the file that a wish describes. @throws Error in words; the signal's reason */
 export function exportDrawing(wish: ExportWish, source: ExportSource, watch: ExportWatch = {}): Promise<Blob> {
   if (wish.format === "png") return exportPng(wish, source, watch);
   if (wish.format === "html") return exportHtml(source, watch);
@@ -152,7 +152,7 @@ async function estimatePng(wish: ExportWish, source: ExportSource): Promise<numb
   return Math.round((blob.size * wish.width * wish.height) / (size.width * size.height));
 }
 
-/** Bytes of the file, roughly; null: that cannot be told. */
+/** Returns the approximate size of the file in bytes; null: unknown. */
 export async function estimateSize(wish: ExportWish, source: ExportSource): Promise<number | null> {
   try {
     if (wish.format === "svg") return new Blob([await svgOf(wish, source)]).size;

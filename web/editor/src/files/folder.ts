@@ -11,7 +11,7 @@ interface FolderPicker {
 export async function chooseFolder(): Promise<Beside | null> {
   const { showDirectoryPicker } = globalThis as FolderPicker;
   try {
-    // A handle finds what is asked for; elsewhere browsers list all files at once.
+    // A handle finds single files on request; without it, browsers list all files at once.
     if (showDirectoryPicker) return besideFolder(await showDirectoryPicker({ id: "sfumato-folder", mode: "read" }));
     const files = await directoryOpen({ recursive: true });
     return besideFiles(files.filter((file) => file instanceof File));

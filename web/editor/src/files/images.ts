@@ -2,7 +2,7 @@
 
 /** Files that lie beside a drawing, as far as the person or the command has granted them. */
 export interface Beside {
-  /** @param href as the drawing has it, relative to its folder; null: it is not there */
+  /** @param href as written in the drawing, relative to its folder; null: the file is missing */
   bytes(href: string): Promise<Uint8Array<ArrayBuffer> | null>;
 }
 
@@ -26,7 +26,7 @@ export function partsOf(href: string): readonly string[] | null {
 const placeOf = ({ webkitRelativePath, name }: File) =>
   webkitRelativePath ? webkitRelativePath.slice(webkitRelativePath.indexOf("/") + 1) : name;
 
-/** Files that were dropped with the drawing, whose names count, or those of a chosen folder, whose paths do. */
+/** Files that were dropped with the drawing, found by name, or files of a chosen folder, found by path. */
 export function besideFiles(files: readonly File[]): Beside {
   const byPlace = new Map(files.map((file) => [placeOf(file), file]));
   const hasFolder = files.some(({ webkitRelativePath }) => webkitRelativePath);
@@ -95,7 +95,10 @@ function hrefAt(text: string, at: number): string | null {
   }
 }
 
-/** What <image> elements of a text name, each once, in their order. One in a comment costs nothing but time. */
+/**
+ * Returns the addresses in the <image> elements of a text, each once, in order. An <image> in a comment only
+ * costs time.
+ */
 export function hrefsOf(text: string): readonly string[] {
   const hrefs = new Set<string>();
   const tag = /<(?:[\w.-]{1,100}:)?image(?=[\s/])/g;

@@ -3,7 +3,6 @@ import { isOneFile } from "../engine/host.js";
 
 /** Has the browser keep the site. One file needs nothing of the kind. */
 export function keepOffline(): void {
-  const isSite = location.protocol === "https:" || location.hostname === "localhost";
-  if (isOneFile || !isSite || import.meta.env.DEV) return;
+  if (isOneFile || !isSecureContext || import.meta.env.DEV) return;
   navigator.serviceWorker?.register(new URL("sw.js", document.baseURI)).catch(() => undefined);
 }

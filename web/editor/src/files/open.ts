@@ -1,4 +1,4 @@
-// What is dropped or chosen, as a drawing or a photo to trace over. What a file is shows in its bytes.
+// Reads a dropped or chosen file as a drawing or a photo to trace over. The bytes decide the file's type.
 import { fileOpen } from "browser-fs-access";
 import type { FileWithHandle } from "browser-fs-access";
 import { complaintOf } from "../engine/complaint.js";
@@ -18,9 +18,16 @@ export interface Photo {
   readonly height: number;
 }
 
+export interface OpenedDrawing {
+  readonly kind: "drawing";
+  readonly text: string;
+  readonly place: Place;
+  /** The text is not the file's, which must not be written over. */
+  readonly isConverted?: true;
+}
+
 export type Opened =
-  /** `isConverted`: the text is not the file's, which must not be written over. */
-  | { readonly kind: "drawing"; readonly text: string; readonly place: Place; readonly isConverted?: true }
+  | OpenedDrawing
   | Photo
   | { readonly kind: "problem"; readonly reason: string };
 

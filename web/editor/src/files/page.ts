@@ -3,7 +3,7 @@ import type { Pixels } from "./images.js";
 
 export interface PageParts {
   readonly title: string;
-  /** What a browser without WebGL 2 shows: an address, "data:image/jpeg;base64,…"; null: nothing. */
+  /** The picture for a browser without WebGL 2, an address "data:image/jpeg;base64,…"; null: none. */
   readonly fallback: string | null;
   /** Engine.payload(). */
   readonly payload: Uint8Array<ArrayBuffer>;

@@ -1,10 +1,10 @@
-// Pixels of a photo as people see it: turned as its camera said, its colours those of sRGB.
+// Pixels of a photo as people see it: rotated as its camera says, with colours in sRGB.
 import type { PhotoPixels } from "../engine/types.js";
 import { en } from "../strings/en.js";
 
 /**
- * More are scaled down by the browser, which is faster at it than the module: that looks at a
- * quarter of these.
+ * The browser scales down larger photos, faster than the module could. The module reads a quarter of these
+ * pixels.
  */
 const MOST_PIXELS = 4e6;
 

@@ -1,4 +1,4 @@
-// The files of a drop, as far as they can be had only while the browser tells of it.
+// The files of a drop, including those that are available only during the browser's event.
 export interface Piece {
   readonly file: File;
   readonly isFolder: boolean;
@@ -18,8 +18,8 @@ function pieceOf(item: HandleItem): Piece | null {
 }
 
 /**
- * What a drop brings; null: no files. To be called while the event is handled: the browser forgets
- * the files afterwards.
+ * Returns the files of a drop; null: no files. Call it while the event is handled: the browser forgets the
+ * files afterwards.
  */
 export function piecesOf(data: DataTransfer): readonly Piece[] | null {
   const items = [...data.items].filter(({ kind }) => kind === "file");

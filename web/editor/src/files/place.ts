@@ -7,7 +7,7 @@ export type Target =
   | { readonly kind: "none" }
   /** `modified`: of the file when it was last read or written. */
   | { readonly kind: "handle"; readonly handle: FileSystemFileHandle; readonly modified: number }
-  /** `sfumato edit` has it; `tag`: what it held when it was last read or written. */
+  /** `sfumato edit` holds the file; `tag`: its content when it was last read or written. */
   | { readonly kind: "served"; readonly tag: string };
 
 export interface Place {
@@ -16,7 +16,19 @@ export interface Place {
   readonly target: Target;
 }
 
-/** Of a drawing that no file has. */
+/** The result of saving. */
+export type Saved =
+  /** The drawing is safe there. */
+  | { readonly kind: "saved"; readonly place: Place }
+  /** The browser received the file; nothing reports whether it arrived. */
+  | { readonly kind: "downloaded"; readonly place: Place }
+  /** The person left the dialog. */
+  | { readonly kind: "cancelled" }
+  /** Somebody else has written the file since: save() with `anyway` replaces it. */
+  | { readonly kind: "changed"; readonly reason: string }
+  | { readonly kind: "problem"; readonly reason: string };
+
+/** Returns the place of a drawing without a file. */
 export const newPlace = (name: string): Place => ({ name, form: plainForm, target: { kind: "none" } });
 
 /** A name with an extension in the place of its own: "a.xml", "svg" → "a.svg". */

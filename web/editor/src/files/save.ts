@@ -1,23 +1,12 @@
 // Drawings to files: the one they came from, one that is chosen, or a download.
 import { fileSave, supported } from "browser-fs-access";
 import { en } from "../strings/en.js";
-import type { Place } from "./place.js";
+import type { Place, Saved } from "./place.js";
 import { withExtension } from "./place.js";
 import { saveServed } from "./served.js";
 import { bytesOf } from "./text.js";
 
 const words = en.files;
-
-export type Saved =
-  /** The drawing is safe there. */
-  | { readonly kind: "saved"; readonly place: Place }
-  /** The browser was given the file; whether it arrived nobody tells. */
-  | { readonly kind: "downloaded"; readonly place: Place }
-  /** The person left the dialog. */
-  | { readonly kind: "cancelled" }
-  /** Somebody else has written the file since: save() with `anyway` replaces it. */
-  | { readonly kind: "changed"; readonly reason: string }
-  | { readonly kind: "problem"; readonly reason: string };
 
 /** Why the disk did not take a file. */
 export function reasonOf(error: unknown): string {
@@ -94,7 +83,7 @@ export async function saveAs(text: string, place: Place): Promise<Saved> {
 /** Whether save dialogs are there; else everything is downloaded. */
 export const canChoosePlace = supported;
 
-/** What the browser made when a place was chosen, where nothing came to stand in it. */
+/** Removes the empty file that the browser made when a place was chosen and nothing was written. */
 async function removeEmpty(handle: (FileSystemFileHandle & { remove?(): Promise<void> }) | null): Promise<void> {
   try {
     if (handle && (await handle.getFile()).size === 0) await handle.remove?.();

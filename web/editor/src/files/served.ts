@@ -3,8 +3,7 @@ import { en } from "../strings/en.js";
 import type { Beside } from "./images.js";
 import type { Convert, Opened } from "./open.js";
 import { mostFileBytes, openFile } from "./open.js";
-import type { Place } from "./place.js";
-import type { Saved } from "./save.js";
+import type { Place, Saved } from "./place.js";
 
 const words = en.files;
 

@@ -1,4 +1,4 @@
-// One drawing in two tabs of this browser: the second one is told.
+// One drawing in two tabs of this browser: the second tab gets a warning.
 
 /** A drawing that this tab alone works on, until it gives it up or another tab takes it. */
 export interface Claim {
@@ -9,10 +9,10 @@ export interface Claim {
 const unguarded: Claim = { release: () => Promise.resolve() };
 
 /**
- * Claims a drawing: the id of its autosave, or its address under `sfumato edit`. null: another tab
- * has it. A browser without locks grants everything.
- * @param lost another tab has taken it
- * @param take it is taken from the other tab
+ * Claims a drawing: the id of its autosave, or its address under `sfumato edit`. null: another tab has it. A
+ * browser without locks grants everything.
+ * @param lost called when another tab has taken it
+ * @param take takes it from the other tab
  */
 export function claim(key: string, lost: () => void, take = false): Promise<Claim | null> {
   const locks = globalThis.navigator?.locks;
@@ -29,7 +29,7 @@ export function claim(key: string, lost: () => void, take = false): Promise<Clai
         resolve({ release: () => (letGo(), over) });
         return held;
       })
-      // What ends a lock that is held is another tab; before, the browser refuses locks at all.
+      // Another tab ends a lock that is held; an earlier error means that the browser refuses locks.
       .catch(() => (isHeld ? lost() : resolve(unguarded)));
   });
 }
@@ -39,7 +39,7 @@ type Word =
   | { readonly kind: "I"; readonly ask: string };
 
 const answerWithin = 200;
-/** A tab hears its own words too. */
+/** A tab receives its own messages too. */
 const thisTab = crypto.randomUUID();
 
 /** Whether another tab has this file open. */
@@ -63,7 +63,7 @@ export async function isOpenElsewhere(handle: FileSystemFileHandle): Promise<boo
   }
 }
 
-/** Answers other tabs for as long as this one lives. @param current the file that this tab has open */
+/** Answers other tabs as long as this one is open. @param current the file that this tab has open */
 export function answerOtherTabs(current: () => FileSystemFileHandle | null): () => void {
   if (!("BroadcastChannel" in globalThis)) return () => undefined;
   const channel = new BroadcastChannel("sfumato-files");

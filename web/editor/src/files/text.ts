@@ -12,7 +12,7 @@ export interface TextForm {
 
 export const plainForm: TextForm = { encoding: "utf-8", packed: false };
 
-/** What a person has to be told, in their words. */
+/** An error with a message for the user. */
 export class FileProblem extends Error {}
 
 /** Bytes that a drawing may have, unpacked; the engine reads no more. */

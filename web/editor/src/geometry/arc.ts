@@ -1,10 +1,10 @@
-// Elliptical arcs as cubics, by the engine's construction (src/formats/svg/path.cpp).
+// Elliptical arcs as cubics, by the engine's construction (src/formats/svg/shapes/path.cpp).
 import type { Point } from "./affine.js";
 import { add, cross, dot, scaled, size, subtract } from "./vector.js";
 
 /** How far the pieces stray from the arc, in radii, at most. */
 const ARC_ERROR = 1e-7;
-/** Of the sine or cosine of an arc's angle. */
+/** Tolerance for the sine or cosine of an arc's angle. */
 const TURN_SLACK = 1e-12;
 
 export type ArcPiece = readonly [control1: Point, control2: Point, end: Point];

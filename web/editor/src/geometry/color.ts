@@ -1,5 +1,5 @@
-// Colours: sRGB code values, linear light, OKLab, OKLCH, HSV and HSL. The matrices are those of the
-// engine (src/base/color_space.cpp).
+// Colours: sRGB code values, linear light, OKLab, OKLCH, HSV and HSL. The matrices equal those of the engine
+// (src/base/color_space.cpp).
 
 /** contract: sRGB code values, each 0 to 1. */
 export interface Rgb {
@@ -40,7 +40,10 @@ const mapRgb = (color: Rgb, f: (channel: number) => number): Rgb => ({
   b: f(color.b),
 });
 
-/** Of one channel; odd beyond 0, so that colours outside of sRGB keep their place. */
+/**
+ * Returns linear light from one channel's code value. It is odd about 0, so colours outside of sRGB keep
+ * their place.
+ */
 export function linearFromCode(code: number): number {
   const size = Math.abs(code);
   return size <= 0.04045 ? code / 12.92 : Math.sign(code) * ((size + 0.055) / 1.055) ** 2.4;
@@ -96,7 +99,7 @@ export function oklabFromOklch({ l, c, h }: Oklch): Oklab {
 }
 
 export const oklchFromRgb = (color: Rgb): Oklch => oklchFromOklab(oklabFromRgb(color));
-/** Outside of sRGB where the colour is: inGamut() brings it in. */
+/** The result may be outside of sRGB; inGamut() moves it inside. */
 export const rgbFromOklch = (color: Oklch): Rgb => rgbFromOklab(oklabFromOklch(color));
 
 /** The colour's distance from another in OKLab: 0.02 is just seen. */
@@ -105,7 +108,7 @@ export function deltaE(a: Rgb, b: Rgb): number {
   return Math.hypot(p.l - q.l, p.a - q.a, p.b - q.b);
 }
 
-/** Whether all channels are from 0 to 1, but for rounding. */
+/** Returns whether all channels are from 0 to 1, with a tolerance for rounding. */
 export function isInGamut({ r, g, b }: Rgb): boolean {
   return [r, g, b].every((channel) => channel >= -1e-4 && channel <= 1 + 1e-4);
 }
@@ -132,7 +135,7 @@ export function inGamut(color: Oklch): Rgb {
   return clampedRgb(rgbFromOklch({ l, c: largestChroma(l, color.h), h: color.h }));
 }
 
-/** Of a gray the hue is 0, of black the saturation. */
+/** Returns HSV. A grey has hue 0, black has saturation 0. */
 export function hsvFromRgb({ r, g, b }: Rgb): Hsv {
   const v = Math.max(r, g, b);
   const range = v - Math.min(r, g, b);

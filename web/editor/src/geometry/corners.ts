@@ -1,16 +1,19 @@
-// Where a hand turned on purpose.
-import type { Sample } from "./fit.js";
+// Deliberate corners of a drawn line.
+import type { Sample } from "./sample.js";
 import { dot, distance, subtract, unit } from "./vector.js";
 
-/** A turn by more is a corner; where the hand is slow, by less. */
+/** A larger turn is a corner; a smaller one suffices where the pointer is slow. */
 const SHARP = Math.cos((60 * Math.PI) / 180);
 const SHARP_WHERE_SLOW = Math.cos((40 * Math.PI) / 180);
 const SLOW = 1 / 3;
-/** What trembles turns less when looked at from farther away, so much farther and so much less. */
+/**
+ * Tremor turns less when measured over a longer reach: the factor of the reach, and the cosine of the least
+ * turn.
+ */
 const FARTHER = 2.5;
 const SHARP_FROM_FAR = Math.cos((30 * Math.PI) / 180);
 
-/** The first sample from i on, in steps of ±1, that is `reach` away; the last where none is. */
+/** Returns the first sample from i on, in steps of ±1, that is `reach` away; the last sample if there is none. */
 function armOf(
   samples: readonly Sample[],
   i: number,
@@ -52,8 +55,9 @@ function speedsOf(samples: readonly Sample[]): number[] {
 }
 
 /**
- * Indices of samples at which the stroke has a corner, ascending; not the ends of an open one.
- * @param reach how far from a sample its directions are looked at: what trembles less is no corner
+ * Returns the indices of samples at which the stroke has a corner, ascending, without the ends of an open
+ * one.
+ * @param reach length over which directions are measured: smaller tremor is no corner
  * @param loop whether the last sample is followed by the first
  */
 export function cornersOf(samples: readonly Sample[], reach: number, loop: boolean): number[] {
@@ -65,7 +69,7 @@ export function cornersOf(samples: readonly Sample[], reach: number, loop: boole
   const corners: number[] = [];
   for (let i = loop ? 0 : 1; i < samples.length - (loop ? 0 : 1); ++i) {
     if (!isSharp(i)) continue;
-    // Of samples of one corner the sharpest counts.
+    // Among samples of one corner the sharpest counts.
     const last = corners[corners.length - 1];
     const isNear = last !== undefined && distance(samples[last].point, samples[i].point) < reach;
     if (!isNear) corners.push(i);

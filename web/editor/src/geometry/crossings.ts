@@ -3,7 +3,7 @@ import type { Point } from "./affine.js";
 import { cross, subtract } from "./vector.js";
 
 const CELL = 16;
-/** A line over more cells than this is looked at from everywhere. */
+/** A line that covers more cells than this is tested against every other line. */
 const MOST_CELLS = 4096;
 
 /** Whether two lines have a point in common. */

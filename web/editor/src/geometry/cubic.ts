@@ -2,7 +2,7 @@
 import { mapped, type Affine, type Box, type Point } from "./affine.js";
 import { distance, isSame, lerp, scaled, size, subtract, unit } from "./vector.js";
 
-/** contract. A piecewise cubic: 3 n + 1 control points, of which every third lies on the curve. */
+/** contract. A piecewise cubic: 3 n + 1 control points; every third one lies on the curve. */
 export interface CubicPath {
   /** Piece i has control points 3 i to 3 i + 3. */
   readonly points: readonly Point[];
@@ -124,7 +124,7 @@ function extremaOf(a0: number, a1: number, a2: number, a3: number): number[] {
   return [a !== 0 ? q / a : 2, q !== 0 ? c / q : 2].filter((t) => t > 0 && t < 1);
 }
 
-/** Of the curve itself, not of its control points. */
+/** Returns the bounds of the curve itself, not of its control points. */
 export function cubicBounds(cubic: Cubic): Box {
   const [p0, p1, p2, p3] = cubic;
   const axis = (k: 0 | 1): number[] => [

@@ -3,7 +3,7 @@ import type { Photo } from "./photo.js";
 
 /** The difference that is shown as the last colour, of 255: smaller ones are made larger for the eye. */
 export const MOST_DIFFERENCE = 64;
-/** From none to MOST_DIFFERENCE; each is lighter than the one before, so that no hue has to be told. */
+/** From none to MOST_DIFFERENCE; each is lighter than the one before, so that no hue needs to be recognized. */
 const RAMP = [
   [0, 0, 4],
   [81, 18, 124],

@@ -14,7 +14,7 @@ const MOST_PLACES = 4000;
 const TURNS = [1, 1, 1, 0.5, 0.25];
 /** How much a place counts that has no edge within reach: its neighbours take it along. */
 const LOST = 0.05;
-/** How much control points hold to their places, and to those of their neighbours; a place counts 1. */
+/** How strongly control points hold to their places and to their neighbours'; a place on the edge counts 1. */
 const HOLD = 0.02;
 const EVEN = 0.3;
 /** Steps of conjugate gradients to a control point, and their relative end. */
@@ -26,7 +26,7 @@ const LEAST = 0.05;
 interface Place {
   /** The first control point of its piece. */
   readonly first: number;
-  /** What the piece's four control points count there. */
+  /** Weights of the piece's four control points at that place. */
   readonly weights: readonly [number, number, number, number];
   /** How much the place counts. */
   readonly share: number;
@@ -122,7 +122,7 @@ class Moves {
   }
 }
 
-/** Handles of a node that was smooth, in one line again; of a symmetric one as long as each other. */
+/** Aligns the handles of a node that was smooth; a symmetric node's handles get equal lengths. */
 function straightened(before: CubicPath, points: Point[]): void {
   const pieces = pieceCount(before);
   for (let node = 0; node < pieces; ++node) {
@@ -146,7 +146,7 @@ function moved(edges: EdgeMap, path: CubicPath, reach: number): CubicPath {
     return pointAt(pieceAt(path, piece), t);
   });
   const to = magnet(edges, from, reach);
-  // What has no edge is the very point that it was.
+  // A curve without an edge keeps exactly its points.
   const moves = new Moves(
     path,
     at.map((place, i) => placeOf(path, place, to[i] === from[i] ? LOST : 1)),

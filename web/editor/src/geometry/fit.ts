@@ -1,19 +1,11 @@
-// Curves through what a hand drew: Schneider's method, with corners.
+// Curves through a drawn line: Schneider's method, with corners.
 import type { Point } from "./affine.js";
 import { cornersOf } from "./corners.js";
 import { lineBetween, type Cubic, type CubicPath } from "./cubic.js";
 import { fitted, straight } from "./fitcubic.js";
+import type { Sample } from "./sample.js";
 import { simplifiedGraph } from "./simplify.js";
 import { distance, isSame, scaled, subtract, unit } from "./vector.js";
-
-/** A point of a stroke as a pointer event tells it. */
-export interface Sample {
-  readonly point: Point;
-  /** Milliseconds. */
-  readonly time: number;
-  /** 0 to 1. */
-  readonly pressure: number;
-}
 
 export interface Fit {
   readonly path: CubicPath;
@@ -27,7 +19,7 @@ const LARGEST = 1e7;
 
 const inRange = (value: number) => Math.min(Math.max(value, -LARGEST), LARGEST);
 
-/** Samples with numbers, in range, without those that repeat a point. */
+/** Returns the samples that are finite and in range, without repeated points. */
 function cleaned(samples: readonly Sample[]): Sample[] {
   const clean: Sample[] = [];
   for (const { point, time, pressure } of samples) {
@@ -43,7 +35,7 @@ function cleaned(samples: readonly Sample[]): Sample[] {
   return clean;
 }
 
-/** The direction in which points leave the first of them, looked at over a few tolerances. */
+/** Returns the direction in which points leave the first of them, measured over a few tolerances. */
 function leaving(points: readonly Point[], reach: number): Point | null {
   const [from] = points;
   const far = points.find((p) => distance(p, from) >= reach) ?? points[points.length - 1];
@@ -59,7 +51,7 @@ function rotated(samples: readonly Sample[], corners: readonly number[]): Sample
 }
 
 /**
- * A curve within `tolerance` of each sample, smooth but for corners. null: the samples are one
+ * Returns a curve within `tolerance` of each sample, smooth except at corners. null: the samples are one
  * point.
  * @param closed whether the end runs to the beginning
  */

@@ -6,16 +6,16 @@ import { add, distance, dot, isSame, lerp, scaled, subtract, unit } from "./vect
 
 export interface FittedPiece {
   readonly cubic: Cubic;
-  /** Of each point of the stretch, first and last included. */
+  /** Parameter of each point of the stretch, including the first and the last. */
   readonly parameters: readonly number[];
 }
 
 const ROUNDS = 12;
-/** An error of more tolerances than this is not mended by other parameters. */
+/** Other parameters cannot repair an error of more tolerances than this. */
 const HOPELESS = 6;
 /** Beyond this depth stretches are halved, so that none is deep for long. */
 const DEEP = 32;
-/** How far from a point its direction is looked at, tolerances. */
+/** Length over which the direction at a point is measured, tolerances. */
 const REACH = 4;
 
 function chordParameters(points: readonly Point[]): number[] {
@@ -191,7 +191,7 @@ function fewer(
       out && into && single(points.slice(begin, end + 1), out, scaled(into, -1), tolerance);
     if (one && one.isNear) {
       kept.splice(i, 2, { cubic: one.cubic, parameters: one.parameters });
-      // What is longer now may take in the one before it.
+      // A stretch that grew may absorb the one before it.
       if (i > 0) {
         i -= 1;
         begin -= kept[i].parameters.length - 1;

@@ -88,7 +88,7 @@ function joined(out: string, next: string): string {
   return /[\d.]$/.test(out) && /^[\d.]/.test(next) ? `${out} ${next}` : out + next;
 }
 
-/** Relative commands stay as they are but for the first, which counts from the origin. */
+/** Translates a path. Relative commands keep their text, except the first, which counts from the origin. */
 function translated(d: string, commands: readonly Command[], map: Affine, step: number): string {
   let out = "";
   let at = 0;

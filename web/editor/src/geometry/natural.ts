@@ -1,5 +1,5 @@
-// Paths as their nodes are edited: an arc, which the engine draws by many pieces, is one piece for each
-// quarter turn. What an edit leaves alone stays the arc that it was.
+// Paths in the form in which their nodes are edited: an arc, which the engine draws with many pieces, has one
+// piece for each quarter turn. An arc that an edit does not touch stays an arc.
 import type { Point } from "./affine.js";
 import { isSameCubic, pieceAt, pieceCount, type Cubic, type CubicPath } from "./cubic.js";
 import type { Edited } from "./edited.js";
@@ -12,7 +12,7 @@ interface Natural {
   readonly firsts: readonly number[];
 }
 
-/** Of turns, radians. */
+/** Tolerance of turns, radians. */
 const SLACK = 1e-6;
 
 /** An arc of an ellipse: middle + along cos(angle) + across sin(angle), angle from 0. */
@@ -20,17 +20,17 @@ interface Arc {
   readonly middle: Point;
   readonly along: Point;
   readonly across: Point;
-  /** Of each of the engine's pieces, radians. */
+  /** Turn of each of the engine's pieces, radians. */
   readonly turn: number;
 }
 
-/** Of a cubic that stands for an arc, in its derivative by the angle. */
+/** Returns the handle length of a cubic for an arc, in units of its derivative by the angle. */
 const handleOf = (turn: number): number => (4 / 3) * Math.tan(turn / 4);
 
 /**
- * The arc that a piece is the beginning of; null: it is of none. Of a cubic with handles of
- * 4/3 tan(turn / 4) the handles' ends are apart by 1/3 + 2/3 tan²(turn / 4) of the chord, whatever
- * affine map makes an ellipse of the circle.
+ * Returns the arc that a piece begins; null: none. The ends of the handles of a cubic with handles of 4/3
+ * tan(turn / 4) are 1/3 + 2/3 tan²(turn / 4) of the chord apart, whichever affine map makes an ellipse of the
+ * circle.
  */
 function arcOf([p0, p1, p2, p3]: Cubic): Arc | null {
   const ratio = distance(p1, p2) / distance(p0, p3);
@@ -59,7 +59,7 @@ function arcStretch({ middle, along, across }: Arc, from: number, to: number): C
   ];
 }
 
-/** How many engine's pieces of a segment make one: those of a quarter turn at most. */
+/** Returns how many of the engine's pieces of a segment form one: a quarter turn at most. */
 function groupSize(turn: number, pieces: number): number {
   const quarters = Math.ceil((turn * pieces) / (Math.PI / 2) - SLACK);
   // The number of pieces is a power of two: three quarters and a bit are four parts.
@@ -92,7 +92,7 @@ function made(path: CubicPath, segments: readonly number[]): Natural {
   return { path: { points, closed: path.closed }, firsts: [...firsts, pieceCount(path)] };
 }
 
-/** Paths do not change: each is looked at once. */
+/** Paths do not change, so each is analysed once. */
 const known = new WeakMap<CubicPath, Natural>();
 
 function naturalOf(path: CubicPath): Natural | null {
@@ -140,7 +140,7 @@ function arcsOf({ segments = [] }: CubicPath, { path, firsts }: Natural) {
   return arcs;
 }
 
-/** An edited natural path in which arcs that are as they were have the engine's pieces again. */
+/** Returns an edited natural path in which untouched arcs have the engine's pieces again. */
 function withArcs(path: CubicPath, natural: Natural, edited: CubicPath): Natural {
   const arcs = arcsOf(path, natural);
   const points: Point[] = [edited.points[0]];
@@ -178,7 +178,7 @@ function withArcs(path: CubicPath, natural: Natural, edited: CubicPath): Natural
   };
 }
 
-/** What an edit of nodePath() makes of the path itself. */
+/** Returns the path itself after an edit of its nodePath(). */
 export function editedByNodes<Other>(
   path: CubicPath,
   edit: (nodes: CubicPath, path: CubicPath) => Edited | Other,

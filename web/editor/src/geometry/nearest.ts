@@ -163,7 +163,7 @@ export function nearestOn(path: CubicPath, point: Point, within = Infinity): Nea
   return { at: search.at, point: found, distance: search.distance };
 }
 
-/** The greatest distance of a curve from another, looked at in `samples` places of each piece. */
+/** Returns the greatest distance of a curve from another, measured at `samples` places of each piece. */
 export function farthestFrom(path: CubicPath, other: CubicPath, samples = 16): number {
   let most = 0;
   for (const cubic of piecesOf(path)) {

@@ -1,4 +1,4 @@
-// Corners and smooth nodes, told and made by their handles.
+// Corners and smooth nodes: determined by their handles, and made by them.
 import type { Point } from "./affine.js";
 import { isLine, lineBetween, pieceAt, type Cubic, type CubicPath } from "./cubic.js";
 import { piecesAround, withPoints, type Edited } from "./edited.js";
@@ -6,7 +6,7 @@ import { add, distance, isSame, scaled, size, subtract, unit } from "./vector.js
 
 export type NodeKind = "corner" | "smooth" | "symmetric";
 
-/** What a node is by its handles: neither lines nor ends are smooth. */
+/** Returns a node's kind from its handles: a node at a line or an end is not smooth. */
 export function kindOf(path: CubicPath, node: number): NodeKind {
   const { into, out } = piecesAround(path, node);
   if (into === null || out === null) return "corner";

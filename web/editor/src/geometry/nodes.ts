@@ -161,7 +161,7 @@ export function withoutNodes(path: CubicPath, nodes: readonly number[]): Edited 
   );
   const cubics = groups.map(merged);
   const follow = (place: number) => {
-    // Of a closed path that begins elsewhere now, what lies before the beginning comes last.
+    // In a closed path that begins elsewhere now, the pieces before the new beginning come last.
     const within = path.closed && place < kept[0] ? place + pieces : place;
     const i = runs.findIndex(({ to }) => within <= to);
     if (within <= runs[0].from) return 0;
@@ -170,7 +170,7 @@ export function withoutNodes(path: CubicPath, nodes: readonly number[]): Edited 
   return { path: pathOf(cubics, path.closed), follow, bends: [] };
 }
 
-/** Where on a piece a place of those that it replaces is, by arc length. */
+/** Returns the position on a piece that corresponds to a place on the pieces that it replaces, by arc length. */
 function shareIn(group: readonly Cubic[], cubic: Cubic, place: number): number {
   if (group.length === 1) return place;
   const lengths = group.map((piece) => cubicLength(piece));
@@ -195,7 +195,7 @@ export function withClosed(path: CubicPath, closed: boolean, gap: number): Edite
   return { path: { points, closed }, ...STAYS };
 }
 
-/** An end of an open path brought to its other end, which closes it; null: it is no such end. */
+/** Returns the path with an open end moved to its other end, which closes it; null: it is no such end. */
 export function closedByEnd(path: CubicPath, node: number): Edited | null {
   const last = pieceCount(path);
   if (path.closed || last < 2 || (node !== 0 && node !== last)) return null;

@@ -1,5 +1,5 @@
-// Subpaths from the commands of a path, by the engine's rules (src/formats/svg/path.cpp): the same
-// pieces, to the bit but for the sine of an arc's rotation.
+// Subpaths from the commands of a path, by the engine's rules (src/formats/svg/shapes/path.cpp): the same pieces,
+// bit for bit except for the sine of an arc's rotation.
 import type { Point } from "./affine.js";
 import { arcPieces } from "./arc.js";
 import type { CubicPath } from "./cubic.js";

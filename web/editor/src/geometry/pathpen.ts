@@ -19,9 +19,9 @@ export function styleOf(d: string): Style {
   return { comma: /\d,[-+.\d]/.test(d), blankBehindLetter: /[a-zA-Z]\s/.test(d) };
 }
 
-/** What a new command resembles, and what follows it. */
+/** The command that a new command resembles, and the one that follows it. */
 export interface Wish {
-  /** Of the command that it takes the place of. */
+  /** Letter of the command that it replaces. */
   readonly op: string;
   readonly isRelative: boolean;
   readonly gap: string;

@@ -1,4 +1,4 @@
-// The d attribute of a path, as the engine reads it (src/formats/svg/path_data.cpp), with the place
+// The d attribute of a path, as the engine reads it (src/formats/svg/shapes/path_data.cpp), with the place
 // of each command.
 import type { Point } from "./affine.js";
 import type { CubicPath } from "./cubic.js";
@@ -10,7 +10,7 @@ const BLANKS = /[ \t\n\r\f]*/y;
 const NUMBER = /[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?/y;
 const LETTERS = "MZLHVCSQTA";
 
-/** What a reader knows between two commands. */
+/** The state of a reader between two commands. */
 export interface Pen {
   readonly current: Point;
   /** Where Z leads. */
@@ -40,7 +40,7 @@ export interface Command {
 
 export interface PathText {
   readonly commands: readonly Command[];
-  /** Those that have a segment, also those of no length. */
+  /** The subpaths with a segment, including segments of length 0. */
   readonly paths: readonly CubicPath[];
 }
 

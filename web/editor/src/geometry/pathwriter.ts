@@ -7,7 +7,7 @@ import { isSame } from "./vector.js";
 /** More decimals than this say nothing about a coordinate below 10^7. */
 const MOST_DECIMALS = 12;
 
-/** How many decimals tell values apart that are a step from each other. */
+/** Returns the decimals that distinguish values one step apart. */
 export function decimalsOf(step: number): number {
   if (!(step > 0)) return MOST_DECIMALS;
   // A step of 0.001 is no power of ten to the bit.
@@ -25,7 +25,7 @@ function pointText([x, y]: Point, step: number): string {
   return `${numberText(x, step)} ${numberText(y, step)}`;
 }
 
-/** What the numbers read back as. */
+/** Returns the point that the written numbers read back as. */
 export function rounded([x, y]: Point, step: number): Point {
   return [Number(numberText(x, step)), Number(numberText(y, step))];
 }

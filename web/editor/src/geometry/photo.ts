@@ -2,7 +2,7 @@
 import type { Point } from "./affine.js";
 import { oklabFromRgb, type Oklab } from "./color.js";
 
-/** RGBA as ImageData has it. Pixel (i, j) covers [i, i + 1) × [j, j + 1). */
+/** RGBA in the layout of ImageData. Pixel (i, j) covers [i, i + 1) × [j, j + 1). */
 export interface Photo {
   readonly width: number;
   readonly height: number;

@@ -2,7 +2,7 @@
 import type { Oklab } from "./color.js";
 import { labDistance } from "./photo.js";
 
-/** Distances from the curve at which both sides are looked at, photo pixels. */
+/** Distances from the curve at which both sides are sampled, photo pixels. */
 export const REACHES = [1, 2, 4, 8] as const;
 
 /** A step of less in OKLab says nothing about its width. */

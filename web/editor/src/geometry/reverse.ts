@@ -9,9 +9,8 @@ import { lerp } from "./vector.js";
 const FINER = 1000;
 
 /**
- * Path data of which each subpath runs backwards, with the same segments in reverse order: lines,
- * curves and arcs stay what they are, a closed subpath begins where it began. null: there is a
- * mistake in it.
+ * Returns path data in which each subpath runs backwards, with the same segments in reverse order: lines,
+ * curves and arcs keep their kind, and a closed subpath keeps its beginning. null: the data has an error.
  */
 export function reversedData(d: string, step: number): string | null {
   const text = readPathText(d);

@@ -20,7 +20,7 @@ const START: Pen = { current: [0, 0], begin: [0, 0], cubic: null, quadratic: nul
 /** A subpath in the text: its M, what draws its segments, and its Z. */
 interface Region {
   readonly move: Command | null;
-  /** Of each segment; the last may be the Z. */
+  /** The command of each segment; the last may be the Z. */
   readonly drawing: readonly Command[];
   /** Z, also where it draws a line. */
   readonly close: Command | null;
@@ -48,7 +48,7 @@ function regionOf({ commands }: PathText, subpath: number): Region {
   };
 }
 
-/** The number among all subpaths of one that is counted among those that have a length. */
+/** Returns a subpath's number among all, from its number among the subpaths with a length. */
 function numberOf(text: PathText, index: number): number {
   const numbers = text.paths.map((_, i) => i).filter((i) => hasLength(text.paths[i]));
   if (numbers[index] === undefined) throw new RangeError("there is no such subpath");
@@ -119,7 +119,10 @@ function stretchesOf(before: CubicPath, after: CubicPath): Stretch[] {
   return stretches;
 }
 
-/** Of a run of new segments the first is like the first of those whose place they take. */
+/**
+ * Returns the number of the first segment that a run of new ones replaces, which the first new one resembles;
+ * null: none.
+ */
 function firstReplaced(
   before: CubicPath,
   kept: readonly (number | null)[],
@@ -210,7 +213,7 @@ class Rewriter {
     return isSame(old[old.length - 1], now[now.length - 1]);
   }
 
-  /** What parts a command, that of a segment, from the one before it. */
+  /** Returns the text that separates the command of a segment from the one before it. */
   #gapBefore(command: Command, segment: number | null): string {
     const { move, drawing } = this.region;
     const previous = drawing[(segment ?? 0) - 1] ?? move;
@@ -228,7 +231,10 @@ class Rewriter {
   }
 }
 
-/** What follows the subpath, so that it draws what it drew. `pen` stands where it begins now. */
+/**
+ * Returns the text that follows the subpath, changed where it must be to draw the same. `pen` is where that
+ * text begins now.
+ */
 function following(d: string, { next }: Region, pen: Pen, closed: boolean, step: number): string {
   if (!next) return "";
   const rest = d.slice(next.start);
@@ -270,9 +276,9 @@ function draws(d: string, paths: readonly CubicPath[], step: number): boolean {
 }
 
 /**
- * Path data in which one subpath is another; null takes it away. Segments whose points are as
- * before keep their text, relative or absolute; the others are written like what they take the
- * place of. What comes out reads back as `after` within half a step.
+ * Returns path data in which one subpath is another; null removes it. Segments whose points are unchanged
+ * keep their text, relative or absolute; the others are written like the segments that they replace. The
+ * result reads back as `after` within half a step.
  * @param index among the subpaths that have a length, as readPath() gives them
  * @param before that subpath, as it was read
  * @throws RangeError where there is none

@@ -1,4 +1,4 @@
-// SVG's basic shapes as curves, by the engine's rules (src/formats/svg/shapes.cpp): they begin
+// SVG's basic shapes as curves, by the engine's rules (src/formats/svg/shapes/shapes.cpp): they begin
 // where SVG says, and run clockwise on the screen.
 import type { Box, Point } from "./affine.js";
 import type { CubicPath } from "./cubic.js";
@@ -26,7 +26,7 @@ const SEPARATOR = /[ \t\n\r\f]*,?[ \t\n\r\f]*/y;
 export type AttributeOf = (name: string) => string | null | undefined;
 type Axis = "x" | "y" | "diagonal";
 
-/** What is wrong is told by the engine; here nothing is drawn then. */
+/** Marks an error in the shape. The engine reports it; here nothing is drawn. */
 class Mistake extends Error {}
 
 class Shape {
@@ -53,7 +53,7 @@ class Shape {
     return value;
   }
 
-  /** rx and ry, of which "auto" takes the other's value. */
+  /** Returns rx and ry; "auto" takes the other's value. */
   radii(): Point {
     const isAuto = (name: string) => (this.attribute(name) ?? "auto") === "auto";
     const x = isAuto("rx") ? null : this.radius("rx", "x");
@@ -177,8 +177,8 @@ export const hasLength = (path: CubicPath): boolean =>
   path.points.some((p) => !isSame(p, path.points[0]));
 
 /**
- * The subpaths that an element draws, without those of no length; none where an attribute has a
- * mistake, or the element is no shape. Percentages are of `viewBox`.
+ * Returns the subpaths that an element draws, without subpaths of length 0; none if an attribute has an error or
+ * the element is not a shape. Percentages refer to `viewBox`.
  * @param local path, line, polyline, polygon, circle, ellipse or rect
  */
 export function shapePaths(local: string, attribute: AttributeOf, viewBox: Box): CubicPath[] {
@@ -225,7 +225,7 @@ function dataOf({ points, closed, segments }: CubicPath, hasArcs: boolean): stri
   return parts.join(" ");
 }
 
-/** The subpaths of path data, without those of no length; none where there is a mistake in it. */
+/** Returns the subpaths of path data, without subpaths of length 0; none if the data has an error. */
 export function readPath(d: string): CubicPath[] {
   return (readPathText(d)?.paths ?? []).filter(hasLength);
 }

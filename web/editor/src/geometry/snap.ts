@@ -1,4 +1,4 @@
-// What a point that the hand moves is drawn to.
+// The targets that a dragged point snaps to.
 import type { Point } from "./affine.js";
 import type { CubicPath } from "./cubic.js";
 import { nearestOn } from "./nearest.js";

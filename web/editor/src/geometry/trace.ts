@@ -1,4 +1,4 @@
-// Colours of a photo along both sides of a curve, as stops; and the blur that its edges ask for.
+// Colours of a photo along both sides of a curve, as stops; and the blur that fits its edges.
 import {
   determinant,
   lengthScale,
@@ -55,7 +55,7 @@ const NEIGHBOURS = 4;
 const OUTLIER = 2.5;
 /** Below this nothing is an outlier: an 8-bit step or two. */
 const NOISE = 0.01;
-/** Of radii, photo pixels. */
+/** Tolerance of radii, photo pixels. */
 const RADIUS_TOLERANCE = 0.75;
 /** Where the look across begins: the curve itself does not stand in its own way. */
 const CLEAR = 0.5;
@@ -118,7 +118,7 @@ class Looker {
   color({ point, normal }: Station, reach: number): Oklab | null {
     const sign = Math.sign(reach);
     const target = add(point, scaled(normal, reach));
-    // The pixels around the target are looked at too.
+    // The pixels around the target are tested too.
     const behind = add(target, scaled(normal, sign));
     if (this.#crossings.isCrossed(add(point, scaled(normal, sign * CLEAR)), behind)) return null;
     return colorAt(this.photo, target);
@@ -227,7 +227,8 @@ function blurStops(
 }
 
 /**
- * What the photo has beside a curve. Samples across other curves, or outside of it, are left out.
+ * Returns the photo's colours and blur beside a curve. Leaves out samples across other curves or outside the
+ * photo.
  */
 export function tracePhoto(photo: Photo, path: CubicPath, options: TraceOptions): Trace {
   const scale = lengthScale(options.photoFromPath);

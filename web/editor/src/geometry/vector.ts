@@ -17,7 +17,7 @@ export const lerp = (a: Point, b: Point, t: number): Point => [
   a[1] + (b[1] - a[1]) * t,
 ];
 
-/** Of length 1; null for a vector without a direction. */
+/** Returns the vector with length 1; null for a vector without a direction. */
 export function unit(a: Point): Point | null {
   const length = size(a);
   return length > 0 && Number.isFinite(length) ? [a[0] / length, a[1] / length] : null;

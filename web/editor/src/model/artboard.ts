@@ -1,4 +1,5 @@
-// What <svg> says of the whole picture, by the engine's rules (src/formats/svg/picture_size.cpp).
+// The <svg> element's attributes of the whole picture, by the engine's rules
+// (src/formats/svg/paint/picture_size.cpp).
 import { IDENTITY, inverted, mapped } from "../geometry/affine.js";
 import type { Affine, Box } from "../geometry/affine.js";
 import type { Rgb } from "../geometry/color.js";
@@ -9,15 +10,15 @@ import type { ElementNode } from "../source/tree.js";
 import type { Drawing } from "./types.js";
 
 export interface Artboard {
-  /** What 100% is of, and what the document's numbers count in. */
+  /** The box that 100% refers to, and that the document's numbers count in. */
   readonly viewBox: Box;
-  /** What the picture shows: the viewBox; more or less of the plane where the aspects differ. */
+  /** The visible part: the viewBox; more or less of the plane where the aspect ratios differ. */
   readonly box: Box;
   /** Stretches where preserveAspectRatio="none" does, else the identity. */
   readonly artboardFromUser: Affine;
 }
 
-/** Where nothing readable is said; the engine tells what is wrong. */
+/** Default size where no readable attribute exists; the engine reports the error. */
 const DEFAULT_SIZE = 100;
 const SAME_ASPECT = 1e-9;
 

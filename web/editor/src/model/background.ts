@@ -1,4 +1,4 @@
-// The <rect> that is the background, by the engine's rules (src/formats/svg/background.cpp).
+// The <rect> that is the background, by the engine's rules (src/formats/svg/paint/background.cpp).
 import { mappedBox } from "../geometry/affine.js";
 import type { Affine, Box } from "../geometry/affine.js";
 import type { Rgb } from "../geometry/color.js";
@@ -9,7 +9,7 @@ import { parseLength } from "../source/lengths.js";
 import type { Styles } from "../source/styles.js";
 import type { ElementNode } from "../source/tree.js";
 
-/** Of the artboard's size: rectangles this much smaller still cover it. */
+/** Tolerance as a share of the artboard's size: rectangles smaller by this still cover it. */
 const SLACK = 1e-6;
 
 /** x, y, x + width, y + height of an element; null where they are no lengths. */

@@ -3,6 +3,7 @@ import { composed, IDENTITY, translation } from "../geometry/affine.js";
 import type { Affine, Box } from "../geometry/affine.js";
 import type { Rgb } from "../geometry/color.js";
 import { hrefOf, sf, valueOf } from "../source/attributes.js";
+import { keywordOf } from "../source/css.js";
 import { fitted, parseLength, parseTransform, parseViewBox } from "../source/lengths.js";
 import { isSvg } from "../source/styles.js";
 import type { Styles } from "../source/styles.js";
@@ -19,7 +20,7 @@ import type { ContainerItem, CurveItem, Handle, Item, ReferenceItem, UseItem } f
 /** Elements within each other that are read: as many as the engine reads. */
 const DEEPEST = 256;
 
-/** What an element has from around it. */
+/** The values that an element gets from its surroundings. */
 export interface Place {
   readonly artboardFromUser: Affine;
   /** null outside of layers. */
@@ -42,7 +43,7 @@ export interface Built {
   readonly byHandle: Map<Handle, Item>;
   readonly places: Map<Handle, Place>;
   readonly uses: Within<UseItem>[];
-  /** Of the <rect> that is one. */
+  /** Colour of the <rect> that is the background. */
   readonly background: Rgb | null;
 }
 
@@ -90,11 +91,12 @@ class Builder {
     uses: [],
     background: null,
   };
-  /** Whether nothing was painted yet. */
-  #mayBeBackground = true;
+  /** Whether nothing was painted yet, but may be. */
+  #mayBeBackground: boolean;
 
   constructor(from: Sources) {
     this.#from = from;
+    this.#mayBeBackground = keywordOf(from.styles.value(from.root, "display") ?? "") !== "none";
   }
 
   build(): Built {
@@ -122,7 +124,7 @@ class Builder {
       const item = this.#item(element, this.#placeOfCopy(use), null, 0, use.element);
       if (item) built.detached.push(item as Item);
     }
-    // What was built by itself and then again, as part of something larger, is that part.
+    // An item that was built alone and then again as part of a larger one is the part.
     const isLast = (item: { handle: Handle }) => built.byHandle.get(item.handle) === item;
     built.detached = built.detached.filter(isLast);
     built.uses = built.uses.filter(isLast);
@@ -180,7 +182,7 @@ class Builder {
     return isShape(local) ? this.#curve(element, place, parent, own) : null;
   }
 
-  /** What all items have; notes the item. */
+  /** Reads the fields that all items have, and registers the item. */
   #begin<Kind extends Item["kind"]>(
     kind: Kind,
     element: ElementNode,
@@ -276,7 +278,7 @@ class Builder {
     });
   }
 
-  /** Of a nested <svg> or, with its <use>, a <symbol>: the map from its viewBox. */
+  /** Returns the map from the viewBox of a nested <svg> or, with its <use>, of a <symbol>. */
   #viewport(element: ElementNode, use: ElementNode | null): Affine {
     const [x0, y0, x1, y1] = this.#viewBox;
     const length = (bearer: ElementNode, name: string, whole: number, absent: number) =>

@@ -1,13 +1,13 @@
-// What a change of some attributes touches.
+// The effect of a change of some attributes.
 import { SFUMATO } from "../source/attributes.js";
 import type { Attribute } from "../source/nodes.js";
 
 /** Attributes without a namespace on which more hangs than their element. */
 const STRUCTURAL: ReadonlySet<string> = new Set(["id", "class", "style", "href"]);
-/** Of Sfumato's: they decide what kind of thing an element is. */
+/** Sfumato's attributes that decide which kind of item an element is. */
 const DECIDING: ReadonlySet<string> = new Set(["diffuse", "radius", "reference"]);
 
-/** What changed between two sets of attributes of one element. */
+/** Returns the changes between two sets of attributes of one element. */
 export function changedAttributes(
   before: readonly Attribute[],
   now: readonly Attribute[],

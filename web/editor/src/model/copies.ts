@@ -1,4 +1,4 @@
-// What <use> makes of items: how often each is shown, and uses that go round in a circle.
+// The effect of <use> on items: how often each is shown, and which uses form a circle.
 import type { Built } from "./building.js";
 import type { Building } from "./item-object.js";
 import type { CurveItem, Item, UseItem } from "./types.js";

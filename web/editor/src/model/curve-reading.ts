@@ -1,4 +1,4 @@
-// What the attributes of one shape say, apart from where it stands.
+// The attributes of one shape, apart from its place.
 import type { Box } from "../geometry/affine.js";
 import type { CubicPath } from "../geometry/cubic.js";
 import { pieceCount } from "../geometry/cubic.js";
@@ -15,7 +15,7 @@ export function isShape(local: string): boolean {
   return geometryAttributes(local).length > 0;
 }
 
-/** Of the first subpath: where lists with "@" end. */
+/** Returns the number of segments of the first subpath: lists with "@" end there. */
 function segmentCount(paths: readonly CubicPath[]): number {
   const [first] = paths;
   if (!first) return 1;

@@ -124,7 +124,7 @@ class TextDrawing implements Drawing {
     try {
       rereadTag(element, tag);
     } catch (error) {
-      // Reading the whole text tells where, or finds that the tag became another.
+      // Reading the whole text finds the place, or that the tag became another.
       if (error instanceof SourceError) return null;
       throw error;
     }
@@ -155,11 +155,14 @@ class TextDrawing implements Drawing {
     before: readonly Attribute[],
     changed: readonly Attribute[],
   ): Change {
-    const structural = changed.some((a) => isStructural(a, before, element.attributes));
+    // Rules that test an attribute may match other elements now.
+    const structural =
+      this.#styles.attributesChanged(changed) ||
+      changed.some((a) => isStructural(a, before, element.attributes));
     const names = new Set(changed.map(({ local }) => local));
     const item = this.item(element.handle);
     const isCurve = item?.kind === "curve" || item?.kind === "stroke";
-    // Without its label a curve has a number, which it does not know by itself.
+    // A curve without a label gets a number, which it does not know alone.
     if (isCurve && !structural && !names.has("label")) {
       this.#replace(item, this.#reread(item, names));
     } else {
@@ -172,7 +175,7 @@ class TextDrawing implements Drawing {
     return { isStructural: structural, touched: new Map([[element.handle, names]]) };
   }
 
-  /** A curve of which some attributes changed. */
+  /** Reads again a curve whose attributes changed. */
   #reread(item: CurveItem, names: ReadonlySet<string>): CurveItem {
     const { element, kind, handle } = item;
     const place = this.#built.places.get(handle);
@@ -212,7 +215,7 @@ class TextDrawing implements Drawing {
     now.target = (now.target && this.item(now.target.handle)) ?? null;
   }
 
-  /** What an element's curve says, if it and what 100% is are as they were at the last build. */
+  /** Returns an element's curve from the last build, if the element and the base of 100% are unchanged. */
   #knownOf(isAsItWas: (element: Element) => boolean): Known {
     const { byHandle } = this.#built;
     const { viewBox } = this.#frame;

@@ -1,4 +1,4 @@
-// What an edit must not leave behind: a text that the library would refuse as a whole.
+// Results that an edit must not leave: a text that the library would refuse as a whole.
 import { mapped, type Affine, type Point } from "../geometry/affine.js";
 import type { CubicPath } from "../geometry/cubic.js";
 import { geometryAttributes } from "../geometry/path.js";
@@ -25,7 +25,7 @@ function reachOf(paths: readonly CubicPath[]): number {
 }
 
 function isFar(paths: readonly CubicPath[], map: Affine): boolean {
-  // All curves are looked at after some edits: most are near for certain.
+  // Some edits check all curves: most are certainly near.
   const reach = reachOf(paths);
   const [a, b, c, d, e, f] = map.map(Math.abs);
   if (Math.max(reach, (a + c) * reach + e, (b + d) * reach + f) <= LARGEST) return false;
@@ -45,7 +45,7 @@ function faultOfCurve(item: CurveItem): Fault | null {
 /** Where an element moves what is in it. */
 const MOVES = ["transform", "x", "y"];
 
-/** Of an item and what is in it. */
+/** Returns the fault of an item and of its content. */
 function faultOfItem(item: Item): Fault | null {
   if (MOVES.some((name) => isTooLarge(valueOf(item.element, name)))) return "far";
   if (item.kind === "curve" || item.kind === "stroke") return faultOfCurve(item);
@@ -60,7 +60,7 @@ function firstFault(items: Iterable<Item | undefined>): Fault | null {
   return null;
 }
 
-/** Of each element, what is copied by instances within it. */
+/** Returns for each element the elements that instances within it copy. */
 function copiedWithin(drawing: Drawing): Map<ElementNode, Set<ElementNode>> {
   const copied = new Map<ElementNode, Set<ElementNode>>();
   for (const { kind, element } of drawing.all()) {
@@ -72,7 +72,7 @@ function copiedWithin(drawing: Drawing): Map<ElementNode, Set<ElementNode>> {
   return copied;
 }
 
-/** Whether an instance is within what it copies, itself or by way of others, of which there may be any number. */
+/** Returns whether an instance lies within its own original, directly or through any number of others. */
 function hasCircle(drawing: Drawing): boolean {
   const copied = copiedWithin(drawing);
   const way = new Set<ElementNode>();
@@ -80,7 +80,7 @@ function hasCircle(drawing: Drawing): boolean {
   const waiting = [...copied.keys()];
   for (let element = waiting.at(-1); element; element = waiting.at(-1)) {
     if (way.has(element) || done.has(element)) {
-      // All that it leads to was looked at.
+      // Everything that it leads to was checked.
       way.delete(element);
       done.add(element);
       waiting.pop();
@@ -95,7 +95,7 @@ function hasCircle(drawing: Drawing): boolean {
   return false;
 }
 
-/** What is wrong with what changed, or null. */
+/** Returns the fault in the changed items, or null. */
 export function faultOf(drawing: Drawing, { isStructural, touched }: Change): Fault | null {
   if (!isStructural) return firstFault([...touched.keys()].map((handle) => drawing.item(handle)));
   return firstFault(drawing.items) ?? (hasCircle(drawing) ? "circle of instances" : null);

@@ -34,7 +34,7 @@ export interface GradientNodes extends Gradient {
   readonly element: ElementNode;
   /** The gradient that bears the stops: this one, or the nearest that its href leads to. */
   readonly bearer: ElementNode;
-  /** Of each stop. */
+  /** The element of each stop. */
   readonly elements: readonly ElementNode[];
   readonly styles: Styles;
 }
@@ -44,7 +44,7 @@ const BLACK: Color = { rgb: { r: 0, g: 0, b: 0 }, alpha: 1 };
 export const stopsWithin = (bearer: ElementNode): ElementNode[] =>
   bearer.children.filter((child) => child.local === "stop" && isSvg(child));
 
-/** What `stop-color` says, its own alpha with it. */
+/** Returns `stop-color`, including its own alpha. */
 export function stopColor(styles: Styles, stop: ElementNode): Color {
   const text = styles.value(stop, "stop-color");
   if (text === null) return BLACK;

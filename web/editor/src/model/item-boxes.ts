@@ -1,7 +1,7 @@
 // The box around what items show on the artboard.
 import { composed, mappedBox, type Affine, type Box } from "../geometry/affine.js";
 import { boundsOf, mappedPath, unionOf } from "../geometry/cubic.js";
-import { shiftOf } from "./commands/items.js";
+import { shiftOf } from "./commands/structure/items.js";
 import type { CurveItem, Item } from "./types.js";
 
 /** A curve that changes, or is placed elsewhere, is another object. */

@@ -1,7 +1,7 @@
-// Items as objects that a drawing changes in place where nobody sees it.
+// Items as objects that a drawing changes in place where no one can notice.
 import type { ContainerItem, CurveItem, Item, ReferenceItem, UseItem } from "./types.js";
 
-/** What holds a parent for all of its children, so that one of thousands changes without them. */
+/** Holds the parent of all of its children, so that one of thousands changes without the others. */
 export interface Inside {
   item: Item | null;
 }
@@ -12,7 +12,7 @@ export type Within<T> = Building<T> & { around: Inside; readonly inside: Inside 
 export type BuildingItem =
   Within<ContainerItem> | Within<UseItem> | Within<CurveItem> | Within<ReferenceItem>;
 
-/** What an item is made of: its parent is whatever stands around it now. */
+/** The fields of an item; its parent is whatever surrounds it now. */
 export type Fields<T> = Omit<T, "parent"> & { around: Inside; inside: Inside };
 
 // Classes that name each field: thousands of objects of one shape, which are small and quick.

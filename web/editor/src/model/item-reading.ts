@@ -1,11 +1,11 @@
-// What any element that is an item says of itself.
+// The attributes that any item's element can have.
 import { INKSCAPE, SODIPODI, valueOf } from "../source/attributes.js";
 import { keywordOf, shareOf } from "../source/css.js";
 import { BLEND_MODES } from "../source/styles.js";
 import type { Styles } from "../source/styles.js";
 import type { ElementNode } from "../source/tree.js";
 
-/** What any item says of itself, but for its place among others. */
+/** Returns the values that any item has, without its place among others. */
 export function readCommon(element: ElementNode, styles: Styles) {
   const isDisplayed = keywordOf(styles.value(element, "display") ?? "") !== "none";
   const visibility = keywordOf(styles.value(element, "visibility") ?? "visible");

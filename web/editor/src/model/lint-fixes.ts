@@ -1,29 +1,29 @@
-// Hints of `sfumato lint` that one step of undo can mend.
+// Fixes for hints of `sfumato lint`, each one step of undo.
 import { composed, inverted, mapped, mappedVector } from "../geometry/affine.js";
 import type { Point } from "../geometry/affine.js";
 import type { Rgb } from "../geometry/color.js";
-import type { CubicPath } from "../geometry/cubic.js";
+import { segmentsOf, type CubicPath } from "../geometry/cubic.js";
 import { nodePath } from "../geometry/natural.js";
 import { nearestOn } from "../geometry/nearest.js";
 import { distance } from "../geometry/vector.js";
 import { deleteItems, moveNodes, setBoth, setColor, setNumbers, setPath, swapSides } from "./commands/index.js";
-import { layerOf } from "./commands/items.js";
+import { layerOf } from "./commands/structure/items.js";
 import { finestStep } from "./commands/mapping.js";
-import { together } from "./commands/together.js";
+import { together } from "./commands/structure/together.js";
 import { atOutline, broughtIn, curvesWithin, endsOf, isOpen, withoutInvisible } from "./lint-items.js";
 import type { CurveItem, Drawing, Handle, Item, Outcome, Side, SideValue } from "./types.js";
 
-/** What of a hint the fixes look at: its rule, and where its curve's element stands in the text. */
+/** The fields of a hint that fixes use: its rule, and the place of its curve's element in the text. */
 export interface FixableHint {
   readonly rule: string;
   readonly offset: number | null;
-  /** Of a hint about one side. */
+  /** The side, for a hint about one side. */
   readonly side?: Side | null;
-  /** What it is about, where that is no curve of a layer. */
+  /** The item that the hint is about, if that is not a curve of a layer. */
   readonly handle?: Handle | null;
 }
 
-/** What a fix does; the words are in strings/en.ts, `lintFixes`. */
+/** The effect of a fix; the words are in strings/en.ts, `lintFixes`. */
 export type FixLabel =
   | "closeCurve"
   | "swapSides"
@@ -47,7 +47,7 @@ export interface Fix {
 type Mend = (d: Drawing, curve: CurveItem, side: Side | null) => Outcome | null;
 
 const SIDES: readonly Side[] = ["left", "right"];
-/** An end that misses a curve by less was meant to meet it: pixels of an artboard of 512, as lint has it. */
+/** An end that misses a curve by less was meant to meet it: pixels of an artboard of 512, as in lint. */
 const MISS_PX = 4;
 const OPEN = { kind: "open" } as const;
 
@@ -172,7 +172,7 @@ function withoutIdleBlur(d: Drawing, curve: CurveItem): Outcome | null {
   return idle.length === 0 ? null : setNumbers(d, curve.handle, idle[0], "blur", OPEN);
 }
 
-/** Each side ends with the colour that it begins with. */
+/** Each side ends with the colour that it begins with; no colour before the end is lost. */
 function withoutSeam(d: Drawing, curve: CurveItem): Outcome | null {
   const isSame = (a: Rgb, b: Rgb) => a.r === b.r && a.g === b.g && a.b === b.b;
   return together(
@@ -181,7 +181,9 @@ function withoutSeam(d: Drawing, curve: CurveItem): Outcome | null {
       if (color.kind !== "stops" || color.stops.length < 2) return null;
       const [first, last] = [color.stops[0], color.stops[color.stops.length - 1]];
       if (isSame(first.value, last.value)) return null;
-      const stops = [...color.stops.slice(0, -1), { ...last, value: first.value }];
+      const end = color.space === "arc" ? 1 : Math.max(...curve.paths.map((path) => segmentsOf(path).length - 1));
+      const others = last.offset < end ? color.stops : color.stops.slice(0, -1);
+      const stops = [...others, { offset: end, value: first.value }];
       return setColor(d, curve.handle, side, { ...color, stops });
     }),
   );

@@ -6,7 +6,7 @@ import { sf, valueOf } from "../source/attributes.js";
 import { shareOf } from "../source/css.js";
 import { deleteItems, setSideOpacity, transform } from "./commands/index.js";
 import { finestStep } from "./commands/mapping.js";
-import { together } from "./commands/together.js";
+import { together } from "./commands/structure/together.js";
 import { boxOf } from "./item-boxes.js";
 import type { CurveItem, Drawing, Item, Outcome, Side } from "./types.js";
 
@@ -72,8 +72,8 @@ function isInvisible({ kind, opacity, element }: Item): boolean {
 }
 
 /**
- * What shows nothing goes, by its own opacity or that of a group around it, which goes then. null: it
- * is to be seen by now.
+ * Deletes an item that shows nothing, because of its own opacity or that of a group around it, which is
+ * deleted then. null: it is visible by now.
  */
 export function withoutInvisible(d: Drawing, item: Item): Outcome | null {
   for (let around: Item | null = item; around; around = around.parent)
@@ -87,7 +87,7 @@ function shiftInto([from, to]: readonly [number, number], [low, high]: readonly 
   return Math.max(low - from, 0) + Math.min(high - to, 0);
 }
 
-/** What lies outside of the artboard is moved into it, no farther than need be. */
+/** Moves an item outside of the artboard into it, by the shortest way. */
 export function broughtIn(d: Drawing, item: Item): Outcome | null {
   const box = boxOf([item]);
   const [x0, y0, x1, y1] = d.artboard;

@@ -1,4 +1,4 @@
-// Which hints are told.
+// Selects the hints to show.
 import type { Drawing, Item } from "./types.js";
 
 /** Before the first curve a layer is empty because nothing has been drawn yet. */

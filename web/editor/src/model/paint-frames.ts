@@ -28,9 +28,9 @@ export interface PaintFrame {
   readonly element: ElementNode;
   /** The axis x runs along the line; the circle is the unit circle; the tile is the unit square. */
   readonly itemFromFrame: Affine;
-  /** Of a circle: where its colours begin, within the frame. */
+  /** For a circle: the point where its colours begin, within the frame. */
   readonly focus: Point | null;
-  /** From the coordinates in which the lengths count to those of the curve. */
+  /** Map from the coordinates of the lengths to the coordinates of the curve. */
   readonly itemFromOwn: Affine;
   /** The same without the paint's transform: of a box's units the box, else the identity. */
   readonly itemFromBox: Affine;
@@ -42,7 +42,7 @@ export interface PaintFrame {
   readonly isSaid: (name: string) => boolean;
 }
 
-/** What a length is where nothing says it, of the box or the artboard; and along which axis it is. */
+/** The default of a length as a share of the box or the artboard, and its axis. */
 type Default = readonly [share: number, axis: "x" | "y" | "both"];
 const LENGTHS: Readonly<Record<PaintKind, Readonly<Record<string, Default>>>> = {
   linear: { x1: [0, "x"], y1: [0, "y"], x2: [1, "x"], y2: [0, "y"] },
@@ -53,7 +53,7 @@ const LENGTHS: Readonly<Record<PaintKind, Readonly<Record<string, Default>>>> = 
 const kindOf = (element: ElementNode): PaintKind | null =>
   isSvg(element) && Object.hasOwn(LOCAL, element.local) ? LOCAL[element.local as Local] : null;
 
-/** The paint and those that it inherits from, the nearest first; a circle is left where it closes. */
+/** Returns the paint and its ancestors by inheritance, the nearest first. Stops where they form a circle. */
 export function paintChain(
   element: ElementNode,
   ids: ReadonlyMap<string, ElementNode>,
@@ -78,7 +78,7 @@ function boxOf(item: CurveItem): Box | null {
   return x1 > x0 && y1 > y0 ? [x0, y0, x1, y1] : null;
 }
 
-/** Of gradients lengths are inherited from the same kind alone, as the engine does it. */
+/** Reads the lengths. A gradient inherits lengths only from its own kind, as in the engine. */
 function readLengths(
   chain: readonly ElementNode[],
   kind: PaintKind,
@@ -112,13 +112,6 @@ export function frameOf(kind: PaintKind, l: Lengths): Affine | null {
         : [l.width, 0, 0, l.height, l.x, l.y];
   return inverted(frame) && frame;
 }
-
-/** As the engine draws it: a focus beyond the circle is moved into it. */
-function inside([x, y]: Point): Point {
-  const share = Math.min(1, LARGEST_FOCUS / Math.hypot(x, y));
-  return share < 1 ? [share * x, share * y] : [x, y];
-}
-const LARGEST_FOCUS = 0.999;
 
 const unitsOf = { linear: "gradientUnits", radial: "gradientUnits", texture: "patternUnits" } as const;
 export const transformOf = {
@@ -159,7 +152,7 @@ export function paintFrame(
     kind,
     element,
     itemFromFrame: composed(itemFromOwn, frame),
-    focus: kind === "radial" ? inside(mapped(back, [fx, fy])) : null,
+    focus: kind === "radial" ? mapped(back, [fx, fy]) : null,
     itemFromOwn,
     itemFromBox,
     transform,

@@ -13,7 +13,7 @@ function isSameValue(a: unknown, b: unknown): boolean {
   );
 }
 
-/** What is looked at apart: nodes and items lead to everything. */
+/** Fields to compare separately: nodes and items lead to everything. */
 const APART: ReadonlySet<string> = new Set(["element", "around", "inside", "children", "target"]);
 
 function isSameItem(fresh: Item, old: Item): boolean {

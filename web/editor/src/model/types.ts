@@ -11,7 +11,7 @@ export type { SideValue, Stop, StopSpace } from "../source/stops.js";
 export type Handle = number;
 export type Side = "left" | "right";
 export type Attribute = "color" | "opacity" | "blur";
-/** What a gradient or a texture can be. */
+/** The attributes that a gradient or a texture can supply. */
 export type PaintAttribute = Exclude<Attribute, "blur">;
 /**
  * Where a paint is taken hold of. A line: its ends. A circle: its middle, its radius, its other radius
@@ -34,7 +34,7 @@ interface ItemBase {
   readonly children: readonly Item[];
   /** inkscape:label, else the id, else what it is with a number. */
   readonly name: string;
-  /** To the artboard's coordinates from those of the element's attributes, its transform included. */
+  /** Map from the coordinates of the element's attributes, its transform included, to the artboard's. */
   readonly artboardFromItem: Affine;
   readonly hidden: boolean;
   readonly locked: boolean;
@@ -56,15 +56,15 @@ export interface UseItem extends ItemBase {
 /** A shape: in a layer a diffusion curve for each subpath, elsewhere with sf:radius a local one. */
 export interface CurveItem extends ItemBase {
   readonly kind: "curve" | "stroke";
-  /** Subpaths in the element's coordinates; those of no length are not there. */
+  /** Subpaths in the element's coordinates, without subpaths of length 0. */
   readonly paths: readonly CubicPath[];
   /** Whether it stands in the text as `<path>`; other shapes become one when a node is edited. */
   readonly isPath: boolean;
   readonly left: SideValues;
   readonly right: SideValues;
-  /** Of a local curve, radii of influence. */
+  /** For a local curve, the radii of influence. */
   readonly radius: SideValue<number>;
-  /** From the element's coordinates to those of its layer; of a local curve, its own. */
+  /** Map from the element's coordinates to its layer's; for a local curve, to its own. */
   readonly layerFromItem: Affine;
   /** How many places of the picture show it: 1, or more by <use>. */
   readonly copies: number;
@@ -80,7 +80,7 @@ export interface ReferenceItem extends ItemBase {
 
 export type Item = ContainerItem | UseItem | CurveItem | ReferenceItem;
 
-/** What a change of the text touched. */
+/** The parts that a change of the text touched. */
 export interface Change {
   /** Elements came, went or moved, or a style changed: nothing is as it was. */
   readonly isStructural: boolean;
@@ -88,7 +88,7 @@ export interface Change {
   readonly touched: ReadonlyMap<Handle, ReadonlySet<string>>;
 }
 
-/** A part of a curve that can be chosen by itself. */
+/** A part of a curve that can be chosen alone. */
 export type Part =
   | { readonly kind: "whole" }
   /** Node `index` of a subpath: control point 3 index. */
@@ -116,10 +116,10 @@ export interface Selected {
 /** The last is the primary one. */
 export type Selection = readonly Selected[];
 
-/** What a command makes: a patch of the present text, and what is selected afterwards. */
+/** The result of a command: a patch of the present text, and the selection afterwards. */
 export interface Outcome {
   readonly patch: Patch;
-  /** Of the text after the patch; absent: what is selected stays. Elements by their place there. */
+  /** The selection in the text after the patch, elements by their place there; absent: the selection stays. */
   readonly select?: readonly { readonly at: number; readonly part?: Part }[];
 }
 
@@ -129,11 +129,11 @@ export interface Drawing {
   /** Grows with each change. */
   readonly revision: number;
   readonly root: ElementNode;
-  /** What can be seen or selected of the outermost level, the last on top. */
+  /** The visible or selectable items of the outermost level, the last on top. */
   readonly items: readonly Item[];
   readonly artboard: Box;
   readonly interpolation: "srgb" | "linear" | "oklab";
-  /** null: none is said. */
+  /** null: not given. */
   readonly background: Rgb | null;
   /** Why it may not be edited, or null: a DOCTYPE that defines entities. */
   readonly readOnly: string | null;

@@ -19,7 +19,7 @@ export function publish(editor: DrawingEditor, documents: Documents, drawn: () =
       const [px, py] = mapped(editor.stageFromArtboard(), [x, y]);
       return [px + box.left, py + box.top];
     },
-    /** What is selected: names and parts. */
+    /** The selection: names and parts. */
     get selection() {
       return editor.selection.value.map(({ handle, part }) => ({ name: editor.drawing.item(handle)?.name, part }));
     },

@@ -9,11 +9,11 @@ import type { Radii } from "../model/commands/index.js";
 import type { CurveItem, Drawing, SideValue } from "../model/types.js";
 
 const SIDES = ["left", "right"] as const;
-/** Of samples, photo pixels. */
+/** Distance of samples, photo pixels. */
 const SPACING = 2;
 const DISTANCE = 3;
 const TOLERANCE = 0.02;
-/** Below this a curve is sharp, photo pixels, as `sfumato trace` has it. */
+/** Below this radius a curve is sharp, photo pixels, as in `sfumato trace`. */
 const SHARP = 0.8;
 
 /** The radii that a fit begins with, by where the element stands; null: the curve is sharp and stays it. */
@@ -22,7 +22,7 @@ export type Beginnings = ReadonlyMap<number, Radii | null>;
 const isSomewhere = (value: SideValue<number>) =>
   value.kind === "stops" && value.stops.some((stop) => stop.value > 0);
 
-/** What a curve has, or what the photo's transitions along it look like; null: they are sharp. */
+/** Returns a curve's blur, or an estimate from the photo's transitions along it; null: they are sharp. */
 export function beginningsOf(drawing: Drawing, item: CurveItem, photo: PlacedPhoto): Radii | null {
   const { left, right } = item;
   if (isSomewhere(left.blur) || isSomewhere(right.blur)) return { left: left.blur, right: right.blur };
@@ -59,7 +59,7 @@ export function rowsOf(item: CurveItem, begun: Radii | null): SideStops[] {
 const digits = (value: number) => Number(value.toPrecision(3));
 
 /**
- * Radii after a fit. null: what is left cannot be told from none.
+ * Returns the radii after a fit. null: they are too small to differ from none.
  * @param perUnit photo pixels to a unit of the item
  */
 export function fittedRadii(begun: Radii, factor: number, perUnit: number): Radii | null {

@@ -4,13 +4,14 @@ import type { DrawingEditor } from "../app/editor.js";
 import type { Difference } from "../app/types.js";
 import { createWorker, getModule } from "../engine/host.js";
 import { TracePreviews } from "../engine/photo-trace.js";
+import type { Drawing } from "../model/types.js";
 import { en } from "../strings/en.js";
 import { differenceOf, type DifferencePicture } from "../geometry/difference.js";
 import { hasPhoto, laidPhoto } from "./laid-photo.js";
 
 /** Pixels of the longer side. */
 const SIDE = 800;
-/** How long the exact picture stands before it is looked at, milliseconds. */
+/** How long the exact picture stands before it is compared, milliseconds. */
 const REST = 200;
 
 async function addressOf({ width, height, data }: DifferencePicture): Promise<string> {
@@ -22,6 +23,8 @@ async function addressOf({ width, height, data }: DifferencePicture): Promise<st
 class DifferenceWatch {
   #pictures: TracePreviews | null = null;
   #timer = 0;
+  /** The drawing that was compared last. */
+  #drawing: Drawing | null = null;
 
   constructor(private readonly editor: DrawingEditor) {}
 
@@ -31,6 +34,8 @@ class DifferenceWatch {
     const isExact = editor.status.value.kind === "exact";
     const { drawing } = editor;
     clearTimeout(this.#timer);
+    if (drawing !== this.#drawing) this.#forget();
+    this.#drawing = drawing;
     if (!editor.showDifference.value) return this.#end();
     if (!hasPhoto(drawing)) {
       editor.showDifference.value = false;
@@ -53,12 +58,13 @@ class DifferenceWatch {
     this.#pictures ??= new TracePreviews({ module: getModule, worker: createWorker });
     this.#pictures.draw(background ? wish : { ...wish, background: "white" }, (pixels) => {
       const found = differenceOf(photo.pixels, pixels);
-      void addressOf(found).then((href) => this.#show({ href, psnr: found.psnr, revision }));
+      void addressOf(found).then((href) => this.#show(drawing, { href, psnr: found.psnr, revision }));
     });
   }
 
-  #show(found: Difference): void {
-    if (!this.editor.showDifference.peek()) return URL.revokeObjectURL(found.href);
+  #show(of: Drawing, found: Difference): void {
+    const isWanted = this.editor.showDifference.peek() && of === this.#drawing;
+    if (!isWanted) return URL.revokeObjectURL(found.href);
     this.#forget();
     this.editor.difference.value = found;
   }

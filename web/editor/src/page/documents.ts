@@ -2,18 +2,22 @@
 import { effect, signal, type Signal } from "@preact/signals";
 import type { DrawingEditor } from "../app/editor.js";
 import type { HistoryLog } from "../app/history.js";
-import { Autosave, forgetDrawings, keptDrawings, recoverDrawing, type KeptHead } from "../files/autosave.js";
+import { warningText } from "../engine/complaint.js";
+import { Autosave, forgetDrawings, keptDrawings, recoverDrawing, type KeptHead, type KeptWhere } from "../files/autosave.js";
 import { openPieces } from "../files/drop.js";
+import { isForeign } from "../files/foreign.js";
 import { chooseFolder } from "../files/folder.js";
 import { besideFiles, nothingBeside, type Beside } from "../files/images.js";
-import { openFile, pickFile, type Opened, type Photo } from "../files/open.js";
+import { openFile, pickFile, type Opened, type OpenedDrawing, type Photo } from "../files/open.js";
 import type { Piece } from "../files/pieces.js";
-import { newPlace, type Place } from "../files/place.js";
-import { save, saveAs, type Saved } from "../files/save.js";
+import { newPlace, withExtension, type Place, type Saved } from "../files/place.js";
+import { save, saveAs } from "../files/save.js";
 import { besideServed, openServed, servedName } from "../files/served.js";
 import { answerOtherTabs, claim, isOpenElsewhere, type Claim } from "../files/tabs.js";
 import { addReference } from "../model/commands/index.js";
-import { blankText } from "../model/drawing.js";
+import { blankText, openDrawing } from "../model/drawing.js";
+import type { Drawing } from "../model/types.js";
+import type { Foreign } from "../panels/services.js";
 import { SourceError } from "../source/tree.js";
 import { en } from "../strings/en.js";
 import { dataUri } from "./files.js";
@@ -33,16 +37,24 @@ export interface Problem {
 /** Where a drawing comes from. */
 interface Origin {
   readonly place: Place;
-  /** Of what the browser has kept of it; absent: nothing. */
+  /** Id of the stored drawing; absent: nothing is stored. */
   readonly id?: string;
 }
+
+/** The opacity of a photo that is placed: what is drawn below it shows. */
+const PLACED = 0.5;
 
 /** Names are shown at most this long, characters. */
 const LONGEST = 60;
 const shortened = (name: string) => (name.length > LONGEST ? `${name.slice(0, LONGEST)}…` : name);
 
+function curvesIn(drawing: Drawing): number {
+  return [...drawing.all()].filter(({ kind }) => kind === "curve" || kind === "stroke").length;
+}
+
 export class Documents {
   readonly problem: Signal<Problem | null> = signal(null);
+  readonly foreign: Signal<Foreign | null> = signal(null);
   readonly kept: Signal<readonly KeptHead[]> = signal([]);
   #place: Place = newPlace("");
   #autosave: Autosave;
@@ -51,11 +63,12 @@ export class Documents {
   #claims: Promise<void> = Promise.resolve();
   /** Another tab goes on with the drawing: what this one kept would write over it. */
   #isTaken = false;
-  /** Of the drawing that the editor is about to open. */
+  /** The origin of the drawing that the editor is about to open. */
   #arriving: Origin | null = null;
+  #isMissingPictures = false;
   /** Counts what was asked to be opened: the last of several wins. */
   #turn = 0;
-  /** Saves follow one another: each looks at what the last one wrote. */
+  /** Saves follow one another: each depends on the result of the last one. */
   #saves: Promise<void> = Promise.resolve();
   #convert = (text: string) => this.editor.engine.convert(text);
 
@@ -63,12 +76,14 @@ export class Documents {
     private readonly editor: DrawingEditor,
     private readonly pictures: Pictures,
   ) {
-    this.#autosave = new Autosave(({ kept, reason }) => this.#keptIn(kept, reason));
+    this.#autosave = new Autosave((where) => this.#keptIn(where));
     editor.onEdit = () => this.#edited();
+    editor.onUnseen = () => this.#tellUnseen();
     editor.onOpen = (name) => this.#adopt(this.#arriving ?? { place: newPlace(name) });
     effect(() => {
-      // What was wrong with a file is no longer what is asked for.
+      // The problem of an earlier file no longer matters.
       if (editor.dialog.value?.kind !== "problem") this.problem.value = null;
+      if (editor.dialog.value?.kind !== "foreign") this.foreign.value = null;
     });
     answerOtherTabs(() => (this.#place.target.kind === "handle" ? this.#place.target.handle : null));
     addEventListener("pagehide", () => void this.#autosave.flush());
@@ -130,9 +145,46 @@ export class Documents {
   async take(opened: Opened, beside: Beside = nothingBeside): Promise<void> {
     if (opened.kind === "problem") return this.#refuse(words.notOpened, opened.reason);
     if (opened.kind === "photo") return this.#takePhoto(opened);
-    const { target } = opened.place;
+    if (isForeign(opened.text)) return this.#ask(opened, beside);
+    await this.#open(opened, beside);
+  }
+
+  async #open({ text, place }: OpenedDrawing, beside: Beside): Promise<void> {
+    const { target } = place;
     if (target.kind === "handle" && (await isOpenElsewhere(target.handle))) this.editor.say(words.otherTab);
-    await this.#show(opened.text, { place: opened.place }, beside);
+    await this.#show(text, { place }, beside);
+  }
+
+  // Files of other programs.
+
+  /** Asks what is to be done with a file that holds no curves; nothing is opened until then. */
+  #ask(opened: OpenedDrawing, beside: Beside) {
+    this.foreign.value = {
+      name: opened.place.name,
+      convert: () => this.#convertForeign(opened, beside),
+      open: () => this.#open(opened, beside),
+    };
+    this.editor.dialog.value = { kind: "foreign" };
+  }
+
+  /** Its shapes as a drawing without a file: saving must not write over the other program's. */
+  async #convertForeign({ text, place }: OpenedDrawing, beside: Beside): Promise<void> {
+    const asked = this.foreign.peek();
+    const before = this.pictures.begin(beside);
+    await this.pictures.take(text);
+    const made = await this.editor.engine.importSvg(text).finally(() => void this.pictures.begin(before));
+    const curves = curvesIn(openDrawing(made.text));
+    if (curves === 0) throw new Error([words.nothingConverted, ...made.warnings.map(warningText)].join("\n"));
+    // The person may have left the dialog.
+    if (this.foreign.peek() !== asked) return;
+    await this.#show(made.text, { place: newPlace(withExtension(place.name, "svg")) }, beside);
+    this.#tellConverted(place.name, curves, made.warnings);
+  }
+
+  #tellConverted(name: string, curves: number, warnings: readonly string[]) {
+    if (warnings.length === 0) return this.editor.say(words.converted(shortened(name), curves));
+    const show = () => this.#refuse(words.leftOutOf(shortened(name)), warnings.map(warningText).join("\n"));
+    this.editor.say(words.convertedPartly(shortened(name), curves), { label: words.showLeftOut, run: show });
   }
 
   async #show(text: string, origin: Origin, beside: Beside, log?: HistoryLog): Promise<void> {
@@ -179,7 +231,7 @@ export class Documents {
     const lose = (text: string) => {
       this.#isTaken = true;
       this.#autosave.drop();
-      this.editor.file.value = { ...this.editor.file.value, kept: "nowhere" };
+      this.editor.file.value = { ...this.editor.file.value, kept: "nowhere", lost: "elsewhere" };
       this.editor.say(text, { label: words.takeOver, run: () => void this.#takeOver() });
     };
     this.#claim = await claim(key, () => lose(words.takenByTab), take);
@@ -194,7 +246,14 @@ export class Documents {
     if (file.value.isChanged) this.#keep();
   }
 
+  /** Shows at once why nothing of the drawing is visible, unless a message about missing pictures already did. */
+  #tellUnseen() {
+    const { dialog } = this.editor;
+    if (!this.#isMissingPictures && dialog.peek() === null) dialog.value = { kind: "problem" };
+  }
+
   #tellLost({ missing, broken }: Lost) {
+    this.#isMissingPictures = missing.length > 0;
     if (missing.length > 0) {
       const action = { label: words.chooseFolder, run: () => void this.#chooseFolder() };
       this.editor.say(words.missing(missing.map(shortened)), action);
@@ -240,7 +299,7 @@ export class Documents {
   async #placePhoto({ blob, name, width, height }: Photo): Promise<boolean> {
     const { editor } = this;
     if (editor.welcome.value) await this.begin(blankText(width, height, null), withoutExtension(name));
-    const outcome = addReference(editor.drawing, await dataUri(blob), width, height);
+    const outcome = addReference(editor.drawing, await dataUri(blob), width, height, PLACED);
     const isPlaced = editor.run(words.placePhoto, outcome);
     if (isPlaced) editor.showReference.value = true;
     return isPlaced;
@@ -288,7 +347,7 @@ export class Documents {
     return this.editor.file.value.kept === "browser" ? `${reason} ${words.keptHere}` : reason;
   }
 
-  // What the browser keeps.
+  // Drawings stored in the browser.
 
   #edited() {
     const { editor } = this;
@@ -302,7 +361,7 @@ export class Documents {
     editor.file.value = { ...editor.file.value, isWaiting: true };
     this.#autosave.edited(() => ({
       name: editor.file.value.name,
-      curves: [...editor.drawing.all()].filter(({ kind }) => kind === "curve" || kind === "stroke").length,
+      curves: curvesIn(editor.drawing),
       text: editor.drawing.text,
       undo: editor.log,
       place: this.#place,
@@ -315,12 +374,14 @@ export class Documents {
     this.#tellLost(lost);
   }
 
-  #keptIn(kept: "browser" | "nowhere", reason: string | null) {
+  #keptIn(where: KeptWhere) {
     const { file } = this.editor;
-    const isNews = kept === "nowhere" && file.value.kept !== "nowhere";
+    const isNews = file.value.kept !== "nowhere";
     const { isWaiting } = this.#autosave;
-    if (file.value.isChanged) file.value = { ...file.value, kept, isWaiting };
-    if (isNews && reason) this.editor.say(reason, { label: words.saveElsewhere, run: () => void this.saveAs() });
+    if (file.value.isChanged) file.value = { ...file.value, ...where, isWaiting };
+    if (where.kept === "nowhere" && isNews) {
+      this.editor.say(en.files.notKept[where.lost], { label: words.saveElsewhere, run: () => void this.saveAs() });
+    }
     void this.refreshKept();
   }
 

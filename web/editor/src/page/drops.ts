@@ -1,4 +1,4 @@
-// Files that are dropped anywhere on the page. What nobody takes, the browser would open instead of it.
+// Files dropped anywhere on the page. The browser would open a file that is not handled in place of the page.
 import { piecesOf, type Piece } from "../files/pieces.js";
 
 const hasFiles = (event: DragEvent) => event.dataTransfer?.types.includes("Files") ?? false;

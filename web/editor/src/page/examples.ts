@@ -10,7 +10,7 @@ const texts = import.meta.glob<string>("../../../../examples/{sunset,portrait,ap
 const pictures = import.meta.glob<string>("../../../../examples/*.png", { query: "?url", import: "default" });
 const thumbs = import.meta.glob<string>("../../thumbs/{sunset,portrait,apple,fish,flower,strokes,textures}.webp", { query: "?url", import: "default", eager: true });
 
-/** What stands in the gallery: the number of curves and strokes is that of the file (tests look). */
+/** The gallery; tests check the numbers of curves and strokes against the files. */
 const known = [
   { id: "sunset", name: "Sunset", curves: 15 },
   { id: "portrait", name: "Portrait", curves: 191 },

@@ -1,4 +1,4 @@
-// Hints: what each is about, and those that one click mends.
+// Hints: the item that each is about, and the hints that one click fixes.
 import type { DrawingEditor } from "../app/editor.js";
 import type { PictureCanvas } from "../canvas/renderer.js";
 import { itemAt } from "../canvas/stack-parts.js";

@@ -1,4 +1,4 @@
-// What becomes of what is pasted: files are opened, and so is a text on the first page; else it goes into the drawing.
+// Handles pasted data: opens files, and on the first page text too; otherwise text goes into the drawing.
 import { pasteText } from "../app/clipboard.js";
 import type { DrawingEditor } from "../app/editor.js";
 import { en } from "../strings/en.js";

@@ -1,7 +1,7 @@
-// What is pasted anywhere on the page, but into fields.
+// Data pasted anywhere on the page, except into fields.
 import { isForPage } from "../app/keys.js";
 
-/** The browser lets nobody read it after the event. */
+/** The browser makes it unreadable after the event. */
 export interface Pasted {
   readonly files: readonly File[];
   readonly text: string;

@@ -19,7 +19,7 @@ import { hasPhoto, laidPhoto, type LaidPhoto } from "./laid-photo.js";
 const words = en.photo;
 const host = { module: getModule, worker: createWorker };
 
-/** Pixels of the longer side: the library looks at no more, and edges are found well in these. */
+/** Pixels of the longer side: the library uses no more, and edges are found well at this size. */
 const MOST_FITTED = 1024;
 const MOST_SNAPPED = 1600;
 /** How far curves go to an edge, CSS pixels at the present zoom; and at least, and at most, photo pixels. */
@@ -36,7 +36,7 @@ function curvesToFit(editor: DrawingEditor): CurveItem[] {
   return free(chosen as readonly CurveItem[]).filter(({ kind }) => kind === "curve");
 }
 
-/** What somebody who edits meanwhile is told. */
+/** The error for a user who edits meanwhile. */
 class Changed extends Error {
   constructor() {
     super(words.changed);

@@ -5,14 +5,17 @@ import { photoInSight, photoOf } from "../canvas/photo.js";
 import { photoColor } from "../canvas/sampled.js";
 import type { Rgb } from "../geometry/color.js";
 
-/** Of the photo over a point of the artboard, else of the picture. */
+/** Returns the colour of the photo over a point of the artboard, else of the picture. */
 async function colorAt(editor: DrawingEditor, point: Point): Promise<Rgb | null> {
   const reference = photoInSight(editor, point);
   const photo = reference && (await photoOf(reference));
   return (photo && photoColor(photo, point)) ?? pictureColor(editor, point);
 }
 
-/** What the command draws in the pixel of the screen about a point of the artboard; null: it cannot be drawn. */
+/**
+ * Returns the colour that the command draws in the screen pixel at a point of the artboard; null: it cannot
+ * be drawn.
+ */
 async function pictureColor(editor: DrawingEditor, [x, y]: Point): Promise<Rgb | null> {
   const half = 0.5 / editor.view.value.zoom;
   const viewport = [x - half, y - half, x + half, y + half] as const;

@@ -1,12 +1,12 @@
 // Pixels of the pictures that drawings name: decoded once, and handed to the engine before it reads.
-import type { GivenImage } from "../engine/session.js";
+import type { GivenImage } from "../engine/types.js";
 import { decodeImage, hrefsOf, imagesOf, nothingBeside, type Beside, type DrawingImage } from "../files/images.js";
 
 export interface PictureTaker {
   addImages(images: readonly GivenImage[]): void;
 }
 
-/** What a drawing names and the engine does not get. */
+/** Pictures that a drawing names and the engine does not get. */
 export interface Lost {
   /** Names of files that are not there. */
   readonly missing: readonly string[];
@@ -18,15 +18,15 @@ const nothingLost: Lost = { missing: [], broken: 0 };
 const isWithin = (href: string) => /^data:/i.test(href);
 
 export class Pictures {
-  /** What the engine has, or cannot get as things are. */
+  /** Names of pictures that the engine has, or cannot get as things are. */
   #known = new Set<string>();
   #beside: Beside = nothingBeside;
 
   constructor(private readonly engine: PictureTaker) {}
 
   /**
-   * Other files lie beside the drawing: names mean others than before.
-   * @returns those that did
+   * Replaces the source of the files beside the drawing: names refer to other files now.
+   * @returns the source before
    */
   begin(beside: Beside): Beside {
     const before = this.#beside;
@@ -40,7 +40,7 @@ export class Pictures {
     return text.includes("<image") && hrefsOf(text).some((href) => !this.#known.has(href));
   }
 
-  /** Hands in what a text names; what is lost is told once. */
+  /** Passes the pictures that a text names to the engine. Reports each lost one once. */
   async take(text: string): Promise<Lost> {
     if (!this.hasNew(text)) return nothingLost;
     const beside = this.#beside;

@@ -1,4 +1,4 @@
-// What the panels get beside the editor's state.
+// The services that panels get besides the editor's state.
 import type { DrawingEditor } from "../app/editor.js";
 import type { PictureCanvas } from "../canvas/renderer.js";
 import type { Thumbs } from "../canvas/thumbs.js";
@@ -21,7 +21,7 @@ function sourceOf(editor: DrawingEditor) {
 
 async function exportTo(editor: DrawingEditor, wish: ExportWish, watch: ExportWatch): Promise<void> {
   const blob = exportDrawing(wish, sourceOf(editor), watch);
-  // A dialog that is left must not leave a failure that nobody hears of.
+  // A closed dialog must not leave a failure without a report.
   blob.catch(() => {});
   const isSaved = await saveExport(blob, editor.file.value.name, exportTypes[wish.format], wish.format);
   if (!isSaved) throw new DOMException("left", "AbortError");
@@ -44,6 +44,7 @@ export function servicesOf(editor: DrawingEditor, documents: Documents, picture:
       return editor.engine.version;
     },
     problem: documents.problem,
+    foreign: documents.foreign,
     exportTo: (wish, watch) => exportTo(editor, wish, watch),
     copyPicture: (wish, watch) => copyPng(wish, sourceOf(editor), watch),
     estimate: (wish) => estimateSize(wish, sourceOf(editor)),

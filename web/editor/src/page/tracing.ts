@@ -1,4 +1,4 @@
-// What the dialog that traces photos does: files and workers on one side, the drawing on the other.
+// The work of the dialog that traces photos: files and workers on one side, the drawing on the other.
 import type { DrawingEditor } from "../app/editor.js";
 import type { TracedPhoto } from "../app/types.js";
 import { referenceAt } from "../canvas/photo.js";

@@ -30,7 +30,7 @@ function Announcer() {
   );
 }
 
-/** What comes after the first page: the workplace, what floats over it, and what they live on. */
+/** The parts that follow the first page: the workplace, everything that floats over it, and their services. */
 export interface Later {
   readonly services: Services;
   readonly Workplace: ComponentType;

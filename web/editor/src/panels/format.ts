@@ -1,6 +1,6 @@
 // Numbers as people read them here.
 
-/** At most `digits` decimals, without those that say nothing. */
+/** Returns at most `digits` decimals, without trailing zeros. */
 export function decimal(value: number, digits: number): string {
   const text = value.toFixed(digits);
   const short = text.includes(".") ? text.replace(/\.?0+$/, "") : text;

@@ -6,7 +6,7 @@ import type { CurveItem } from "../model/types.js";
 
 export interface SelectedNodes {
   readonly item: CurveItem;
-  /** Of all subpaths. */
+  /** The nodes of all subpaths. */
   readonly nodes: ReadonlyMap<number, readonly number[]>;
   /** The one that was chosen last. */
   readonly path: number;
@@ -14,7 +14,7 @@ export interface SelectedNodes {
   readonly count: number;
 }
 
-/** The nodes of the primary curve, or null where none is selected. */
+/** Returns the nodes of the primary curve, or null where none is selected. */
 export function selectedNodes(editor: Editor): SelectedNodes | null {
   const selection = editor.selection.value;
   const primary = [...selection].reverse().find(({ part }) => part.kind === "node");

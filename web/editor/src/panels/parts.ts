@@ -1,4 +1,4 @@
-// What of the page the first picture does not wait for: one file of its own (shell/part.tsx).
+// The parts of the page that the first picture does not wait for: a file of its own (shell/part.tsx).
 export { Dialogs } from "./dialogs/dialogs.js";
 export { HintList, HintRing, HintsDock } from "./hints/hints.js";
 export { Inspector } from "./inspector/inspector.js";

@@ -1,4 +1,4 @@
-// What the page gives to the panels beside the editor's state: files, keys, pictures.
+// The page's services for the panels besides the editor's state: files, keys, pictures.
 import { createContext } from "preact";
 import { useContext } from "preact/hooks";
 import type { ReadonlySignal } from "@preact/signals";
@@ -44,9 +44,20 @@ export interface Problem {
   readonly column: number;
   /** The line itself, if there is a text. */
   readonly source: string | null;
+  /** Advice to the user. */
+  readonly help?: string;
 }
 
-/** What the first page offers. */
+/** A file of another program, which holds no diffusion curves. */
+export interface Foreign {
+  readonly name: string;
+  /** Opens a drawing of its shapes, and says what was left out. @throws Error, in words */
+  convert(): Promise<void>;
+  /** Opens it as it is. */
+  open(): Promise<void>;
+}
+
+/** The choices of the first page. */
 export interface Beginnings {
   readonly examples: readonly Example[];
   /** Empty until they are known. */
@@ -64,7 +75,7 @@ export interface Traced {
   readonly keepsPhoto: boolean;
 }
 
-/** What traces photos, and draws what it has reached. */
+/** Traces photos, and draws the result so far. */
 export interface Tracing {
   /** Asks for a photo; null: the person left it. @throws Error, in words */
   choose(): Promise<TracedPhoto | null>;
@@ -82,18 +93,20 @@ export interface Tracing {
   openAsNew(traced: Traced): Promise<void>;
   /** As a layer of the drawing, in one step of undo. */
   insert(traced: Traced): Promise<void>;
-  /** What it holds is given back. */
+  /** Frees its resources. */
   end(): void;
 }
 
 export interface Services {
   readonly version: string;
   readonly problem: ReadonlySignal<Problem | null>;
+  /** The file that the dialog "foreign" asks about. */
+  readonly foreign: ReadonlySignal<Foreign | null>;
   /** @throws Error, in words; AbortError: the person left it */
   exportTo(wish: ExportWish, watch: ExportWatch): Promise<void>;
   /** The picture to the clipboard. @throws Error, in words; AbortError: the person left it */
   copyPicture(wish: ExportWish, watch: ExportWatch): Promise<void>;
-  /** Bytes, roughly; null: cannot be told. */
+  /** Approximate bytes; null: unknown. */
   estimate(wish: ExportWish): Promise<number | null>;
   /**
    * Address of a picture of that part, at most 640 px wide; the caller revokes it. null: none can
@@ -112,9 +125,9 @@ export interface Services {
    * A picture of a layer or group for its row, or null while there is none. Reading it subscribes.
    */
   thumb(handle: Handle): string | null;
-  /** The curve, or what else of the drawing a hint is about; null: it is not there, or no one thing. */
+  /** Returns the curve or other item that a hint is about; null: it does not exist, or there are several. */
   itemOf(hint: Hint): Item | null;
-  /** Mends what a hint says, in one step of undo; null: this kind cannot be mended by itself. */
+  /** Returns the fix of a hint, one step of undo; null: this kind has no automatic fix. */
   mend(hint: Hint): { readonly label: string; readonly run: () => void } | null;
   /** Asks for a picture file to use as a texture; null: the person left it. */
   chooseTexture(): Promise<{

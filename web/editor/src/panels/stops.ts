@@ -35,7 +35,7 @@ export function fractionOf(item: CurveItem, space: StopSpace, offset: number): n
   return fractionAtParameter(path, placeOfOffset(path, space, offset));
 }
 
-/** A share of the length to the thousandth: finer than a hand or an eye. */
+/** Rounds a share of the length to the thousandth: finer than a pointer or an eye. */
 export const rounded = (fraction: number) =>
   Math.round(Math.min(Math.max(fraction, 0), 1) * 1000) / 1000;
 
@@ -106,13 +106,13 @@ export const constant = <Value>(value: Value): Stops<Value> => ({
   stops: [{ offset: 0, value }],
 });
 
-/** The curve of a handle as a drawing has it. */
+/** Returns the curve of a handle in a drawing. */
 export function curveOf(drawing: Drawing, handle: number): CurveItem | null {
   const item = drawing.item(handle);
   return item?.kind === "curve" || item?.kind === "stroke" ? item : null;
 }
 
-/** What writes a side's stops. */
+/** Writes a side's stops. */
 export type Put<Value> = (before: Drawing, side: Side, value: SideValue<Value>) => Outcome | null;
 
 export const putColor =

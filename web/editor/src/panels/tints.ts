@@ -1,4 +1,4 @@
-// The colour stops of a side: its own, or those of the gradient that it shows.
+// The colour stops of a side: its own, or the stops of the gradient that it shows.
 import { setGradientStops } from "../model/commands/index.js";
 import { gradientOf, type Gradient, type Tint } from "../model/gradients.js";
 import type { CurveItem, Drawing, PaintAttribute, Side } from "../model/types.js";
@@ -13,7 +13,7 @@ export interface Tints {
   readonly gradient: Gradient | null;
 }
 
-/** As gradients are drawn: in code values, alpha by itself. */
+/** Mixes tints as gradients are drawn: in code values, alpha separately. */
 const mixTints: Mix<Tint> = (a, b, t) => ({
   r: mixNumbers(a.r, b.r, t),
   g: mixNumbers(a.g, b.g, t),

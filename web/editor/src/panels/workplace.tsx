@@ -15,7 +15,7 @@ import { TopBar } from "./shell/topbar.js";
 /** The width that was not chosen is left to the style sheet. */
 const CHOSEN_BY_NOBODY = 288;
 
-/** `children`: what fills the middle; it finds its size by itself. */
+/** `children`: the content of the middle; it determines its own size. */
 export function Workplace({ children }: { readonly children: ComponentChildren }) {
   const { editor } = useShell();
   const width = editor.settings.panelWidth.value;

@@ -41,13 +41,19 @@ export function hrefOf(element: ElementNode): AttributeNode | undefined {
   return attributeOf(element, "href") ?? attributeOf(element, { namespace: XLINK, local: "href" });
 }
 
+/** Whether an element is SVG's; Illustrator writes an entity for the namespace, others none. */
+export function isSvg({ name, local, namespace }: ElementNode): boolean {
+  if (namespace === SVG) return true;
+  return name === local && (namespace === "" || namespace.startsWith("&"));
+}
+
 export function rootOf(element: ElementNode): ElementNode {
   let root = element;
   while (root.parent) root = root.parent;
   return root;
 }
 
-/** What the prefixes mean at an element, the nearest declaration of each. */
+/** Returns the meaning of each prefix at an element: the nearest declaration. */
 function meanings(element: ElementNode): Map<string, string> {
   const found = new Map<string, string>();
   for (let outer: ElementNode | null = element; outer; outer = outer.parent) {
@@ -59,7 +65,7 @@ function meanings(element: ElementNode): Map<string, string> {
   return found;
 }
 
-/** The prefix of a namespace at an element, or null where none is declared. */
+/** Returns the prefix of a namespace at an element, or null where none is declared. */
 export function prefixOf(element: ElementNode, namespace: string): string | null {
   for (const [prefix, meaning] of meanings(element)) {
     if (prefix !== "" && meaning === namespace) return prefix;
@@ -77,10 +83,14 @@ function freePrefix(element: ElementNode, namespace: string): string {
   }
 }
 
-/** How an attribute of Sfumato's is to be written in new elements within `parent`. */
+/** How an attribute of a namespace is to be written in new elements within `parent`. */
+export function nameWithin(parent: ElementNode, namespace: string, local: string): string {
+  return `${prefixOf(parent, namespace) ?? freePrefix(parent, namespace)}:${local}`;
+}
+
+/** The same of Sfumato's. */
 export function sfName(parent: ElementNode, local: string): string {
-  const prefix = prefixOf(parent, SFUMATO) ?? freePrefix(parent, SFUMATO);
-  return `${prefix}:${local}`;
+  return nameWithin(parent, SFUMATO, local);
 }
 
 /**

@@ -1,9 +1,15 @@
-// Colours as CSS Color 4 writes them.
-import type { Rgb } from "../geometry/color.js";
-import { rgbFromHsl, rgbFromHwb } from "../geometry/color.js";
+// Colours as CSS Color 4 writes them; tests/color/colors.txt has what is read and what is not.
+import { rgbFromHsl, rgbFromHwb, type Rgb } from "../geometry/color.js";
 import { COLOR_NAMES } from "../geometry/colornames.js";
-import { solid, tokensOf } from "./css.js";
-import type { Token } from "./css.js";
+import {
+  labFromLch,
+  rgbFromXyz,
+  XYZ_FROM,
+  xyzFromLab,
+  xyzFromOklab,
+  type Triple,
+} from "../geometry/colorspaces.js";
+import { solid, tokensOf, type Token } from "./css.js";
 
 export interface Color {
   readonly rgb: Rgb;
@@ -17,9 +23,12 @@ const UNITS_OF_A_TURN: Readonly<Record<string, number>> = {
   turn: 1,
 };
 
-function clamped(value: number): number {
-  return Math.min(Math.max(value, 0), 1);
-}
+/** Components beyond this are clamped, as the engine does. */
+const LARGEST = 1000;
+
+const between = (value: number, least: number, most: number) =>
+  Math.min(Math.max(value, least), most);
+const clamped = (value: number) => between(value, 0, 1);
 
 function fromBytes(rgb: number): Rgb {
   return { r: (rgb >> 16) / 255, g: ((rgb >> 8) & 255) / 255, b: (rgb & 255) / 255 };
@@ -41,12 +50,22 @@ function fromName(name: string): Color | null {
   return bytes === undefined ? null : { rgb: fromBytes(bytes), alpha: 1 };
 }
 
-/** A number, `whole` of which is 1, a percentage, or none. */
-function share({ kind, value }: Token, whole: number): number {
+/** A number or that of a percentage; `none` is 0. NaN: neither, or too large. */
+function amount({ kind, value }: Token): number {
   if (kind === "ident") return 0;
-  if (kind === "number") return clamped(Number(value) / whole);
-  return kind === "percentage" ? clamped(Number(value) / 100) : NaN;
+  const number = kind === "number" || kind === "percentage" ? Number(value) : NaN;
+  return Number.isFinite(number) ? number : NaN;
 }
+
+/** Returns a number divided by `whole`, or a percentage, from 0 to 1. */
+const share = (token: Token, whole: number) =>
+  clamped(amount(token) / (token.kind === "percentage" ? 100 : whole));
+
+/** A number or a percentage of `whole`, which may lie outside its range. */
+const component = (token: Token, whole: number) =>
+  between((token.kind === "percentage" ? whole / 100 : 1) * amount(token), -LARGEST, LARGEST);
+
+const chroma = (token: Token, whole: number) => Math.max(component(token, whole), 0);
 
 /** In degrees, 0 up to 360. */
 function hue({ kind, value, unit }: Token): number {
@@ -56,10 +75,12 @@ function hue({ kind, value, unit }: Token): number {
   return 360 * (fraction < 0 ? fraction + 1 : fraction);
 }
 
+type Values = readonly [Token, Token, Token];
+
 interface Arguments {
-  readonly values: readonly Token[];
+  readonly values: Values;
   readonly alpha: Token | null;
-  /** As CSS had it first: no `none`, and one kind of numbers. */
+  /** The legacy syntax: no `none`, and one kind of numbers. */
   readonly hasCommas: boolean;
 }
 
@@ -68,7 +89,7 @@ function argumentsOf(tokens: readonly Token[]): Arguments | null {
   const step = hasCommas ? 2 : 1;
   const plain = 2 * step + 1;
   if (tokens.length !== plain && tokens.length !== plain + 2) return null;
-  const values = [0, 1, 2].map((i) => tokens[i * step]);
+  const values: Values = [tokens[0], tokens[step], tokens[2 * step]];
   const alpha = tokens[plain + 1] ?? null;
   const mark = tokens[plain]?.value ?? "";
   if (hasCommas && tokens[3].kind !== ",") return null;
@@ -79,26 +100,69 @@ function argumentsOf(tokens: readonly Token[]): Arguments | null {
   return { values, alpha, hasCommas };
 }
 
-function components(name: string, { values, hasCommas }: Arguments): Rgb | null {
-  const [first, second, third] = values;
-  if (name === "rgb" || name === "rgba") {
-    if (hasCommas && values.some(({ kind }) => kind !== first.kind)) return null;
-    return { r: share(first, 255), g: share(second, 255), b: share(third, 255) };
-  }
-  const arePercentages = second.kind === "percentage" && third.kind === "percentage";
-  if (hasCommas && !arePercentages) return null;
-  const numbers = [hue(first), share(second, 100), share(third, 100)] as const;
-  if (name === "hsl" || name === "hsla") return rgbFromHsl(...numbers);
-  return name === "hwb" && !hasCommas ? rgbFromHwb(...numbers) : null;
+const fromRgb = ([r, g, b]: Values): Rgb => ({
+  r: share(r, 255),
+  g: share(g, 255),
+  b: share(b, 255),
+});
+const fromHsl = ([h, s, l]: Values) => rgbFromHsl(hue(h), share(s, 100), share(l, 100));
+const fromHwb = ([h, w, b]: Values) => rgbFromHwb(hue(h), share(w, 100), share(b, 100));
+const fromLab = ([l, a, b]: Values) =>
+  rgbFromXyz(xyzFromLab([100 * share(l, 100), component(a, 125), component(b, 125)]));
+const fromLch = ([l, c, h]: Values) =>
+  rgbFromXyz(xyzFromLab(labFromLch(100 * share(l, 100), chroma(c, 150), hue(h))));
+const fromOklab = ([l, a, b]: Values) =>
+  rgbFromXyz(xyzFromOklab([share(l, 1), component(a, 0.4), component(b, 0.4)]));
+const fromOklch = ([l, c, h]: Values) =>
+  rgbFromXyz(xyzFromOklab(labFromLch(share(l, 1), chroma(c, 0.4), hue(h))));
+
+interface ColorFunction {
+  readonly read: (values: Values) => Rgb;
+  /** The kinds of values that it takes with commas. */
+  readonly legacy?: (kinds: readonly string[]) => boolean;
+}
+
+const RGB: ColorFunction = { read: fromRgb, legacy: ([r, g, b]) => r === g && r === b };
+const HSL: ColorFunction = {
+  read: fromHsl,
+  legacy: ([, s, l]) => s === "percentage" && l === "percentage",
+};
+const FUNCTIONS: ReadonlyMap<string, ColorFunction> = new Map([
+  ["rgb", RGB],
+  ["rgba", RGB],
+  ["hsl", HSL],
+  ["hsla", HSL],
+  ["hwb", { read: fromHwb }],
+  ["lab", { read: fromLab }],
+  ["lch", { read: fromLch }],
+  ["oklab", { read: fromOklab }],
+  ["oklch", { read: fromOklch }],
+]);
+
+/** color(), whose components follow the name of a space. */
+function inSpace(name: string): ColorFunction | undefined {
+  const xyzFrom = XYZ_FROM.get(name);
+  if (!xyzFrom) return undefined;
+  const read = (values: Values) => {
+    const [r, g, b] = values.map((value) => component(value, 1));
+    if (name === "srgb" && [r, g, b].every((x) => x >= 0 && x <= 1)) return { r, g, b };
+    const components: Triple = [r, g, b];
+    return rgbFromXyz(xyzFrom(components));
+  };
+  return { read };
 }
 
 function fromFunction(name: string, tokens: readonly Token[]): Color | null {
   const closed = tokens.at(-1)?.kind === ")" ? tokens.slice(0, -1) : tokens;
-  const found = argumentsOf(closed);
-  const rgb = found && components(name, found);
-  if (!rgb || Number.isNaN(rgb.r + rgb.g + rgb.b)) return null;
-  const alpha = found.alpha ? share(found.alpha, 1) : 1;
-  return Number.isNaN(alpha) ? null : { rgb, alpha };
+  const isNamed = name === "color" && closed[0]?.kind === "ident";
+  const color = isNamed ? inSpace(closed[0].value.toLowerCase()) : FUNCTIONS.get(name);
+  const found = color && argumentsOf(isNamed ? closed.slice(1) : closed);
+  if (!found) return null;
+  const { values, alpha, hasCommas } = found;
+  if (hasCommas && !color.legacy?.(values.map(({ kind }) => kind))) return null;
+  const rgb = color.read(values);
+  const opacity = alpha ? share(alpha, 1) : 1;
+  return Number.isNaN(rgb.r + rgb.g + rgb.b + opacity) ? null : { rgb, alpha: opacity };
 }
 
 /** null where the text is no colour; currentColor is none. */
@@ -112,6 +176,12 @@ export function parseColor(text: string): Color | null {
   if (!first || rest.length > 0) return null;
   if (first.kind === "hash") return fromHex(first.value);
   return first.kind === "ident" ? fromName(first.value.toLowerCase()) : null;
+}
+
+/** An opaque colour as someone types it into a field: hexadecimal digits also without their #. */
+export function parseTyped(text: string): Rgb | null {
+  const trimmed = text.trim();
+  return parseOpaque(trimmed) ?? parseOpaque(`#${trimmed}`);
 }
 
 /** An opaque colour, or null. */

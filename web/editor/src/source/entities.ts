@@ -1,4 +1,4 @@
-// What stands between quotes, and what it means.
+// Text between quotes, and its meaning.
 
 const NAMED: Readonly<Record<string, string>> = {
   lt: "<",
@@ -22,7 +22,7 @@ export function decodeText(raw: string): string {
   return lines.replace(/&(#x[0-9a-fA-F]{1,8}|#[0-9]{1,8}|[A-Za-z]+);/g, referred);
 }
 
-/** The value of an attribute, in which line ends and tabs are blanks as XML has it. */
+/** Returns the value of an attribute; line ends and tabs become blanks, as XML requires. */
 export function decodeValue(raw: string): string {
   return decodeText(/[\t\r\n]/.test(raw) ? raw.replace(/\r\n|[\t\r\n]/g, " ") : raw);
 }

@@ -87,7 +87,7 @@ const FUNCTIONS: Readonly<Record<string, readonly [readonly number[], (v: number
 
 const FUNCTION = /[\s,]*([a-zA-Z]+)\s*\(([^()]*)\)/y;
 
-/** Of the attribute `transform`; all of SVG 1.1. */
+/** Returns the map of the attribute `transform`; all of SVG 1.1. */
 export function parseTransform(text: string): Affine | null {
   let product: Affine = IDENTITY;
   let at = 0;

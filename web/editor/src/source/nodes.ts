@@ -9,7 +9,7 @@ export class Attribute implements AttributeNode {
     readonly local: string,
     readonly namespace: string,
     readonly value: string,
-    /** Of the name, the value and the closing quote, from the element's `<`. */
+    /** Places of the name, the value and the closing quote, from the element's `<`. */
     readonly nameAt: number,
     readonly valueAt: number,
     readonly valueEnd: number,

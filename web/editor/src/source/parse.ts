@@ -21,7 +21,7 @@ const FIXED: Readonly<Record<string, string>> = {
   xlink: "http://www.w3.org/1999/xlink",
 };
 
-/** What a prefix means that nothing declares: no namespace of anybody's. */
+/** Returns the meaning of an undeclared prefix: a namespace that no element has. */
 function undeclared(prefix: string): string {
   return Object.hasOwn(FIXED, prefix) ? FIXED[prefix] : `urn:undeclared:${prefix}`;
 }
@@ -72,9 +72,9 @@ export interface Parsed {
 class Parser {
   readonly #text: string;
   readonly #newHandle: () => number;
-  /** What each prefix means here. */
+  /** The meaning of each prefix here. */
   readonly #meanings = new Map<string, string>();
-  /** What the declarations of each open element hid. */
+  /** The meanings that the declarations of each open element hid. */
   readonly #hidden: (readonly [string, string | undefined][])[] = [];
   #root: Element | null = null;
   #open: Element | null = null;
@@ -234,9 +234,9 @@ export function meaningWithin(element: Element | null, prefix: string): string {
 }
 
 /**
- * Reads the attributes of an element anew, whose start tag is now `tag`. What stands behind keeps
- * its place: that is the caller's.
- * @throws SourceError where it is no start tag with this name and end; offsets count in the tag
+ * Reads again the attributes of an element, whose start tag is now `tag`. The caller moves the text behind
+ * it.
+ * @throws SourceError where it is not a start tag with this name and end; offsets count in the tag
  */
 export function rereadTag(element: Element, tag: string): void {
   const read = scanStartTag(tag, 0);

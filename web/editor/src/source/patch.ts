@@ -10,7 +10,7 @@ export interface Edit {
   readonly inserted: string;
 }
 
-/** Edits in ascending order that do not overlap; all offsets are those of the text before. */
+/** Edits in ascending order that do not overlap; all offsets refer to the text before. */
 export type Patch = readonly Edit[];
 
 /** @throws RangeError where the text is not the one that the patch was made for */

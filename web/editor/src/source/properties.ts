@@ -1,7 +1,9 @@
-// Properties of CSS that are asked for, and which values they have.
+// Properties of CSS that the editor reads, and the values that they have.
 import { parseColor } from "./colors.js";
-import { keywordOf, shareOf, solid, tokensOf } from "./css.js";
+import { keywordOf, shareOf, solid, tokensOf, urlAmong } from "./css.js";
 import type { Token } from "./css.js";
+import { variablesIn } from "./variables.js";
+import type { VariableName } from "./variables.js";
 
 export const BLEND_MODES = [
   "normal",
@@ -29,8 +31,16 @@ const isOneOf =
   (text: string) =>
     words.includes(keywordOf(text) ?? "");
 
+const PAINT_WORDS = ["none", "context-fill", "context-stroke"];
+
+/** A paint, perhaps behind url(…): what to paint where that leads nowhere. */
 function isPaint(text: string): boolean {
-  return isColor(text) || keywordOf(text) === "none" || /^\s*url\(/i.test(text);
+  const tokens = solid(tokensOf(text));
+  let at = 0;
+  for (let url = urlAmong(tokens, at); url; url = urlAmong(tokens, at)) at = url.behind;
+  if (at > 0 && at === tokens.length) return true;
+  const rest = at === 0 ? text : text.slice(tokens[at].start);
+  return isColor(rest) || PAINT_WORDS.includes(keywordOf(rest) ?? "");
 }
 
 /** The words of `display`, up to three of them. */
@@ -71,8 +81,8 @@ function isDisplay(text: string): boolean {
   return words.length > 0 && words.length <= 3 && words.every(isKnown);
 }
 
-/** Whether CSS keeps a declaration of a property with this value. */
-export const IS_VALUE = {
+/** Whether a text without var() is a value of a property. */
+const IS_VALUE = {
   display: isDisplay,
   visibility: isOneOf("visible", "hidden", "collapse"),
   opacity: isShare,
@@ -87,6 +97,15 @@ export const IS_VALUE = {
 
 export type Property = keyof typeof IS_VALUE;
 
+/** With custom properties. */
+export type PropertyName = Property | VariableName;
+
+export const PROPERTIES = Object.keys(IS_VALUE) as Property[];
+
+export function isProperty(name: string): name is Property {
+  return Object.hasOwn(IS_VALUE, name);
+}
+
 export const INHERITED: ReadonlySet<Property> = new Set([
   "visibility",
   "fill",
@@ -95,4 +114,18 @@ export const INHERITED: ReadonlySet<Property> = new Set([
   "color",
 ]);
 /** Words that any property takes. */
-export const WIDE = ["inherit", "initial", "unset", "revert", "revert-layer"];
+const WIDE = ["inherit", "initial", "unset", "revert", "revert-layer"] as const;
+export type Wide = (typeof WIDE)[number];
+
+/** Returns the CSS-wide keyword that a value is, or null. */
+export function wideOf(text: string): Wide | null {
+  const word = keywordOf(text);
+  return WIDE.find((one) => one === word) ?? null;
+}
+
+/** Whether CSS keeps a declaration of a property with this value. */
+export function isValue(property: Property, text: string): boolean {
+  if (wideOf(text) !== null) return true;
+  const variables = variablesIn(text);
+  return variables === "none" ? IS_VALUE[property](text) : variables === "valid";
+}

@@ -36,7 +36,7 @@ const STYLE_ONLY: ReadonlySet<Property> = new Set(["mix-blend-mode"]);
 
 /**
  * The edits that give properties values; null takes away what the element itself says. A value goes
- * into style="" where that or a style sheet would win, else into an attribute.
+ * into style="" where that or a style sheet would win or might then, else into an attribute.
  */
 export function setStyles(
   text: string,
@@ -51,11 +51,13 @@ export function setStyles(
     const inStyle = styles.inStyle(element, property);
     const inSheets = styles.inSheets(element, property);
     const isDeclared = declarationsOf(style).some(({ name }) => name === property);
+    // A rule that tests the text written here may set the property once it stands here.
+    const mayMatch = styles.asksFor("style") || styles.asksFor(property);
     if (value === null) {
       style = withDeclaration(style, property, null);
       edits.push(...setAttribute(text, element, property, null));
-    } else if (inStyle || inSheets || isDeclared || STYLE_ONLY.has(property)) {
-      const isImportant = inStyle?.isImportant || inSheets?.isImportant;
+    } else if (inStyle || inSheets || isDeclared || mayMatch || STYLE_ONLY.has(property)) {
+      const isImportant = inStyle?.isImportant || inSheets?.isImportant || mayMatch;
       style = withDeclaration(style, property, isImportant ? `${value}!important` : value);
     } else {
       edits.push(...setAttribute(text, element, property, value));

@@ -13,7 +13,7 @@ export interface Stop<Value> {
   readonly value: Value;
 }
 
-/** What a side bears: nothing ("open"), "none" ("barrier"), a paint, or stops by their offsets. */
+/** The value of a side: nothing ("open"), "none" ("barrier"), a paint, or stops by their offsets. */
 export type SideValue<Value> =
   | { readonly kind: "open" }
   | { readonly kind: "barrier" }
@@ -75,7 +75,7 @@ export const RADII: Notation<number> = {
 interface Written<Value> {
   readonly value: Value;
   readonly valueText: string;
-  /** Of the unit: 1 is 100% or a segment. null: none is written. */
+  /** Place in its unit: 1 is 100% or a segment. null: not written. */
   readonly offset: number | null;
   readonly unit: "percent" | "segment" | null;
   readonly offsetText: string;
@@ -174,9 +174,9 @@ function placed<Value>(written: readonly Written<Value>[], segments: number): Si
 }
 
 /**
- * What an attribute of a side says. Nothing is open, and so is what cannot be read: the engine says
- * why.
- * @param segments of the subpath: where lists with "@" end
+ * Returns the value of a side's attribute. Absent means open, and so does an unreadable one: the engine
+ * reports the reason.
+ * @param segments of the subpath: lists with "@" end there
  */
 export function readSide<Value>(
   text: string | undefined,

@@ -1,29 +1,46 @@
-// Properties of elements by the cascade of CSS: style="", the sheets of <style>, attributes. What
-// the engine reads, and no more.
-import { attributeOf, SVG, valueOf } from "./attributes.js";
-import { keywordOf } from "./css.js";
+// Properties of elements by the cascade of CSS: style="", the sheets of <style>, attributes. Only the
+// properties that the engine reads.
+import { attributeOf, valueOf } from "./attributes.js";
+import { keywordOf, trimmed } from "./css.js";
 import { declarationsOf, settingsOf } from "./declarations.js";
 import type { Setting, Settings } from "./declarations.js";
 import { decodeText } from "./entities.js";
-import { elementsOf } from "./nodes.js";
-import { INHERITED, WIDE } from "./properties.js";
-import type { Property } from "./properties.js";
-import { isForScreen, Sheet } from "./sheet.js";
-import type { ElementNode } from "./tree.js";
+import { askedName, bearerOf, matchesOf, svgElementsOf } from "./matching.js";
+import type { Matches } from "./matching.js";
+import { isForScreen } from "./media.js";
+import { INHERITED, isValue, wideOf } from "./properties.js";
+import type { Property, PropertyName } from "./properties.js";
+import { outranks, Sheet } from "./sheet.js";
+import { substituted } from "./substitution.js";
+import type { Cascaded, Declared } from "./substitution.js";
+import type { AttributeNode, ElementNode } from "./tree.js";
+import { variablesIn } from "./variables.js";
 
+export { isSvg } from "./attributes.js";
 export { BLEND_MODES } from "./properties.js";
 export type { Property } from "./properties.js";
 
+const NOTHING: Cascaded = { wide: null, value: null, isOwn: true };
+/** The value of a var() without a result. */
+const UNSET: Cascaded = { wide: "unset", value: null, isOwn: false };
+
 export class Styles {
+  readonly #root: ElementNode;
   readonly #sheet = new Sheet();
   readonly #own = new WeakMap<object, Settings>();
+  /** The settings of rules with selectors of several parts; null: not known. */
+  #matches: Matches | null = null;
+  /** Values after var() was replaced, and the bytes that this took. */
+  #substituted = new Map<ElementNode, Map<string, Cascaded>>();
+  #spent = { bytes: 0 };
 
   /** The sheets of the document that `text` is. */
   constructor(text: string, root: ElementNode) {
-    for (const element of elementsOf(root)) {
-      if (element.local !== "style" || !isSvg(element)) continue;
-      const type = (valueOf(element, "type") ?? "").trim().toLowerCase();
-      const isCss = type === "" || type === "text/css";
+    this.#root = root;
+    for (const element of svgElementsOf(root)) {
+      if (element.local !== "style") continue;
+      const type = valueOf(element, "type") ?? "";
+      const isCss = type === "" || type.toLowerCase() === "text/css";
       if (isCss && isForScreen(valueOf(element, "media") ?? "")) {
         this.#sheet.add(sheetText(text.slice(element.content.start, element.content.end)));
       }
@@ -34,16 +51,36 @@ export class Styles {
     return this.#sheet.isEmpty;
   }
 
-  /** What the sheets say of a property of an element. */
-  inSheets(element: ElementNode, property: Property): Setting | null {
-    if (this.isEmpty) return null;
-    const classes = (valueOf(element, "class") ?? "").split(/\s+/).filter((name) => name !== "");
-    const bearer = { id: valueOf(element, "id") ?? "", classes, name: element.local };
-    return this.#sheet.find(bearer, property);
+  /**
+   * Takes note that these attributes of an element changed, before or now. Whether rules may match
+   * other elements now.
+   */
+  attributesChanged(changed: readonly AttributeNode[]): boolean {
+    this.#substituted.clear();
+    this.#spent = { bytes: 0 };
+    const isAsked = changed.some((one) =>
+      [one.name, askedName(one, false)].some((name) => this.#sheet.asksFor(name)),
+    );
+    if (isAsked) this.#matches = null;
+    return isAsked;
   }
 
-  /** What style="" says. */
-  inStyle(element: ElementNode, property: Property): Setting | null {
+  /** Returns whether rules test an attribute, so that they may match or not once it is set. */
+  asksFor(attribute: string): boolean {
+    return this.#sheet.asksFor(attribute);
+  }
+
+  /** Returns the setting of an element's property in the sheets. */
+  inSheets(element: ElementNode, property: PropertyName): Setting | null {
+    if (this.isEmpty) return null;
+    this.#matches ??= matchesOf(this.#sheet, this.#root);
+    const simple = this.#sheet.find(bearerOf(element), property);
+    const complex = this.#matches.get(element)?.get(property) ?? null;
+    return simple && complex && outranks(simple, complex) ? simple : (complex ?? simple);
+  }
+
+  /** Returns the setting in style="". */
+  inStyle(element: ElementNode, property: PropertyName): Setting | null {
     const style = attributeOf(element, "style");
     if (!style) return null;
     let settings = this.#own.get(style);
@@ -57,27 +94,60 @@ export class Styles {
   /** The value of a property, or null where nothing or the initial value is set. */
   value(element: ElementNode, property: Property): string | null {
     for (let at: ElementNode | null = element; at; at = at.parent) {
-      const own = this.own(at, property);
-      const word = own === null ? null : keywordOf(own);
-      if (word === null || !WIDE.includes(word)) {
-        if (own !== null) return own;
-        if (!INHERITED.has(property)) return null;
-      } else if (word === "initial" || (word !== "inherit" && !INHERITED.has(property))) {
-        return null;
-      }
+      const { wide, value } = this.own(at, property);
+      if (value !== null) return value;
+      if (wide !== "inherit" && (wide === "initial" || !INHERITED.has(property))) return null;
     }
     return null;
   }
 
-  /** What an element itself has, by its style="", the sheets and its attribute; null: nothing. */
-  own(element: ElementNode, property: Property): string | null {
+  /**
+   * Returns an element's own value by its style="", the sheets and its attribute, with var() replaced. Where
+   * var() has no result, the property counts as unset.
+   */
+  own(element: ElementNode, property: Property): Cascaded {
+    const own = this.#withVariables(element, property);
+    const isCurrent = property === "color" && keywordOf(own.value ?? "") === "currentcolor";
+    // As a value of `color` itself it is the colour around the element.
+    return isCurrent ? { ...own, wide: "inherit", value: null } : own;
+  }
+
+  #withVariables(element: ElementNode, property: Property): Cascaded {
+    const attribute = valueOf(element, property);
+    const declared = this.#declared(element, property, attribute ?? null);
+    if (declared.value === null || variablesIn(declared.value) === "none") return declared;
+    const known = this.#substituted.get(element) ?? new Map<string, Cascaded>();
+    this.#substituted.set(element, known);
+    const found = known.get(property) ?? this.#replaced(element, property, declared.value);
+    known.set(property, found);
+    return found;
+  }
+
+  #replaced(element: ElementNode, property: Property, written: string): Cascaded {
+    if (variablesIn(written) === "invalid") return UNSET;
+    const declared: Declared = (at, name) => this.#declared(at, name, null);
+    const value = substituted(declared, this.#spent, element, written);
+    if (value === null || !isValue(property, value)) return UNSET;
+    const wide = wideOf(value);
+    if (wide === null) return { wide, value, isOwn: false };
+    return wide === "revert-layer" ? UNSET : { wide, value: null, isOwn: false };
+  }
+
+  /** The winner among style="", the sheets and an attribute. */
+  #declared(element: ElementNode, property: PropertyName, attribute: string | null): Cascaded {
     const own = this.inStyle(element, property);
     const sheet = this.inSheets(element, property);
     const isSheetFirst = sheet?.isImportant && !own?.isImportant;
-    const [first, second] = isSheetFirst ? [sheet, own] : [own, sheet];
-    const attribute = valueOf(element, property)?.trim() ?? null;
-    const candidates = [first?.value ?? null, second?.value ?? null, attribute];
-    return candidates.find((v) => v !== null && keywordOf(v) !== "revert-layer") ?? null;
+    const settings = isSheetFirst ? [sheet, own] : [own, sheet];
+    const written = attribute === null ? null : { value: trimmed(attribute) };
+    for (const setting of [...settings, written]) {
+      if (!setting) continue;
+      const wide = wideOf(setting.value);
+      const isOwn = setting !== sheet;
+      if (wide === null) return { wide, value: setting.value, isOwn };
+      if (wide !== "revert-layer") return { wide, value: null, isOwn };
+    }
+    return NOTHING;
   }
 }
 
@@ -90,10 +160,4 @@ function sheetText(content: string): string {
       return piece.startsWith("<") ? "" : decodeText(piece);
     })
     .join("");
-}
-
-/** Whether an element is SVG's; Illustrator writes an entity for the namespace, others none. */
-export function isSvg({ name, local, namespace }: ElementNode): boolean {
-  if (namespace === SVG) return true;
-  return name === local && (namespace === "" || namespace.startsWith("&"));
 }

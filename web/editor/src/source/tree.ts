@@ -1,5 +1,5 @@
-// contract: a lossless tree over the text of an XML file. Elements and attributes have places;
-// everything else is text between them that nobody looks into.
+// contract: a lossless tree over the text of an XML file. Elements and attributes have places; everything
+// else is text between them that is never analysed.
 
 /** UTF-16 units of the text: from, and up to. */
 export interface Range {
@@ -36,7 +36,7 @@ export interface ElementNode {
   /** Between start and end tag; of an element that closes itself the place at its end. */
   readonly content: Range;
   readonly closesItself: boolean;
-  /** The same number for the same element as long as it lives, also after edits of the text. */
+  /** Returns the same number for the same element throughout its life, also after edits of the text. */
   readonly handle: number;
 }
 

@@ -1,7 +1,9 @@
-// What pencil and stroke have in common: the hand's way, and the curve that is fitted to it.
+// Shared by pencil and stroke: the path of the pointer, and the curve that is fitted to it.
 import type { Point } from "../../geometry/affine.js";
 import { lineBetween, type CubicPath } from "../../geometry/cubic.js";
-import { fitStroke, type Fit, type Sample } from "../../geometry/fit.js";
+import { fitStroke, type Fit } from "../../geometry/fit.js";
+import type { Sample } from "../../geometry/sample.js";
+import { withEnds } from "../../geometry/ends.js";
 import type { Canvas } from "../canvas.js";
 import type { CurveGrid } from "../hit.js";
 import type { Press } from "./tool.js";
@@ -10,12 +12,19 @@ import type { Press } from "./tool.js";
 const CLOSING = 8;
 const LEAST_LOOP = 40;
 
+/** From where an end snaps to, this much of the way bends towards it, CSS pixels. */
+const BEND = 20;
+
 /** Collects points of a pointer, in artboard units; the first and the last snap. */
 export class Way {
-  private readonly samples: Sample[] = [];
+  /** The points of the pointer's path. */
+  private readonly raw: Sample[] = [];
   private readonly grid: CurveGrid;
   private length = 0;
   private last: Point;
+  /** Where the ends snap to, artboard units; null: the end stays. */
+  private begin: Point | null;
+  private end: Point | null = null;
 
   constructor(
     private readonly canvas: Canvas,
@@ -23,11 +32,14 @@ export class Way {
   ) {
     this.grid = canvas.curves();
     this.last = start.at;
-    this.samples.push(this.sample(this.snapped(start), start.pressure));
+    this.raw.push(this.sample(start.at, start.pressure));
+    this.begin = this.snapped(start);
   }
 
-  private snapped(p: Press): Point {
-    return p.ctrl ? p.at : this.canvas.snap(p.at, this.grid, new Set()).at;
+  private snapped(p: Press): Point | null {
+    if (p.ctrl) return null;
+    const { at } = this.canvas.snap(p.at, this.grid, new Set());
+    return at === p.at ? null : this.canvas.toArtboard(at);
   }
 
   private sample(at: Point, pressure: number): Sample {
@@ -38,15 +50,13 @@ export class Way {
     for (const { at, pressure } of p.trail) {
       this.length += Math.hypot(at[0] - this.last[0], at[1] - this.last[1]);
       this.last = at;
-      this.samples.push(this.sample(at, pressure));
+      this.raw.push(this.sample(at, pressure));
     }
   }
 
   /** The end comes to where it snaps. */
   finish(p: Press): void {
-    const end = this.snapped(p);
-    if (end !== p.at)
-      this.samples.push(this.sample(end, this.samples[this.samples.length - 1].pressure));
+    this.end = this.snapped(p);
   }
 
   /** Whether it is too short to be anything. */
@@ -55,27 +65,31 @@ export class Way {
   }
 
   private get isLoop(): boolean {
-    const [x, y] = this.canvas.toStage(this.samples[0].point);
+    const [x, y] = this.canvas.toStage(this.begin ?? this.raw[0].point);
     return this.length > LEAST_LOOP && Math.hypot(this.last[0] - x, this.last[1] - y) < CLOSING;
+  }
+
+  /** The samples with their ends where these snap to, of a loop at one place. */
+  private samples(isLoop: boolean): readonly Sample[] {
+    const begin = this.begin ?? this.raw[0].point;
+    const end = isLoop ? begin : this.end;
+    const points = this.raw.map(({ point }) => point);
+    const bent = withEnds(points, this.begin, end, BEND / this.canvas.editor.view.peek().zoom);
+    return this.raw.map((sample, k) => ({ ...sample, point: bent[k] }));
   }
 
   /** The curve through it, within the smoothing that is set; null: it is a point. */
   fit(mayClose: boolean): Fit | null {
     const { settings, view } = this.canvas.editor;
-    return fitStroke(
-      this.samples,
-      settings.smoothing.peek() / view.peek().zoom,
-      mayClose && this.isLoop,
-    );
+    const isLoop = mayClose && this.isLoop;
+    return fitStroke(this.samples(isLoop), settings.smoothing.peek() / view.peek().zoom, isLoop);
   }
 
-  /** The way itself: straight from point to point, as the hand went. */
-  get raw(): CubicPath {
-    const points: Point[] = [this.samples[0].point];
-    for (let k = 1; k < this.samples.length; k += 1) {
-      const [a, b] = [this.samples[k - 1].point, this.samples[k].point];
-      points.push(...lineBetween(a, b).slice(1));
-    }
+  /** Returns the pointer's path itself: straight from point to point. */
+  get path(): CubicPath {
+    const [first, ...rest] = this.samples(false).map(({ point }) => point);
+    const points: Point[] = [first];
+    for (const point of rest) points.push(...lineBetween(points[points.length - 1], point).slice(1));
     return { points, closed: false };
   }
 }

@@ -12,8 +12,8 @@ export class Lens {
   constructor(private readonly canvas: Canvas) {}
 
   /**
-   * @param hit whose sides are sampled. @param old what a stop had
-   * @param still the picture that is sampled; absent: as it was drawn last
+   * @param hit whose sides are sampled. @param old the stop's former colour
+   * @param still the picture that is sampled; absent: the last one drawn
    */
   look({ at, kind }: Press, hit: CurveHit | null, old: Rgb | null = null, still: OffscreenCanvas | null = null): void {
     this.latest += 1;

@@ -1,4 +1,4 @@
-// Nodes moved by the hand: they snap, and an end that comes to its curve's other end closes it.
+// Nodes moved by the pointer: they snap, and an end that reaches its curve's other end closes it.
 import { mapped, type Point } from "../../geometry/affine.js";
 import { nodePath } from "../../geometry/natural.js";
 import { closeByEnd } from "../../model/commands/index.js";

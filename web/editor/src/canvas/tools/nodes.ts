@@ -16,7 +16,7 @@ import type { CurveHit } from "../hit.js";
 import { selectedOf, stageFromItem, type Mark, type NodeMark } from "../marks.js";
 import { bent, pulledHandle, withHandle } from "../nodes.js";
 import { editedAt, isCurve, isLocked } from "../places.js";
-import { isSamePart } from "../sketch.js";
+import { isSamePart } from "../part.js";
 import { letGoOfParts } from "../walk.js";
 import { dragNodes } from "./node-drag.js";
 import { dragPaint } from "./paint-drag.js";
@@ -171,7 +171,7 @@ export class NodesTool implements Tool {
         ? toggled(editor.selection.peek(), one, (a, b) => a.handle === b.handle)
         : [one];
     }
-    // What a <use> shows is edited where it stands.
+    // A curve that a <use> shows is edited where it stands.
     if (owner !== item || p.shift) return null;
     if (p.clicks >= 2) {
       this.split(hit);

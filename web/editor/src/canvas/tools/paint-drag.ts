@@ -40,7 +40,7 @@ export function dragPaint(canvas: Canvas, mark: PaintMark, start: Press): Drag {
   });
 }
 
-/** What a grip turns about, on the stage; null: it moves all of it. */
+/** Returns the point about which a grip rotates, on the stage; null: the grip moves the whole paint. */
 function fixedPoint(canvas: Canvas, mark: PaintMark, grip: PaintGrip): Point | null {
   if (grip !== "start") return mark.foot;
   const isOther = ({ kind, part }: { kind: string; part: Selected["part"] }) =>

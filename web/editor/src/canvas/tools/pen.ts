@@ -9,11 +9,11 @@ import { en } from "../../strings/en.js";
 import { nearestAt } from "../along.js";
 import type { Canvas } from "../canvas.js";
 import type { CursorName } from "../cursors.js";
-import { addCurve } from "../drawn.js";
 import { REACH } from "../hit.js";
 import { stageFromItem } from "../marks.js";
 import { NO_SKETCH, type Guide } from "../sketch.js";
 import { Caret } from "./caret.js";
+import { Finished } from "./finished.js";
 import { isBeyond, type Drag, type KeyPress, type Press, type Tool } from "./tool.js";
 
 /** A node as it is set, artboard units; handles that lie on it are none. */
@@ -49,11 +49,55 @@ function third(from: Point, to: Point): Point {
 
 export class PenTool implements Tool {
   private nodes: readonly PenNode[] = [];
-  private queue: Promise<void> = Promise.resolve();
+  /** Nodes that were taken back, the next to come again last. */
+  private undone: readonly PenNode[] = [];
+  /** The drag of the node that is being set. */
+  private drag: PenDrag | null = null;
+  private readonly finished: Finished;
   private readonly caret: Caret;
 
   constructor(private readonly canvas: Canvas) {
     this.caret = new Caret(canvas);
+    this.finished = new Finished(canvas, en.tools.undo.pen);
+  }
+
+  /** Undo and redo go from node to node while there is any. */
+  private keep(nodes: readonly PenNode[], undone: readonly PenNode[], drag: PenDrag | null): void {
+    this.nodes = nodes;
+    this.undone = undone;
+    this.drag = drag;
+    const label = (isThere: boolean) => (isThere ? en.tools.undo.penNode : null);
+    const undoLabel = label(nodes.length > 0 || drag !== null);
+    const redoLabel = label(undone.length > 0);
+    this.canvas.editor.draft.value =
+      undoLabel === null && redoLabel === null
+        ? null
+        : {
+            undoLabel,
+            redoLabel,
+            undo: () => this.undo(),
+            redo: () => this.redo(),
+            drop: () => this.drop(),
+          };
+  }
+
+  private undo(): void {
+    const last = this.nodes[this.nodes.length - 1];
+    if (this.drag) return this.drag.cancel();
+    if (last) this.keep(this.nodes.slice(0, -1), [...this.undone, last], null);
+    this.show(null, false, []);
+  }
+
+  private redo(): void {
+    const next = this.undone[this.undone.length - 1];
+    if (next) this.keep([...this.nodes, next], this.undone.slice(0, -1), this.drag);
+    this.show(null, false, []);
+  }
+
+  private drop(): void {
+    this.drag?.cancel();
+    this.keep([], [], null);
+    this.canvas.sketch.value = NO_SKETCH;
   }
 
   hover(p: Press): CursorName {
@@ -83,14 +127,19 @@ export class PenTool implements Tool {
     }
     const closes = this.closes(p);
     const at = closes ? this.nodes[0].at : this.place(p).at;
-    return new PenDrag(this.canvas, p, at, {
+    const drag = new PenDrag(this.canvas, p, at, {
       show: (node) => this.showSet(node, closes),
       set: (node) => {
         if (closes) this.close(node);
-        else this.nodes = [...this.nodes, node];
+        else this.keep([...this.nodes, node], [], null);
       },
-      drop: () => this.show(null, false, []),
+      drop: () => {
+        this.keep(this.nodes, this.undone, null);
+        this.show(null, false, []);
+      },
     });
+    this.keep(this.nodes, this.undone, drag);
+    return drag;
   }
 
   /** Arrows move a point where nothing is selected, Enter sets a node there; on a node it ends. */
@@ -102,10 +151,8 @@ export class PenTool implements Tool {
     if (key === "Enter" && at && !(last && isSame(last.at, at))) return this.setAt(at);
     if (this.nodes.length === 0) return false;
     if (key === "Enter" || key === "Escape") this.finish(false);
-    else if (key === "Backspace" || key === "Delete") {
-      this.nodes = this.nodes.slice(0, -1);
-      this.show(null, false, []);
-    } else return false;
+    else if (key === "Backspace" || key === "Delete") this.undo();
+    else return false;
     return true;
   }
 
@@ -116,7 +163,7 @@ export class PenTool implements Tool {
   }
 
   private setAt(at: Point): true {
-    this.nodes = [...this.nodes, { at, into: at, out: at }];
+    this.keep([...this.nodes, { at, into: at, out: at }], [], null);
     this.show(null, false, []);
     return true;
   }
@@ -124,11 +171,12 @@ export class PenTool implements Tool {
   leave(): void {
     this.caret.hide();
     if (this.nodes.length > 0) this.finish(false);
+    else this.keep([], [], null);
   }
 
   /** Settles when what was drawn is in the document. */
   get isDone(): Promise<void> {
-    return this.queue;
+    return this.finished.isDone;
   }
 
   private closes(p: Press): boolean {
@@ -170,27 +218,15 @@ export class PenTool implements Tool {
   }
 
   private close(node: PenNode): void {
-    const first = { ...this.nodes[0], into: node.into };
-    this.nodes = [first, ...this.nodes.slice(1)];
-    this.finish(true);
+    this.finish(true, [{ ...this.nodes[0], into: node.into }, ...this.nodes.slice(1)]);
   }
 
-  /** What there is becomes a curve; a single node none. */
-  private finish(closed: boolean): void {
-    const { canvas, nodes } = this;
+  /** Turns the nodes into a curve; a single node makes none. */
+  private finish(closed: boolean, nodes = this.nodes): void {
     this.caret.hide();
-    this.nodes = [];
-    if (nodes.length < 2) {
-      canvas.sketch.value = NO_SKETCH;
-      return;
-    }
-    const path = pathOf(nodes, closed);
-    const draft = { path, rubber: null, closes: false, hasNodes: false };
-    canvas.sketch.value = { ...NO_SKETCH, draft };
-    this.queue = this.queue.then(async () => {
-      await addCurve(canvas.editor, path, en.tools.undo.pen);
-      if (canvas.sketch.peek().draft === draft) canvas.sketch.value = NO_SKETCH;
-    });
+    this.keep([], [], null);
+    if (nodes.length < 2) this.canvas.sketch.value = NO_SKETCH;
+    else this.finished.add(pathOf(nodes, closed));
   }
 
   /** With Alt: what a click does to the selected curve. */
@@ -238,6 +274,7 @@ class PenDrag implements Drag {
   private node: PenNode;
   private last: Press;
   private isSpace = false;
+  private isOver = false;
 
   constructor(
     private readonly canvas: Canvas,
@@ -256,6 +293,7 @@ class PenDrag implements Drag {
 
   move(p: Press): void {
     const { canvas } = this;
+    if (this.isOver) return;
     if (this.isSpace) {
       const { zoom } = canvas.editor.view.peek();
       const [dx, dy] = [(p.at[0] - this.last.at[0]) / zoom, (p.at[1] - this.last.at[1]) / zoom];
@@ -281,11 +319,16 @@ class PenDrag implements Drag {
   }
 
   end(): void {
+    if (this.isOver) return;
+    this.isOver = true;
     this.moves.set(this.node);
     this.canvas.draw({ guides: [] });
   }
 
+  /** Undoes the press; undo does so too while the button is still down. */
   cancel(): void {
+    if (this.isOver) return;
+    this.isOver = true;
     this.moves.drop();
   }
 }

@@ -1,16 +1,18 @@
-// Pencil: draws a diffusion curve freely; it is smoothed when the hand lets go.
+// Pencil: draws a diffusion curve freely; the curve is smoothed when the pointer is released.
 import { en } from "../../strings/en.js";
 import type { Canvas } from "../canvas.js";
 import type { CursorName } from "../cursors.js";
-import { addCurve } from "../drawn.js";
 import { NO_SKETCH } from "../sketch.js";
+import { Finished } from "./finished.js";
 import { Way } from "./freehand.js";
 import type { Drag, Press, Tool } from "./tool.js";
 
 export class PencilTool implements Tool {
-  private queue: Promise<void> = Promise.resolve();
+  private readonly finished: Finished;
 
-  constructor(private readonly canvas: Canvas) {}
+  constructor(private readonly canvas: Canvas) {
+    this.finished = new Finished(canvas, en.tools.undo.pencil);
+  }
 
   hover(p: Press): CursorName {
     const { canvas } = this;
@@ -20,45 +22,59 @@ export class PencilTool implements Tool {
   }
 
   press(p: Press): Drag {
-    const { canvas } = this;
-    const way = new Way(canvas, p);
-    const show = () => {
-      const draft = { path: way.raw, rubber: null, closes: false, hasNodes: false };
-      canvas.sketch.value = { ...NO_SKETCH, draft };
-    };
-    return {
-      cursor: "draw",
-      move: (now) => {
-        way.add(now);
-        show();
-      },
-      end: (now) => {
-        way.finish(now);
-        this.finish(way);
-      },
-      cancel: () => {
-        canvas.sketch.value = NO_SKETCH;
-      },
-    };
+    return new PencilDrag(this.canvas, this.finished, p);
   }
 
   /** Settles when what was drawn is in the document. */
   get isDone(): Promise<void> {
-    return this.queue;
+    return this.finished.isDone;
+  }
+}
+
+/** Undo takes the line back that is being drawn. */
+class PencilDrag implements Drag {
+  readonly cursor = "draw";
+  private readonly way: Way;
+  private isOver = false;
+
+  constructor(
+    private readonly canvas: Canvas,
+    private readonly finished: Finished,
+    start: Press,
+  ) {
+    this.way = new Way(canvas, start);
+    const drop = () => this.cancel();
+    canvas.editor.draft.value = {
+      undoLabel: en.tools.undo.pencil,
+      redoLabel: null,
+      undo: drop,
+      redo: () => undefined,
+      drop,
+    };
   }
 
-  private finish(way: Way): void {
-    const { canvas } = this;
-    const fit = way.isDot ? null : way.fit(true);
-    if (!fit) {
-      canvas.sketch.value = NO_SKETCH;
-      return;
-    }
-    const draft = { path: fit.path, rubber: null, closes: false, hasNodes: false };
-    canvas.sketch.value = { ...NO_SKETCH, draft };
-    this.queue = this.queue.then(async () => {
-      await addCurve(canvas.editor, fit.path, en.tools.undo.pencil);
-      if (canvas.sketch.peek().draft === draft) canvas.sketch.value = NO_SKETCH;
-    });
+  move(now: Press): void {
+    if (this.isOver) return;
+    this.way.add(now);
+    const draft = { path: this.way.path, rubber: null, closes: false, hasNodes: false };
+    this.canvas.sketch.value = { ...NO_SKETCH, draft };
+  }
+
+  end(now: Press): void {
+    if (this.isOver) return;
+    this.leave();
+    this.way.finish(now);
+    const fit = this.way.isDot ? null : this.way.fit(true);
+    if (fit) this.finished.add(fit.path);
+  }
+
+  cancel(): void {
+    if (!this.isOver) this.leave();
+  }
+
+  private leave(): void {
+    this.isOver = true;
+    this.canvas.editor.draft.value = null;
+    this.canvas.sketch.value = NO_SKETCH;
   }
 }

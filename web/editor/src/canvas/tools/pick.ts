@@ -1,7 +1,7 @@
 // From a stop to the colour it takes.
 import type { Gesture, ViewState } from "../../app/types.js";
 import type { Rgb } from "../../geometry/color.js";
-import { parseColor } from "../../geometry/colortext.js";
+import { rgbFromHex } from "../../geometry/colortext.js";
 import type { Drawing, Outcome } from "../../model/types.js";
 import { en } from "../../strings/en.js";
 import type { Canvas } from "../canvas.js";
@@ -114,7 +114,7 @@ export class PickDrag implements Drag {
     const { EyeDropper } = globalThis as { EyeDropper?: new () => EyeDropper };
     if (!EyeDropper) return;
     try {
-      const color = parseColor((await new EyeDropper().open()).sRGBHex);
+      const color = rgbFromHex((await new EyeDropper().open()).sRGBHex);
       const { editor } = this.canvas;
       if (color) editor.run(en.tools.undo.pick, this.colored(editor.drawing, color));
     } catch {

@@ -153,13 +153,14 @@ class SampleDrag implements Drag {
     this.isOver = true;
     const { gesture } = this;
     // The photo may still be on its way.
-    void this.loading.then((photo) => {
+    const sampled = this.loading.then((photo) => {
       this.canvas.sketch.value = NO_SKETCH;
       if (gesture) {
         this.show();
         gesture.keep();
       } else if (photo) this.sampleAll(photo);
     });
+    this.canvas.editor.awaitEdit(sampled);
   }
 
   private sampleAll(photo: PlacedPhoto): void {

@@ -255,7 +255,7 @@ export class SelectTool implements Tool {
 /** With more ends than this a move snaps by none: it is a whole picture that is moved. */
 const MOST_ENDS = 64;
 
-/** The way that brings one of several ends to where it snaps, if one of them does. */
+/** Returns the vector that moves one of several ends to its snap target, if one of them snaps. */
 function snapEnds(
   canvas: Canvas,
   grid: ReturnType<Canvas["curves"]>,

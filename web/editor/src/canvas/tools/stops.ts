@@ -153,8 +153,8 @@ export function beside(canvas: Canvas, item: CurveItem, p: Press): OnSide {
 }
 
 /**
- * Pulls the blur of a side away from the curve: a stop there gets the radius, one that is near or a
- * new one; with Shift on both sides. Of a local curve it is the radius of influence.
+ * Pulls the blur of a side away from the curve: a stop there, near or new, takes the radius; with Shift on
+ * both sides. On a local curve it is the radius of influence.
  */
 export function pullBlur(canvas: Canvas, from: OnSide, start: Press): Drag {
   const { item } = from;
@@ -256,7 +256,7 @@ export async function addStop(canvas: Canvas, on: OnSide, kind: StopKind): Promi
   const value = list
     ? valueAt(list, offset, mixer(editor.drawing.interpolation))
     : await newValue(canvas, on, kind);
-  // The curve may have gone, or got stops, while the colour was asked for.
+  // The curve may have been deleted, or have got stops, while the colour was fetched.
   const item = editor.drawing.item(on.item.handle);
   if (!isCurve(item) || value === null) return;
   const now = stopsOf(item, on.side, kind) ?? { space: "arc" as const, stops: [] };

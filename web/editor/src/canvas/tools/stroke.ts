@@ -12,7 +12,7 @@ import type { Drag, Press, Tool } from "./tool.js";
 
 /** How far pressure may be from what a stop says, of 1. */
 const PRESSURE_TOLERANCE = 0.06;
-/** Of the full radius at no pressure. */
+/** The share of the full radius at zero pressure. */
 const THINNEST = 0.15;
 
 export class StrokeTool implements Tool {
@@ -68,7 +68,7 @@ class StrokeDrag implements Drag {
     if (this.start.kind !== "pen" || !(pathLength(fit.path) > 0))
       return [{ offset: 0, value: full }];
     return pressureStops(fit, PRESSURE_TOLERANCE).map(([place, pressure]) => ({
-      // As fine as a hand is: a thousandth of the way, three figures of the radius.
+      // As precise as a hand-drawn line: a thousandth of the way, three figures of the radius.
       offset: Number(fractionAtParameter(fit.path, place).toFixed(3)),
       value: Number((full * (THINNEST + (1 - THINNEST) * pressure)).toPrecision(3)),
     }));

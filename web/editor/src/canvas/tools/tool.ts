@@ -1,4 +1,4 @@
-// What a tool is, and the drags that most of them are made of.
+// The interface of tools, and the drags that most of them are built from.
 import type { Gesture } from "../../app/types.js";
 import type { Point } from "../../geometry/affine.js";
 import type { Drawing, Handle, Outcome, Part } from "../../model/types.js";
@@ -33,11 +33,11 @@ export interface KeyPress {
   readonly ctrl: boolean;
 }
 
-/** From pointer down to up. After `end` or `cancel` it hears nothing more. */
+/** From pointer down to up. It gets no more events after `end` or `cancel`. */
 export interface Drag {
   move(p: Press): void;
   end(p: Press): void;
-  /** Escape, a lost pointer, a second finger: as if it had never begun. */
+  /** Cancels the drag after Escape, a lost pointer, or a second finger: it leaves no change. */
   cancel(): void;
   /** A key was pressed or let go while it lasts; `p` is the last moment with the keys of now. */
   keys?(p: Press): void;
@@ -62,9 +62,9 @@ export const CLICK_REACH = 3;
 export interface Edit {
   /** In strings, of the step of undo. */
   readonly label: string;
-  /** What the drawing becomes, from what it was at the beginning. */
+  /** Returns the change of the drawing, compared with the drawing at the beginning. */
   make(p: Press, before: Drawing): Outcome | null;
-  /** What is taken hold of: it keeps its strength while other handles fade. */
+  /** The part that is dragged: it keeps its strength while other handles fade. */
   readonly dragged?: { readonly handle: Handle; readonly part: Part };
   readonly cursor?: CursorName;
   /** The pointer did not move. */

@@ -1,4 +1,4 @@
-// What curves bear: colours, opacities, blur, radii.
+// Attributes of curves: colours, opacities, blur, radii.
 import type { Rgb } from "../../geometry/color.js";
 import { attributeOf, setAttribute, sf, SFUMATO, valueOf } from "../../source/attributes.js";
 import type { Edit } from "../../source/patch.js";
@@ -6,7 +6,7 @@ import { COLORS, RADII, readSide, SHARES, sideText } from "../../source/stops.js
 import type { Notation } from "../../source/stops.js";
 import type { CurveItem, Drawing, Handle, Outcome, Side, SideValue } from "../types.js";
 import { finestStep } from "./mapping.js";
-import { outcomeOf, together } from "./together.js";
+import { outcomeOf, together } from "./structure/together.js";
 
 function curveOf(d: Drawing, handle: Handle): CurveItem | null {
   const item = d.item(handle);
@@ -21,7 +21,7 @@ function rounded(value: number, unit: number): number {
   return Number((Math.round(value / unit) * unit).toFixed(5));
 }
 
-/** The hand is not as exact as numbers: offsets that were not there before get few decimals. */
+/** A pointer is less exact than numbers: new offsets get few decimals. */
 function tidied<Value>(
   side: SideValue<Value>,
   before: SideValue<Value>,
@@ -68,7 +68,7 @@ export function setColor(d: Drawing, h: Handle, side: Side, to: SideValue<Rgb>):
   const other = otherSide(side);
   const shared = valueOf(item.element, sf(side));
   const isShared = shared !== undefined && !attributeOf(item.element, sf(other));
-  // Of a local curve one side serves both.
+  // A local curve has one side that serves both.
   if (item.kind === "stroke" && isShared && to.kind !== "open" && edits.length > 0) {
     edits.push(...setAttribute(d.text, item.element, sf(other), shared));
   }

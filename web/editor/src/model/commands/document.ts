@@ -1,4 +1,4 @@
-// What layers and groups, and the document itself, say.
+// Attributes of layers, groups and the document itself.
 import type { Rgb } from "../../geometry/color.js";
 import { numberText } from "../../geometry/path.js";
 import { setAttribute, sf, SODIPODI, valueOf } from "../../source/attributes.js";
@@ -11,9 +11,9 @@ import type { Property } from "../../source/styles.js";
 import type { ElementNode } from "../../source/tree.js";
 import { readArtboard } from "../artboard.js";
 import type { Drawing, Handle, Outcome } from "../types.js";
-import { outcomeOf } from "./together.js";
+import { outcomeOf } from "./structure/together.js";
 
-export { rename } from "./naming.js";
+export { rename } from "./structure/naming.js";
 
 /** Edits of each of some items. */
 function ofEach(

@@ -1,15 +1,15 @@
 // Every edit, as a patch of the present text. null: nothing would change.
 export * from "./attributes.js";
-export * from "./clipboard.js";
-export * from "./create.js";
+export * from "./structure/clipboard.js";
+export * from "./curves/create.js";
 export * from "./document.js";
-export * from "./gradients.js";
-export { movePaint } from "./paint-place.js";
-export * from "./paints.js";
-export * from "./shapes.js";
-export * from "./structure.js";
-export * from "./fitted.js";
-export * from "./traced.js";
-export { curvesOf, isContainer, together } from "./together.js";
-export * from "./transform.js";
+export * from "./paint/gradients.js";
+export { movePaint } from "./paint/paint-place.js";
+export * from "./paint/paints.js";
+export * from "./curves/shapes.js";
+export * from "./structure/structure.js";
+export * from "./curves/fitted.js";
+export * from "./curves/traced.js";
+export { curvesOf, isContainer, together } from "./structure/together.js";
+export * from "./curves/transform.js";
 export type { Attribute } from "../types.js";

@@ -8,7 +8,7 @@ import type { Edit } from "../../source/patch.js";
 import type { ElementNode } from "../../source/tree.js";
 import { ownTransform } from "../building.js";
 import type { Drawing, Item } from "../types.js";
-import { layerOf, outerFrame } from "./items.js";
+import { layerOf, outerFrame } from "./structure/items.js";
 
 /** The largest coordinate that the artboard has. */
 function extentOf({ artboard }: Drawing): number {
@@ -65,7 +65,7 @@ const MIRRORED = [
   ["left-blur", "right-blur"],
 ] as const;
 
-/** What a map of its points does to a curve's attributes: radii grow, a mirror exchanges the sides. */
+/** Returns a curve's attributes after a map of its points: radii grow, a mirror swaps the sides. */
 function mappedAttributes(text: string, element: ElementNode, map: Affine): Edit[] {
   const factor = lengthScale(map);
   const mirrors = determinant(map) < 0;

@@ -8,7 +8,7 @@ const ops: Readonly<Record<string, (a: number, b: number) => number>> = {
   "/": (a, b) => a / b,
 };
 
-/** Deeper nesting than this is nobody's sum. */
+/** Deeper nesting than this is no plausible sum. */
 const DEPTH = 32;
 
 class Reader {

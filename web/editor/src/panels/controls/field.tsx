@@ -14,6 +14,7 @@ interface NumberFieldProps {
   readonly label?: string;
   /** The name, where the label alone would say too little. */
   readonly name?: string;
+  readonly tip?: string;
   /** null: several values, or none. */
   readonly value: number | null;
   readonly digits: number;
@@ -106,7 +107,7 @@ export function NumberField(props: NumberFieldProps) {
   };
   const names = ["field", props.class ?? "", reason ? "invalid" : ""].filter(Boolean).join(" ");
   return (
-    <div class={names}>
+    <div class={names} data-tip={props.tip}>
       {label && (
         <label for={id} onPointerDown={(event) => scrub(event, props)}>
           {label}

@@ -1,9 +1,10 @@
-// A field for a colour by its six figures.
+// A field for a colour: shows its six figures, and takes all notations of CSS.
 import { useState } from "preact/hooks";
 import type { TargetedKeyboardEvent } from "preact";
 import type { Rgb } from "../../geometry/color.js";
 import { en } from "../../strings/en.js";
-import { hexOf, parseColor } from "../../geometry/colortext.js";
+import { hexOf } from "../../geometry/colortext.js";
+import { parseTyped } from "../../source/colors.js";
 
 const words = en.panels;
 
@@ -21,7 +22,7 @@ export function HexField({ name, value, marked, grow, onChange }: HexFieldProps)
   const [isWrong, setWrong] = useState(false);
   const shown = value ? hexOf(value).slice(1) : "";
   const take = (text: string): boolean => {
-    const color = parseColor(text);
+    const color = parseTyped(text);
     if (text !== shown && color) onChange(color);
     return text === shown || color !== null;
   };

@@ -1,9 +1,9 @@
-// What kind of window this is.
+// The kind of window.
 import { signal, type ReadonlySignal } from "@preact/signals";
 
 const known = new Map<string, ReadonlySignal<boolean>>();
 
-/** Whether a media query holds, as a signal; one for each query, for as long as the page lives. */
+/** Returns a signal of whether a media query holds; one for each query, kept until the page closes. */
 export function media(query: string): ReadonlySignal<boolean> {
   const found = known.get(query);
   if (found) return found;

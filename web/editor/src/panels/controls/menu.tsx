@@ -15,7 +15,7 @@ export type MenuItem =
       /** Called by name, its key shown, unless `run` says otherwise. */
       readonly command?: string;
       readonly run?: () => void;
-      /** A tick; undefined: the item is none of those that are on or off. */
+      /** A tick; undefined: the item cannot be on or off. */
       readonly checked?: boolean;
       readonly disabled?: boolean;
       /** Why it is disabled. */

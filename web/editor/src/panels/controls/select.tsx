@@ -6,7 +6,7 @@ interface SelectProps<Value> {
   readonly label: string;
   readonly choices: readonly { readonly value: Value; readonly label: string }[];
   readonly value: Value | null;
-  /** What stands there where value is null. */
+  /** The text shown where value is null. */
   readonly mixed?: string;
   readonly grow?: boolean;
   readonly onChange: (value: Value) => void;

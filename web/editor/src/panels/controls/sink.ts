@@ -3,7 +3,7 @@ import type { Signal } from "@preact/signals";
 import type { Editor } from "../../app/types.js";
 import type { Drawing, Outcome } from "../../model/types.js";
 
-/** One movement of the hand. */
+/** One movement of the pointer. */
 export interface Movement<Value> {
   show(value: Value): void;
   keep(): void;

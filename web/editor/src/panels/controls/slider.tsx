@@ -8,7 +8,7 @@ interface SliderProps {
   readonly min: number;
   readonly max: number;
   readonly step: number;
-  /** What is read for the value. */
+  /** The text that a screen reader says for the value. */
   readonly text?: string;
   readonly class?: string;
   /** CSS for a track of its own. */

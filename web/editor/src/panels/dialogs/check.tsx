@@ -3,6 +3,7 @@ export function Check(props: {
   readonly checked: boolean;
   readonly label: string;
   readonly note?: string;
+  readonly disabled?: boolean;
   readonly onChange: (to: boolean) => void;
 }) {
   return (
@@ -10,6 +11,7 @@ export function Check(props: {
       <input
         type="checkbox"
         checked={props.checked}
+        disabled={props.disabled}
         onChange={(event) => props.onChange(event.currentTarget.checked)}
       />
       <span>

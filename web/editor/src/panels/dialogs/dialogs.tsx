@@ -1,8 +1,9 @@
-// The dialog that is asked for.
+// The dialog that is open.
 import { useShell } from "../services.js";
 import { AboutDialog } from "./about.js";
 import { DocumentDialog } from "./document.js";
 import { ExportDialog } from "./export.js";
+import { ForeignDialog } from "./foreign.js";
 import { KeysDialog } from "./keys.js";
 import { NewDialog } from "./new.js";
 import { ProblemDialog } from "./problem.js";
@@ -13,6 +14,7 @@ const dialogs = {
   about: AboutDialog,
   document: DocumentDialog,
   export: ExportDialog,
+  foreign: ForeignDialog,
   keys: KeysDialog,
   new: NewDialog,
   problem: ProblemDialog,

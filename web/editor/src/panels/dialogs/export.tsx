@@ -26,7 +26,7 @@ interface Choice {
   readonly depth: 8 | 16;
 }
 
-/** The last choice for each file, for as long as the page lives. */
+/** The last choice for each file, kept until the page closes. */
 const remembered = new Map<string, Choice>();
 
 const once = (set: (value: number) => void, now: number): Sink<number> => ({
@@ -149,6 +149,7 @@ export function ExportDialog() {
   const now = choice.value;
   const viewport = (now.format === "png" ? viewportOf(editor, now.area) : null) ?? artboard;
   const natural = sizeAt(viewport, 1);
+  const hasBackground = editor.drawing.background !== null;
   const change: Change = (to) => {
     choice.value = { ...choice.value, ...to };
     remembered.set(name, choice.value);
@@ -165,7 +166,7 @@ export function ExportDialog() {
     format: now.format,
     ...now.size,
     viewport,
-    transparent: now.transparent,
+    transparent: now.transparent || !hasBackground,
     keepReference: now.keepReference,
     depth: now.depth,
   };
@@ -226,8 +227,10 @@ export function ExportDialog() {
           <div class="checks">
             {now.format === "png" && (
               <Check
-                checked={now.transparent}
+                checked={wish.transparent}
                 label={words.transparent}
+                note={hasBackground ? undefined : words.noBackground}
+                disabled={!hasBackground}
                 onChange={(transparent) => change({ transparent })}
               />
             )}

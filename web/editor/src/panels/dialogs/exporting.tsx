@@ -1,4 +1,4 @@
-// What the export dialog finds out and does: a preview, an estimate, the work itself.
+// The work of the export dialog: a preview, an estimate, the export itself.
 import { useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { complaintOf } from "../../engine/complaint.js";
@@ -7,10 +7,10 @@ import { en } from "../../strings/en.js";
 import { useShell } from "../services.js";
 
 const words = en.dialogs;
-/** An estimate is asked for when nothing was changed for this long, milliseconds. */
+/** An estimate is made when nothing was changed for this long, milliseconds. */
 const REST = 300;
 
-/** A picture of what would be written, made anew when the part changes. */
+/** A preview of the export, updated when the part changes. */
 export function Preview({ wish }: { readonly wish: ExportWish }) {
   const { services } = useShell();
   const url = useSignal<string | null>(null);
@@ -73,7 +73,7 @@ export function useWork() {
     stop.current = own;
     stage.value = "begin";
     reason.value = null;
-    // What goes on behind a work that has ended says nothing more.
+    // Work that has ended reports no further progress.
     const onStage = (now: Stage) => {
       if (!signal.aborted) stage.value = now;
     };

@@ -77,7 +77,7 @@ export function NewDialog() {
           />
         </div>
         <div>
-          <label class="check">
+          <label class="check" data-tip={en.panels.backgroundTip}>
             <input
               type="checkbox"
               checked={background.value !== null}

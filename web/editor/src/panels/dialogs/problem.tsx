@@ -1,4 +1,4 @@
-// What cannot be opened or drawn: what, where, and the line itself.
+// A drawing that cannot be opened or drawn: the reason, the place, and the line itself.
 import { useSignal } from "@preact/signals";
 import { en } from "../../strings/en.js";
 import { useShell, type Problem } from "../services.js";
@@ -8,7 +8,7 @@ const words = en.dialogs;
 /** Longer lines are cut around the place, characters. */
 const AROUND = 60;
 
-/** What the page says of a file, else what the engine says of the drawing. */
+/** Returns the page's problem with a file, else the engine's problem with the drawing. */
 function useProblem(): Problem | null {
   const { editor, services } = useShell();
   const status = editor.status.value;
@@ -18,7 +18,8 @@ function useProblem(): Problem | null {
   if (status.kind !== "problem") return null;
   const { reason, line, column } = status;
   const source = line > 0 ? (editor.drawing.text.split(/\r\n|\r|\n/)[line - 1] ?? null) : null;
-  return { title: words.cannotDraw, reason, line, column, source };
+  const help = editor.undoLabel.value === null ? words.fixFile : words.fixDrawing;
+  return { title: words.cannotDraw, reason, line, column, source, help };
 }
 
 /** The part of a line around a column, and how far into it the column lies. */
@@ -58,7 +59,7 @@ export function ProblemDialog() {
   const problem = useProblem();
   const isShown = useSignal(false);
   if (!problem) return null;
-  const { title, reason, line, column, source } = problem;
+  const { title, reason, line, column, source, help } = problem;
   const foot = (
     <>
       {source !== null && !isShown.value && (
@@ -87,7 +88,8 @@ export function ProblemDialog() {
   return (
     <Frame title={title} class="small" foot={foot}>
       <div class="dialog-body form">
-        <p class="read">{line > 0 ? words.reasonAt(line, column, reason) : reason}</p>
+        <p class="read lines">{line > 0 ? words.reasonAt(line, column, reason) : reason}</p>
+        {help && <p class="read muted">{help}</p>}
         {isShown.value && source !== null && <Line source={source} line={line} column={column} />}
       </div>
     </Frame>

@@ -32,7 +32,7 @@ function Canvas({ pixels, label }: { readonly pixels: PhotoPixels; readonly labe
   return <canvas ref={canvas} class="chequer" role="img" aria-label={label} />;
 }
 
-/** What is said of a stage, apart from its numbers. */
+/** Returns the text for a stage, without its numbers. */
 function stageText(stage: TraceStage, run: TraceRun): string {
   const round = run.round.value;
   if (stage === "reading") return words.reading;

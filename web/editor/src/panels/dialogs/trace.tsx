@@ -14,13 +14,13 @@ import { TraceStageView } from "./trace-view.js";
 import { pointsOf, TraceRun, type TraceChoice } from "./tracing.js";
 
 const words = en.trace;
-/** The library looks at larger photos in this size, pixels on the longer side. */
+/** The library scales larger photos to this size, pixels on the longer side. */
 const MOST_SIDE = 1024;
 const MOST_SMOOTH = 8;
 
 const count = (number: number) => number.toLocaleString("en");
 
-/** The last choice, for as long as the page lives. */
+/** The last choice, kept until the page closes. */
 let remembered: TraceChoice = { detail: 0.5, smooth: 0, stops: "normal", isSharp: false };
 
 interface FormProps {

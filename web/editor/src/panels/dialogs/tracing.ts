@@ -1,4 +1,4 @@
-// What the dialog that traces photos does meanwhile: the photo read, the trace run, its rounds drawn.
+// Background work of the dialog that traces photos: reads the photo, runs the trace, draws its rounds.
 import { signal, type Signal } from "@preact/signals";
 import type { TracedPhoto } from "../../app/types.js";
 import { complaintOf } from "../../engine/complaint.js";
@@ -10,7 +10,7 @@ const REST = 300;
 /** Longer side of what is shown, pixels. */
 const SIDE = 640;
 
-/** What the person may change. */
+/** The settings that the user can change. */
 export interface TraceChoice {
   /** 0 to 1. */
   readonly detail: number;
@@ -20,7 +20,7 @@ export interface TraceChoice {
   readonly isSharp: boolean;
 }
 
-/** What a detail stands for, as the command has it: 250 to 16,000. */
+/** Returns the control points for a detail, as the command defines it: 250 to 16,000. */
 export const pointsOf = (detail: number): number => Math.round(250 * 64 ** detail);
 
 export function optionsOf({ detail, smooth, stops, isSharp }: TraceChoice): TraceOptions {
@@ -39,7 +39,7 @@ export function shownSize(width: number, height: number): { readonly width: numb
 export class TraceRun {
   readonly stage: Signal<TraceStage> = signal<TraceStage>("empty");
   readonly pixels: Signal<PhotoPixels | null> = signal<PhotoPixels | null>(null);
-  /** What was reached last, of the present photo and choice. */
+  /** The last round for the present photo and settings. */
   readonly round: Signal<TraceRound | null> = signal<TraceRound | null>(null);
   /** The last drawing that was drawn. */
   readonly preview: Signal<PhotoPixels | null> = signal<PhotoPixels | null>(null);
@@ -66,7 +66,7 @@ export class TraceRun {
     }
   }
 
-  /** Traces anew once the hand rests. */
+  /** Traces again once the pointer rests. */
   change(choice: TraceChoice): void {
     clearTimeout(this.#timer);
     if (this.pixels.value) this.#timer = setTimeout(() => void this.run(choice), REST);
@@ -96,12 +96,13 @@ export class TraceRun {
     this.round.value = round;
     const size = shownSize(pixels.width, pixels.height);
     this.tracing.draw({ text: round.text, ...size, isDraft }, (drawn) => {
-      // Of another photo or choice by now: a drawing that is shown stays until there is a newer one.
+      // The photo or the settings have changed by now: a drawing that is shown stays until there is a newer
+      // one.
       if (this.pixels.value === pixels) this.preview.value = drawn;
     });
   }
 
-  /** What was reached stays. */
+  /** Stops, and keeps the result so far. */
   stop(): void {
     clearTimeout(this.#timer);
     this.#stop?.abort();

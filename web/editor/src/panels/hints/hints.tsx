@@ -1,5 +1,6 @@
-// What lint found: docked below the stage, or a tab of the phone's sheet.
+// Hints of lint: docked below the stage, or a tab of the phone's sheet.
 import { signal, useSignal } from "@preact/signals";
+import { useLayoutEffect } from "preact/hooks";
 import type { Hint } from "../../engine/types.js";
 import { mapped } from "../../geometry/affine.js";
 import { Icon } from "../../icons.js";
@@ -11,8 +12,8 @@ import { itemsOf, placeOf, showHint } from "./show.js";
 
 const words = en.dialogs;
 const hiddenRules = signal<ReadonlySet<string>>(new Set());
-/** The hint that the pointer or the focus is on: its place is ringed on the picture. */
-const current = signal<Hint | null>(null);
+/** The hint that the pointer or the focus is on: its place in the drawing of then is ringed. */
+const current = signal<{ readonly hint: Hint; readonly revision: number } | null>(null);
 
 function HintRow({ hint }: { readonly hint: Hint }) {
   const shell = useShell();
@@ -20,14 +21,17 @@ function HintRow({ hint }: { readonly hint: Hint }) {
   const item = services.itemOf(hint);
   const repair = services.mend(hint);
   const look = (on: boolean) => {
-    current.value = on ? hint : null;
+    current.value = on ? { hint, revision: editor.drawing.revision } : null;
     editor.hovered.value = on && item ? item.handle : null;
   };
+  const isCurrent = current.value?.hint === hint;
+  // A row that is removed gets no pointerleave event.
+  useLayoutEffect(() => () => void (current.peek()?.hint === hint && look(false)), [hint]);
   const go = () => showHint(shell, hint);
   const names = [
     "hint",
     hint.severity === "warning" ? "warn" : "info",
-    current.value === hint ? "current" : "",
+    isCurrent ? "current" : "",
   ];
   return (
     <li
@@ -84,7 +88,9 @@ export function HintList() {
   const hidden = hiddenRules.value;
   const all = editor.hints.value;
   const shown = all.filter(({ rule }) => !hidden.has(rule));
-  if (all.length === 0) return <p class="empty">{words.noHints}</p>;
+  if (all.length === 0) {
+    return <p class="empty">{editor.hintsKnown.value ? words.noHints : words.lookingForHints}</p>;
+  }
   return (
     <>
       <ul class="hint-list">
@@ -148,10 +154,12 @@ export function HintsDock() {
   );
 }
 
-/** A ring at the place of the hint that is looked at; within the stage. */
+/** A ring at the place of the current hint; within the stage. */
 export function HintRing() {
   const { editor } = useShell();
-  const at = current.value && placeOf(editor, current.value);
+  const { hint, revision } = current.value ?? {};
+  // After a change of the drawing this place may not exist.
+  const at = hint && revision === editor.drawing.revision ? placeOf(editor, hint) : null;
   if (!at) return null;
   // Read here, so that the ring follows the view and the stage.
   void editor.view.value;

@@ -1,4 +1,4 @@
-// What a hint is about, chosen and as large as it fits.
+// Selects the item of a hint and zooms to it.
 import type { Editor } from "../../app/types.js";
 import type { Hint } from "../../engine/types.js";
 import { composed, inverted, mapped, type Point } from "../../geometry/affine.js";
@@ -9,7 +9,7 @@ import type { Shell } from "../services.js";
 /** Half of what is shown around a hint's place, artboard units. */
 const AROUND = 40;
 
-/** Where a hint's place is on the artboard: the engine tells it in the layer's coordinates. */
+/** Returns a hint's place on the artboard: the engine gives it in the layer's coordinates. */
 export function placeOf({ drawing }: Pick<Editor, "drawing">, { at, offset }: Pick<Hint, "at" | "offset">): Point | null {
   const item = offset === null ? undefined : drawing.itemAt(offset);
   if (!at || item?.kind !== "curve") return at;

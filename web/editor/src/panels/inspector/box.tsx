@@ -1,4 +1,4 @@
-// Where a thing lies on the artboard, how large it is, and how it is turned.
+// Place, size and rotation of an item on the artboard.
 import { turning, type Affine, type Box } from "../../geometry/affine.js";
 import { transform } from "../../model/commands/index.js";
 import { boxOf } from "../../model/item-boxes.js";

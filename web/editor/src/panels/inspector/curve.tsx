@@ -1,4 +1,4 @@
-// What a single curve or local stroke has: colours, blur or radius, opacity, node, weight.
+// The fields of a single curve or local stroke: colours, blur or radius, opacity, node, weight.
 import type { CurveItem, Side } from "../../model/types.js";
 import { setNumber } from "../../model/commands/index.js";
 import { en } from "../../strings/en.js";
@@ -45,13 +45,14 @@ function Weight({ item }: { readonly item: CurveItem }) {
       <div class="two">
         <NumberField
           name={words[name]}
+          tip={name === "weight" ? words.weightTip : undefined}
           value={value * scale}
           digits={name === "alpha" ? 0 : 2}
           unit={name === "alpha" ? "%" : undefined}
           min={name === "alpha" ? 0 : 0.01}
           max={1000}
           step={name === "alpha" ? 1 : 0.1}
-          sink={edits(editor, words[name].toLowerCase(), (to: number, before) =>
+          sink={edits(editor, name === "weight" ? words.setWeight : words.setStrength, (to: number, before) =>
             setNumber(before, [item.handle], name, to === scale ? null : to / scale),
           )}
         />

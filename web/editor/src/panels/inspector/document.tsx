@@ -68,7 +68,7 @@ export function BackgroundField() {
   const { background } = editor.drawing;
   return (
     <>
-      <label class="check">
+      <label class="check" data-tip={words.backgroundTip}>
         <input
           type="checkbox"
           checked={background !== null}

@@ -1,4 +1,4 @@
-// What a gradient's stop has beside a colour and a place, and what the gradient has beside its stops.
+// Fields of a gradient's stop besides colour and place, and of the gradient besides its stops.
 import { setSpread } from "../../model/commands/index.js";
 import { sidesWithPaint, SPREADS, type Gradient, type Tint } from "../../model/gradients.js";
 import { hexOf } from "../../geometry/colortext.js";
@@ -18,7 +18,7 @@ export function cssOf(tint: Tint): string {
   return `rgb(${channels.join(" ")} / ${decimal(tint.alpha, 4)})`;
 }
 
-/** What a tint is as opacity: its alpha times its luminance, as masks of SVG have it. */
+/** Returns a tint's opacity: its alpha times its luminance, as in SVG masks. */
 export const opacityOf = ({ r, g, b, alpha }: Tint) =>
   alpha * (0.2126 * r + 0.7152 * g + 0.0722 * b);
 
@@ -27,7 +27,7 @@ export const describeTint = (tint: Tint) =>
 
 interface GradientFieldsProps {
   readonly gradient: Gradient;
-  /** Of the stop that is chosen, 0 to 1. */
+  /** Alpha of the chosen stop, 0 to 1. */
   readonly alpha: number;
   readonly alphaName: string;
   readonly sink: Sink<number>;

@@ -28,7 +28,7 @@ export function Inspector() {
   const handles = new Set(editor.selection.value.map(({ handle }) => handle));
   const items = [...handles].flatMap((handle) => drawing.item(handle) ?? []);
   if (items.length === 0) return <DocumentSections />;
-  // Fields of one thing must not take over what was typed for another.
+  // Fields of one item must not take over text typed for another.
   if (items.length === 1) return <One key={items[0].handle} item={items[0]} />;
   return <SeveralSections items={items} />;
 }

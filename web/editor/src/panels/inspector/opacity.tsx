@@ -42,7 +42,7 @@ const stopsOf = (item: CurveItem, side: Side): Stops<number> | null => {
   return opacity.kind === "stops" && opacity.stops.length > 0 ? opacity : null;
 };
 
-/** What the side has, as a gradient's stops; of one opacity, from it to nothing. */
+/** Returns the side's opacities as a gradient's stops; a single opacity becomes a fade from it to nothing. */
 function gradientStops(_: Drawing, item: CurveItem, side: Side): readonly NewStop[] {
   const list = stopsOf(item, side);
   const stops = (list?.stops ?? []).map(({ offset, value }) => ({
@@ -158,7 +158,7 @@ function GradientOpacity({ item, side, tints }: SideProps & { readonly tints: Gr
   );
 }
 
-/** Of a side that has no number: what it has. */
+/** The state of a side without numbers. */
 function OtherThanStops({ item, side }: SideProps) {
   const { editor } = useShell();
   const { opacity } = item[side];

@@ -1,4 +1,4 @@
-// What a side's menu offers of gradients and textures, for its colour or its opacity.
+// A side's menu of gradients and textures, for its colour or its opacity.
 import { boundsOf } from "../../geometry/cubic.js";
 import { setPaint, type NewPaint } from "../../model/commands/index.js";
 import type { CurveItem, Drawing, Outcome, PaintAttribute, Side } from "../../model/types.js";
@@ -12,7 +12,7 @@ type NewGradient = Extract<NewPaint, { kind: "linear" | "radial" }>;
 export type NewStop = NewGradient["stops"][number];
 type Stops = (before: Drawing, item: CurveItem, side: Side) => readonly NewStop[];
 
-/** How far a new gradient's ends are from the box: on it they would lie on nodes. Of its width. */
+/** Distance of a new gradient's ends from the box, as a share of its width: on the box they would lie on nodes. */
 const INSET = 0.1;
 
 /** Across the curve's box. */
@@ -58,7 +58,7 @@ export function gradientItems(
   }));
 }
 
-/** A picture file that is asked for becomes the side's texture. */
+/** Returns the menu item that asks for a picture file, which becomes the side's texture. */
 export function textureItem(
   { editor, services }: Shell,
   { handle }: CurveItem,

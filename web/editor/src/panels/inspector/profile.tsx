@@ -40,7 +40,7 @@ export interface ProfileProps {
   readonly put: (before: Drawing, side: Side, value: SideValue<number>) => Outcome | null;
 }
 
-/** What is not said is a radius of 0 all along. */
+/** Returns the radii; without a value, a radius of 0 all along. */
 export const radiiOf = (value: SideValue<number>): Stops<number> =>
   value.kind === "stops" && value.stops.length > 0 ? value : constant(0);
 

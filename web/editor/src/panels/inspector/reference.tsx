@@ -1,6 +1,6 @@
 // The photo that is traced over, and how colours are taken from it.
 import { restack, setHidden, setLocked, setOpacity } from "../../model/commands/index.js";
-import { isLowest } from "../../model/commands/items.js";
+import { isLowest } from "../../model/commands/structure/items.js";
 import type { ReferenceItem } from "../../model/types.js";
 import { en } from "../../strings/en.js";
 import { NumberField } from "../controls/field.js";

@@ -57,7 +57,7 @@ function sidestep<Value>(list: Stops<Value>, index: number): number {
   return count < 2 ? 0 : (index - first - (count - 1) / 2) * 6;
 }
 
-/** What a hand can do with the stops: add, move, copy, pull away. */
+/** Gestures on the stops: add, move, copy, pull away. */
 function useStopDrag<Value>(props: RibbonProps<Value>, ribbon: { current: HTMLDivElement | null }) {
   const { editor } = useShell();
   const { item, side, attribute, list, put } = props;

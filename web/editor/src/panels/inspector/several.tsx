@@ -1,4 +1,4 @@
-// Several things at once: what they share, and exchange of a colour in all of them.
+// Several selected items: the fields that they share, and a replacement of a colour in all of them.
 import { useSignal } from "@preact/signals";
 import { curvesOf, recolor, setBoth, setNumber, together } from "../../model/commands/index.js";
 import type { Rgb } from "../../geometry/color.js";
@@ -126,12 +126,13 @@ function Shared({ curves }: { readonly curves: readonly CurveItem[] }) {
         {diffusion.length === curves.length && (
           <NumberField
             label={words.weight}
+            tip={words.weightTip}
             value={alike(curves.map((curve) => numberOf(curve, "weight")))}
             digits={2}
             min={0.01}
             max={1000}
             step={0.1}
-            sink={edits(editor, words.weight.toLowerCase(), (value: number, before) =>
+            sink={edits(editor, words.setWeight, (value: number, before) =>
               setNumber(
                 before,
                 curves.map(({ handle }) => handle),

@@ -22,13 +22,13 @@ interface SideProps {
   readonly side: Side;
 }
 
-/** A colour for a side that has had none: the other side's first, else a middle grey. */
+/** Returns a colour for a side that never had one: the other side's first, else a middle grey. */
 function startColor(item: CurveItem, side: Side): Rgb {
   const other = item[side === "left" ? "right" : "left"].color;
   return other.kind === "stops" ? other.stops[0].value : { r: 0.5, g: 0.5, b: 0.5 };
 }
 
-/** What the side shows, as a gradient's stops; of one colour, from it to white. */
+/** Returns the side's colours as a gradient's stops; a single colour becomes a fade from it to white. */
 function gradientStops(before: Drawing, item: CurveItem, side: Side): readonly NewStop[] {
   const tints = tintsOf(before, item, side);
   const stops = (tints?.list.stops ?? []).map(({ offset, value }) => ({

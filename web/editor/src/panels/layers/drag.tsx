@@ -8,8 +8,8 @@ import { en } from "../../strings/en.js";
 import { openMenu } from "../controls/menu.js";
 import { contextMenu } from "../menus/main.js";
 import { dropAt, type Drop } from "./drop.js";
+import { select, type TreeState } from "./state.js";
 import { Thumb } from "./thumb.js";
-import { select, type TreeState } from "./tree.js";
 
 const words = en.layers;
 /** CSS pixels: further, and a press is a drag. */
@@ -36,7 +36,8 @@ interface Dragging {
 }
 
 /**
- * What moves when `item` is dragged: all that is selected if it is, else it alone; nothing twice.
+ * Returns the items that move when `item` is dragged: the selection if it is selected, else it alone; nothing
+ * twice.
  */
 function movable({ editor, rows }: TreeState, item: Item): readonly Item[] {
   const chosen = editor.selection.value.map(({ handle }) => handle);
@@ -157,7 +158,7 @@ export function useRowDrag(
   };
 }
 
-/** The row's own things, then what concerns all that is selected. */
+/** Returns the row's own menu, then the menu of the selection. */
 export function rowMenu({ editor, renamed }: TreeState, item: Item) {
   const chosen = () => [...new Set(editor.selection.value.map(({ handle }) => handle))];
   return [

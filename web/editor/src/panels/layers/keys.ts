@@ -8,7 +8,7 @@ import { nextBeginning, typedWord } from "../controls/typed.js";
 import { rowMenu } from "./drag.js";
 import { mayHold } from "./drop.js";
 import { siblingsOf } from "./rows.js";
-import { select, toggle, type TreeState } from "./tree.js";
+import { select, toggle, type TreeState } from "./state.js";
 
 const words = en.layers;
 

@@ -14,7 +14,7 @@ import { Thumb } from "./thumb.js";
 
 const words = en.layers;
 
-/** What a row tells its tree. */
+/** The events that a row sends to its tree. */
 export interface RowEvents {
   readonly onTwist: (item: Item) => void;
   readonly onPress: (item: Item, event: TargetedPointerEvent<HTMLElement>) => void;
@@ -30,7 +30,7 @@ export interface RowEvents {
 }
 
 interface RowViewProps {
-  /** Those of now: that they are others is no reason to draw a row anew. */
+  /** The present events: a change of them alone is no reason to draw a row again. */
   readonly events: { readonly current: RowEvents };
   readonly row: Row;
   readonly top: number;
@@ -127,8 +127,8 @@ function Switch({ item, what, events }: SwitchProps) {
 }
 
 /**
- * What is read of a row: first what is seen, in its order, so that it can be called by it; then what
- * icons and buttons show. The buttons' names are their own.
+ * Returns a row's accessible name: the visible text first, in its order, so that voice control can use it;
+ * then the meaning of icons and buttons. The buttons have names of their own.
  */
 function rowName(item: Item, copies: number): string {
   const isContainer = item.kind === "layer" || item.kind === "group";
@@ -145,7 +145,7 @@ function rowName(item: Item, copies: number): string {
   return words.rowName(parts.filter((part) => part !== false));
 }
 
-/** A row that shows the same is not drawn anew: an item with anything else in it is another object. */
+/** A row that shows the same is not drawn again: an item with different content is another object. */
 export const RowView = memo(PlainRow, (before, now) => {
   const { row: rowBefore, ...restBefore } = before;
   const { row, ...rest } = now;

@@ -1,4 +1,4 @@
-// The rows of the tree: what is unfolded, the uppermost thing first.
+// The rows of the tree: the unfolded ones, the uppermost item first.
 import type { Drawing, Handle, Item } from "../../model/types.js";
 
 export interface Row {
@@ -45,7 +45,7 @@ export function curvesWithin(item: Item, most = Infinity): Item[] {
   return found;
 }
 
-/** What a container's row counts: curves, and instances as one each. */
+/** Returns the number of a container's row: curves, and instances as one each. */
 export function countWithin(item: Item): number {
   if (item.kind === "curve" || item.kind === "stroke" || item.kind === "use") return 1;
   return item.children.reduce((sum, child) => sum + countWithin(child), 0);

@@ -24,7 +24,7 @@ function countUses(editor: Editor): ReadonlyMap<Handle, number> {
   return uses;
 }
 
-/** One for each editor, for as long as it lives. */
+/** One for each editor, kept as long as it exists. */
 export function settledOf(editor: Editor): Settled {
   const found = known.get(editor);
   if (found) return found;

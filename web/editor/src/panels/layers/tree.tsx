@@ -1,74 +1,28 @@
 // The tree of layers by WAI-ARIA. Only the rows in sight are in the page, and the one with the
 // focus.
-import { useSignal, type Signal } from "@preact/signals";
+import { useSignal } from "@preact/signals";
 import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 import type { TargetedPointerEvent } from "preact";
 import type { Editor } from "../../app/types.js";
 import { setHidden, setLocked } from "../../model/commands/index.js";
-import type { Handle, Item, Selection } from "../../model/types.js";
+import type { Handle, Item } from "../../model/types.js";
 import { en } from "../../strings/en.js";
 import { useShell } from "../services.js";
 import { Ghost, useRowDrag } from "./drag.js";
 import { treeKeys } from "./keys.js";
 import { RowView, type RowEvents } from "./row.js";
 import { ancestors, rowsOf, type Row } from "./rows.js";
+import { toggle, type TreeState } from "./state.js";
 
 const words = en.layers;
 /** Rows beyond the edges that are made all the same. */
 const SPARE = 6;
 
-export interface TreeState {
-  readonly editor: Editor;
-  readonly open: Signal<ReadonlySet<Handle>>;
-  /** The row in the tab order. */
-  readonly active: Signal<Handle | null>;
-  readonly renamed: Signal<Handle | null>;
-  readonly rows: readonly Row[];
-}
-
-export const whole = (handle: Handle) => ({ handle, part: { kind: "whole" } }) as const;
-
-/**
- * A click's meaning: alone; with Ctrl, in or out; with Shift, all rows from the primary to here.
- */
-export function select(
-  state: TreeState,
-  item: Item,
-  event: { ctrlKey: boolean; metaKey: boolean; shiftKey: boolean },
-) {
-  const { selection } = state.editor;
-  const now = selection.value;
-  const primary = now[now.length - 1]?.handle;
-  if (event.shiftKey && primary !== undefined) {
-    const handles = state.rows.map((row) => row.item.handle);
-    const [from, to] = [handles.indexOf(primary), handles.indexOf(item.handle)];
-    if (from >= 0) {
-      const range = handles
-        .slice(Math.min(from, to), Math.max(from, to) + 1)
-        .filter((handle) => handle !== primary);
-      selection.value = [...range, primary].map(whole);
-      return;
-    }
-  }
-  if (event.ctrlKey || event.metaKey) {
-    const rest: Selection = now.filter(({ handle }) => handle !== item.handle);
-    selection.value = rest.length === now.length ? [...now, whole(item.handle)] : rest;
-    return;
-  }
-  selection.value = [whole(item.handle)];
-}
-
-export function toggle(open: Signal<ReadonlySet<Handle>>, handle: Handle, to?: boolean) {
-  const next = new Set(open.value);
-  if (to ?? !next.has(handle)) next.add(handle);
-  else next.delete(handle);
-  open.value = next;
-}
-
 const setters = { hidden: setHidden, locked: setLocked } as const;
 
 /**
- * Pressed on an eye or a lock: it and those that the pointer goes over become alike, in one step.
+ * Sweeps over eyes or locks: the one that was pressed and all that the pointer crosses get the same state, in
+ * one step.
  */
 function sweep(editor: Editor, item: Item, what: "hidden" | "locked") {
   const to = !item[what];

@@ -1,4 +1,5 @@
-// What ☰, the canvas, the rows and the zoom button offer.
+// Menus of ☰, the canvas, the rows and the zoom button.
+import { isPrimaryClosed } from "../../app/selected.js";
 import type { Editor } from "../../app/types.js";
 import { curvesOf } from "../../model/commands/index.js";
 import { en } from "../../strings/en.js";
@@ -7,17 +8,17 @@ import type { MenuItem } from "../controls/menu.js";
 const words = en.panels;
 
 const file = (): readonly MenuItem[] => [
-  { label: words.new, command: "new" },
-  { label: words.open, command: "open" },
+  { label: words.asks(words.new), command: "new" },
+  { label: words.asks(words.open), command: "open" },
   "line",
   { label: words.save, command: "save" },
-  { label: words.saveAs, command: "save-as" },
-  { label: words.export, command: "export" },
+  { label: words.asks(words.saveAs), command: "save-as" },
+  { label: words.asks(words.export), command: "export" },
   "line",
   { label: words.placePhoto, command: "place-photo" },
   { label: words.tracePhoto, command: "trace-photo" },
   { label: words.document, command: "document" },
-  { label: words.recover, command: "recover" },
+  { label: words.asks(words.recover), command: "recover" },
   "line",
   { label: words.home, command: "welcome" },
 ];
@@ -54,7 +55,7 @@ const edit = (editor: Editor): readonly MenuItem[] => {
   ];
 };
 
-/** What is done with the photo that lies on the drawing. */
+/** Returns the menu of the photo that lies on the drawing. */
 export function photo(editor: Editor): readonly MenuItem[] {
   const { drawing, selection } = editor;
   const isThere = [...drawing.all()].some(({ kind, hidden }) => kind === "reference" && !hidden);
@@ -79,7 +80,7 @@ export function photo(editor: Editor): readonly MenuItem[] {
   ];
 }
 
-/** What can be done with what is selected, by its kind. */
+/** Returns the menu of the selection, by its kind. */
 export function object(editor: Editor): readonly MenuItem[] {
   const chosen = editor.selection.value.map(({ handle }) => editor.drawing.item(handle));
   const has = (...kinds: string[]) => chosen.some((item) => item && kinds.includes(item.kind));
@@ -95,7 +96,11 @@ export function object(editor: Editor): readonly MenuItem[] {
     "line",
     { label: words.swapSides, command: "swap-sides", disabled: noCurve },
     { label: words.reverse, command: "reverse", disabled: noCurve },
-    { label: words.close, command: "close-curve", disabled: noCurve },
+    {
+      label: isPrimaryClosed(editor) ? words.openCurve : words.close,
+      command: "close-curve",
+      disabled: noCurve,
+    },
     { label: words.join, command: "join", disabled: chosen.length !== 2 || noCurve },
     "line",
     { label: words.flipHorizontal, command: "flip-horizontal", disabled: nothing },

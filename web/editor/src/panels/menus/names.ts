@@ -42,7 +42,7 @@ const names: Readonly<Record<string, string>> = {
   "swap-sides": words.swapSides,
   reverse: words.reverse,
   join: words.join,
-  "close-curve": words.close,
+  "close-curve": words.closeOrOpen,
   corner: words.corner,
   smooth: words.smooth,
   symmetric: words.symmetric,

@@ -8,7 +8,7 @@ const words = en.picker;
 
 export interface ModelProps {
   readonly color: Rgb;
-  /** The same in OKLCH, with the hue that a grey had before it was one. */
+  /** The same in OKLCH. A colour that became grey keeps its former hue. */
   readonly polar: Oklch;
   readonly onPolar: (polar: Oklch) => void;
   readonly onColor: (color: Rgb) => void;

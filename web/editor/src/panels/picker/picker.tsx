@@ -204,7 +204,7 @@ function Popover({ target }: { readonly target: PickerTarget }) {
     opener.current = document.activeElement;
     const element = popover.current;
     element?.focus();
-    // Whoever has gone to another field stays there.
+    // If the user has gone to another field, the focus stays there.
     const hadFocus = () => element?.contains(document.activeElement);
     return () => void (hadFocus() && (opener.current as HTMLElement | null)?.focus?.());
   }, []);

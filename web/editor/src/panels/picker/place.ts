@@ -7,7 +7,7 @@ import { signal } from "@preact/signals";
 import { targetStop } from "./session.js";
 
 const EDGE = 12;
-/** Where somebody dragged it to, for as long as the page lives. */
+/** The place that the user dragged it to, kept until the page closes. */
 export const left = signal<Point | null>(null);
 
 /** The stop's place in the window, or null. */

@@ -1,4 +1,4 @@
-// What the picker edits: a stop's colour and alpha, as one step of undo from opening to closing.
+// The state of the picker: a stop's colour and alpha, as one step of undo from opening to closing.
 import { useEffect, useMemo, useRef } from "preact/hooks";
 import type { Editor, Gesture, PickerTarget } from "../../app/types.js";
 import type { Rgb } from "../../geometry/color.js";
@@ -12,7 +12,7 @@ import { tintsOf, type Tints } from "../tints.js";
 const words = en.picker;
 const RECENT = 8;
 
-/** What has been changed since the picker was opened; absent: nothing. */
+/** The changes since the picker was opened; absent: none. */
 interface Wish {
   readonly color?: Rgb;
   readonly alpha?: number;
@@ -21,7 +21,7 @@ interface Wish {
 export interface Session extends Tints {
   readonly item: CurveItem;
   readonly color: Rgb;
-  /** Of a gradient's stop its own, else the opacity of the side; null: that varies, or is not there. */
+  /** Alpha of a gradient's stop, else the opacity of the side; null: that varies, or does not exist. */
   readonly alpha: number | null;
   /** The colour when the picker was opened. */
   readonly before: Rgb;
@@ -33,7 +33,7 @@ export interface Session extends Tints {
 
 const keyOf = ({ handle, side, stop }: PickerTarget) => `${handle} ${side} ${stop}`;
 
-/** The picker's target as the drawing has it, or null where it is no more. */
+/** Returns the picker's target in the drawing, or null where it no longer exists. */
 export function targetStop(drawing: Drawing, { handle, side, stop }: PickerTarget) {
   const item = curveOf(drawing, handle);
   const tints = item && tintsOf(drawing, item, side);
@@ -42,7 +42,7 @@ export function targetStop(drawing: Drawing, { handle, side, stop }: PickerTarge
 
 type Found = NonNullable<ReturnType<typeof targetStop>>;
 
-/** Opacity of a side diffuses by itself: it is alpha here where the side has one all along. */
+/** Opacity of a side diffuses separately: it is shown as alpha if it is constant along the side. */
 function alphaOf({ item, gradient, list }: Found, { side, stop }: PickerTarget): number | null {
   if (gradient) return list.stops[stop].value.alpha;
   const { opacity } = item[side];

@@ -9,7 +9,10 @@ type Parts = typeof import("../parts.js");
 const parts = signal<Parts | null>(null);
 const isMissing = signal(false);
 
-/** Once, when the page has begun. @param before what they need first; a failure is told by usePartsComplaint() */
+/**
+ * Fetches the parts once, after the page has started; usePartsComplaint() reports a failure. @param before
+ * what they need first
+ */
 export async function fetchParts(before: Promise<unknown>): Promise<void> {
   try {
     const [fetched] = await Promise.all([import("../parts.js"), before]);
@@ -36,7 +39,7 @@ export const LayersPanel = part("LayersPanel");
 export const Picker = part("Picker");
 export const Tour = part("Tour");
 
-/** Says that parts are missing: once, and again where one is asked for, which is then left. */
+/** Reports that parts are missing: once, and again where one is requested, which is then given up. */
 export function usePartsComplaint() {
   const { editor } = useShell();
   useSignalEffect(() => {

@@ -1,4 +1,4 @@
-// F6 goes round the regions of the page, Shift F6 back; each remembers what had the focus.
+// F6 goes to the next region of the page, Shift F6 to the one before; each region remembers its focus.
 const remembered = new WeakMap<Element, HTMLElement>();
 const tabbable = 'button:not(:disabled):not([tabindex="-1"]), input:not(:disabled), [tabindex="0"]';
 

@@ -11,8 +11,8 @@ const words = en.panels;
 const LEAST = 180;
 
 /**
- * What is selected decides how high the upper part is. While the pointer is on the layers it stays as
- * it is: rows must not move away under the hand that presses them.
+ * The selection determines the height of the upper part. While the pointer is on the layers the height stays:
+ * rows must not move away under the pointer that presses them.
  */
 function useHold(upper: { current: HTMLDivElement | null }) {
   const held = useSignal<number | null>(null);

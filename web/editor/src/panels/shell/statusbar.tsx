@@ -28,22 +28,24 @@ function HintsButton() {
   const isUnread = editor.status.value.kind === "problem" || editor.status.value.kind === "failed";
   // Nobody has looked for hints in what cannot be drawn.
   if (count === 0 && isUnread) return null;
+  const isLooking = count === 0 && !editor.hintsKnown.value;
+  const state = count > 0 ? "some" : isLooking ? "looking" : "";
   return (
     <button
       type="button"
-      class={count > 0 ? "status-button hints-button some" : "status-button hints-button"}
+      class={`status-button hints-button ${state}`}
       aria-expanded={editor.hintsShown.value}
       onClick={() => {
         editor.hintsShown.value = !editor.hintsShown.value;
       }}
     >
-      <Icon name={count > 0 ? "triangle-alert" : "check"} small />
-      {words.hintCount(count)}
+      <Icon name={count > 0 ? "triangle-alert" : isLooking ? "search" : "check"} small />
+      {isLooking ? words.hintsLooking : words.hintCount(count)}
     </button>
   );
 }
 
-/** The engine's state, but for "refining" while it is younger than PATIENCE. */
+/** Returns the engine's state; "refining" only once it is older than PATIENCE. */
 function usePatientStatus() {
   const { editor } = useShell();
   const shown = useSignal<EngineStatus>(editor.status.peek());
@@ -99,10 +101,9 @@ function Engine() {
   return (
     <span
       class={`status-item engine ${status.kind === "exact" ? "ok" : ""}`}
-      data-tip={status.kind === "exact" ? words.exactTip : undefined}
+      data-tip={status.kind === "exact" ? words.exactTip(time) : undefined}
     >
       {face}
-      {time && <span class="muted desk-wide">{time}</span>}
     </span>
   );
 }

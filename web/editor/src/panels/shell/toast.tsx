@@ -1,10 +1,11 @@
-// What was done, with a way back. One at a time; longer under the pointer or with the focus.
+// A message about the last action, with a way to undo it. One at a time; it stays longer under the pointer or
+// with the focus.
 import { useEffect, useRef } from "preact/hooks";
 import { Icon } from "../../icons.js";
 import { en } from "../../strings/en.js";
 import { useShell } from "../services.js";
 
-/** What goes on, with a way to end it. */
+/** Work in progress, with a button that stops it. */
 function TaskView() {
   const { task } = useShell().editor;
   const now = task.value;

@@ -1,4 +1,5 @@
 // The bar above: menu, file, history, the tool's options, what concerns the whole.
+import type { FileState } from "../../app/types.js";
 import { en } from "../../strings/en.js";
 import { IconButton } from "../controls/button.js";
 import { isPhone } from "../controls/media.js";
@@ -9,18 +10,17 @@ import { ToolOptions } from "./options.js";
 
 const words = en.panels;
 
+/** Where the drawing is safe, or why it is not. */
+function wordsOf({ isChanged, kept, lost = "refused", isWaiting }: FileState): string {
+  if (kept === "nowhere") return isChanged ? words.kept[lost] : "";
+  if (isWaiting) return words.saving;
+  return kept === "file" && isChanged ? words.unsaved : words.kept[kept];
+}
+
 function FileName() {
   const { editor } = useShell();
-  const { name, isChanged, kept, isWaiting } = editor.file.value;
+  const { name, isChanged, kept } = editor.file.value;
   const isLost = isChanged && kept === "nowhere";
-  const state =
-    isWaiting && kept !== "nowhere"
-      ? words.saving
-      : kept === "file" && isChanged
-      ? words.unsaved
-      : kept === "nowhere" && !isChanged
-        ? ""
-        : words.kept[kept];
   return (
     <h1 class="file">
       <button
@@ -31,7 +31,7 @@ function FileName() {
       >
         {name}
       </button>
-      <span class={isLost ? "saved warn" : "muted saved"}>{state}</span>
+      <span class={isLost ? "saved warn" : "muted saved"}>{wordsOf(editor.file.value)}</span>
     </h1>
   );
 }

@@ -1,4 +1,4 @@
-// What the tour needs before its card is there.
+// Preparations of the tour before its card appears.
 import { effect, untracked } from "@preact/signals";
 import type { Editor } from "../../app/types.js";
 import { blankText } from "../../model/drawing.js";

@@ -1,4 +1,4 @@
-// The five steps, done with one's own hands: a card that watches, and can be left at any time.
+// The five steps, done by the user: a card that watches, and can be closed at any time.
 import { effect, untracked, useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { Icon } from "../../icons.js";

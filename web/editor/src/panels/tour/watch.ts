@@ -1,4 +1,4 @@
-// What each step of the tour waits for: something that was not so when the step began.
+// The event that each step of the tour waits for: a state that did not hold when the step began.
 import type { Editor } from "../../app/types.js";
 import type { CurveItem, Drawing, SideValue } from "../../model/types.js";
 
@@ -28,7 +28,7 @@ const blurs = (drawing: Drawing) =>
     0,
   );
 
-/** Made when a step begins; the function that it gives tells whether the step is done. */
+/** Called when a step begins; returns a function that tests whether the step is done. */
 type Watch = (editor: Editor) => () => boolean;
 
 export const watches: readonly Watch[] = [
@@ -55,7 +55,7 @@ export const watches: readonly Watch[] = [
   (editor) => () => editor.dialog.value?.kind === "export",
 ];
 
-/** What helps to do a step: the tool in the hand, the last curve selected. */
+/** Prepares a step: selects the tool, and the last curve. */
 export function prepare(editor: Editor, step: number) {
   if (step === 0) editor.tool.value = "pencil";
   if (step === 1) editor.tool.value = "nodes";

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "base/charge.hpp"
+#include "capi/context.hpp"
+#include "capi/documents/edits.hpp"
+#include "options/option.hpp"
+#include "options/settings.hpp"
+#include "sfumato/base/vec2.hpp"
+#include "sfumato/solve/solution.hpp"
+
+namespace sfumato::capi {
+
+/// Ranges of rows [from, to), ascending and disjoint.
+using RowRanges = std::vector<std::array<std::uint32_t, 2>>;
+
+/// The ranges for each table of a layer.
+using ChangedRows = std::array<RowRanges, SFUMATO_OPACITY_VALUES + 1>;
+
+/// Returns the settings of a solution of a document.
+DiffuseOptions solve_options(const options::Settings& settings, const Document& document);
+
+/// Reads the options for solving a document, and the options of a picture unless `picture` is null.
+/// Errors: bad usage, also if options conflict.
+Outcome read_solve_options(const char* text, options::Call call, options::Settings& settings,
+                           options::PictureSettings* picture = nullptr);
+
+/// Notes the new rows; in a new layer these are all rows.
+void note_changes(const Picture& picture, const PictureDelta& delta,
+                  std::vector<ChangedRows>& changed);
+
+/// Updates a picture towards its document if only one curve differs, within a time as
+/// Solution::drag(). Errors: bad input if the picture must be solved; others as drag() and color().
+Status show_change(sfumato_context& context, CurvePlace place, const sfumato_document& document,
+                   double seconds, sfumato_picture& handle);
+
+/// Prepares a picture that matches its document for moving a curve.
+Status expect_drag(sfumato_context& context, CurvePlace place, sfumato_picture& handle);
+
+/// Returns the error for a picture that was read from a file and therefore cannot follow a
+/// document.
+Outcome no_solution();
+
+/// Gathers waiting nodes of a picture that matches its document. Errors: as Solution::drag_more().
+Status show_more(sfumato_context& context, double seconds, sfumato_picture& handle);
+
+/// Gets a table of a layer. Returns false if there is no such table.
+bool find_table(const PatchLayer& layer, std::uint32_t table, sfumato_view& view);
+
+}  // namespace sfumato::capi
+
+struct sfumato_picture {
+  sfumato_picture(std::shared_ptr<sfumato::capi::Workshop> w, sfumato::Solution s,
+                  const sfumato::options::Settings& asked)
+      : workshop(std::move(w)), solution(std::move(s)), settings(asked) {}
+
+  /// A picture that was read from a file; it is charged while it is held.
+  sfumato_picture(std::shared_ptr<sfumato::capi::Workshop> w, sfumato::ScopedCharge charge,
+                  sfumato::Picture p)
+      : workshop(std::move(w)), read_charge(std::move(charge)), read(std::move(p)) {}
+
+  const sfumato::Picture& picture() const { return solution ? solution->picture() : read; }
+  /// The work that made the picture.
+  void count(const sfumato::DiffuseStats& done, const sfumato::FrameLayers& made = {}) {
+    stats = done;
+    frame = made;
+  }
+
+  std::shared_ptr<sfumato::capi::Workshop> workshop;         ///< first: it outlives the rest
+  std::shared_ptr<sfumato::capi::Workshop> drag_workshop{};  ///< so does that of its drag
+  sfumato::ScopedCharge read_charge{};
+  sfumato::Picture read{};  ///< the picture if there is no solution
+  std::optional<sfumato::Solution> solution{};
+  sfumato::options::Settings settings{};  ///< the settings that it is solved with
+  double pixels_per_unit = 1;             ///< the same, of the last time
+  sfumato::Vec2 own_scale{1, 1};          ///< pixels per user unit at the document's own size
+  std::vector<sfumato::capi::ChangedRows> changed{};  ///< of each layer
+  sfumato::DiffuseStats stats{};                      ///< from the last time that it was solved
+  sfumato::FrameLayers frame{};                       ///< the same, where it is one of a film
+  sfumato::capi::Revision shown{};                    ///< what it is a picture of
+  sfumato::capi::Revision applied{};                  ///< the state of its solution's document
+  std::optional<sfumato::capi::CurvePlace> dragged{};
+  bool has_moved = false;  ///< the curve that is dragged, or that may be dragged next
+  std::optional<sfumato::StopPlace> colored{};  ///< the stop that its solution is prepared for
+};

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "cli/files/solved_input.hpp"
+#include "sfumato/base/box.hpp"
+#include "sfumato/base/color.hpp"
+#include "sfumato/base/color_space.hpp"
+
+/// The text of `sfumato info`: the lines that drawings and solved pictures share, and all lines of
+/// solved pictures.
+namespace sfumato::cli {
+
+/// Returns a line of the table, with its newline.
+std::string table_row(std::string label, const std::string& content);
+
+/// Returns the shortest decimal that reads back as the number.
+std::string shortest(double number);
+
+/// Returns "640 x 480", followed by " at 10,20" if the box does not begin at the origin.
+std::string size_text(const Box& box);
+
+const char* interpolation_name(InterpolationSpace space);
+
+/// Returns "#rrggbb" or "none".
+std::string background_text(const std::optional<Rgb>& background);
+
+/// Returns the description of a solved picture, as a table or as a JSON object on one line. name:
+/// of the file. bytes: its size.
+std::string solved_text(const std::string& name, const SolvedInput& solved, std::size_t bytes,
+                        bool as_json);
+
+}  // namespace sfumato::cli

@@ -1,0 +1,289 @@
+#include "cli/options/arguments.hpp"
+
+#include <algorithm>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/text/utf8.hpp"
+#include "cli/commands/document_commands.hpp"
+#include "cli/commands/start_commands.hpp"
+#include "cli/files/file_uses.hpp"
+#include "cli/options/option_helpers.hpp"
+#include "cli/options/render_options.hpp"
+#include "cli/options/tiles_options.hpp"
+#include "cli/options/trace_options.hpp"
+#include "formats/text/suggestion.hpp"
+#include "options/values.hpp"
+
+namespace sfumato::cli {
+namespace {
+
+constexpr const char* kDescription =
+    "Sfumato draws diffusion curves: Bezier curves with a colour on each side that spreads "
+    "smoothly.";
+
+constexpr const char* kRootFooter =
+    "Examples:\n"
+    "  sfumato init drawing.svg\n"
+    "  sfumato edit drawing.svg\n"
+    "  sfumato watch drawing.svg\n"
+    "  sfumato render lady_bug.xml -o lady_bug.png\n"
+    "  sfumato solve lady_bug.xml -o lady_bug.sfp\n"
+    "  sfumato tiles lady_bug.sfp -o deep --scale 128\n"
+    "  sfumato info lady_bug.xml\n"
+    "  sfumato convert lady_bug.xml -o lady_bug.svg\n"
+    "  sfumato trace photo.jpg -o drawing.svg\n"
+    "  sfumato lint lady_bug.svg\n"
+    "  sfumato compare before.png after.png -o difference.png\n"
+    "\n"
+    "Run 'sfumato COMMAND --help' for the options of a command.\n"
+    "Exit codes: 0 done, 1 bad input, 2 bad usage, 3 limit or resource, 4 internal error (please\n"
+    "report it).";
+
+constexpr const char* kCompareFooter =
+    "Examples:\n"
+    "  sfumato compare exact.png fast.png\n"
+    "  sfumato compare exact.png fast.png -o difference.png --scale 32";
+
+CLI::App* add_compare(CLI::App& root, CompareArguments& arguments) {
+  CLI::App* app = root.add_subcommand("compare", "Measure how much two PNG images differ");
+  app->footer(kCompareFooter);
+  app->add_option("A", arguments.first, "A PNG file; '-': stdin")->required()->type_name("");
+  app->add_option("B", arguments.second, "A PNG file; '-': stdin")->required()->type_name("");
+  add_output(*app, arguments.output, {.only = OutputKind::png}, "OUT.png",
+             "Write a picture of the differences");
+  add_value(*app, "--scale", {"a number above 0", "NUMBER"},
+            "Multiply the differences in the picture [128]",
+            into(arguments.scale, options::parse_positive))
+      ->needs(app->get_option("--output"));
+  app->add_flag("--json", arguments.json, "Print one JSON object");
+  add_resources(*app, arguments.resources);
+  return app;
+}
+
+void settle(const CompareArguments& arguments) {
+  if (arguments.first == "-" && arguments.second == "-") {
+    throw CLI::ValidationError(
+        "B", "both pictures are '-', but stdin can be read only once; give a file name for one");
+  }
+  if (arguments.output == "-") {
+    throw CLI::ValidationError("--output", "stdout is taken by the figures; use a file name");
+  }
+  const std::string complaint =
+      complaint_about({{arguments.first, "the picture"}, {arguments.second, "the picture"}},
+                      {{arguments.output, "the picture of the differences", "--output"}});
+  if (!complaint.empty()) throw CLI::ValidationError("--output", complaint);
+}
+
+void settle(ConvertArguments& arguments) {
+  const std::string complaint =
+      complaint_about({{arguments.input, "the drawing"}},
+                      {{arguments.output, "the converted drawing", "--output"}});
+  if (!complaint.empty()) throw CLI::ValidationError("--output", complaint);
+  arguments.outputs = {arguments.output};
+}
+
+/// Returns the beginning of a complaint, without control characters. It quotes arguments of any
+/// length.
+std::string shortened(const std::string& text) {
+  constexpr std::size_t kMostBytes = 1000;
+  std::size_t end = std::min(text.size(), kMostBytes);
+  const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; };
+  while (end < text.size() && end > 0 && continues(text[end])) --end;
+  return printable(text.substr(0, end), "\n") + (end < text.size() ? "…" : "");
+}
+
+/// Returns the option that a one-letter option of other programs stands for, as a hint.
+std::string meaning_elsewhere(std::string_view option) {
+  if (option.starts_with("-w")) return "; use --width";
+  if (option.starts_with("-z") || option.starts_with("-s")) return "; use --scale";
+  if (option.starts_with("-d")) return "; use --dpi";
+  if (option.starts_with("-b")) return "; use --background";
+  return {};
+}
+
+/// Returns a hint at the option that was probably meant: the nearest name, or the first name that
+/// begins with the text.
+std::string option_hint(const CLI::App& command, std::string_view name) {
+  std::vector<std::string_view> names;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& known : option->get_lnames()) names.push_back(known);
+  }
+  std::string_view best = text::nearest(name, names);
+  const auto begun = std::ranges::find_if(
+      names, [name](std::string_view known) { return known.starts_with(name); });
+  if (best.empty() && !name.empty() && begun != names.end()) best = *begun;
+  return best.empty() ? std::string() : "; did you mean --" + std::string(best) + "?";
+}
+
+/// Returns what is wrong with the first option that the command does not have, or nothing.
+std::string unknown_option(const CLI::App& command) {
+  for (const std::string& argument : command.remaining()) {
+    if (!argument.starts_with('-') || argument.size() < 2) continue;
+    const std::string option = argument.substr(0, argument.find('='));
+    return "unknown option " + text::quoted(option) + " for " + command.get_name() +
+           (option.starts_with("--") ? option_hint(command, std::string_view(option).substr(2))
+                                     : meaning_elsewhere(option));
+  }
+  return {};
+}
+
+std::string unknown_command(std::string_view given, const CLI::App& root) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : root.get_subcommands({})) names.push_back(command->get_name());
+  const std::vector<std::string_view> candidates(names.begin(), names.end());
+  std::string list;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    list += (i == 0 ? "" : i + 1 == names.size() ? " or " : ", ") + names[i];
+  }
+  const std::string hint = given.starts_with("--") ? option_hint(root, given.substr(2))
+                                                   : text::did_you_mean(given, candidates);
+  return (given.starts_with("-") ? "unknown option \"" : "unknown command \"") +
+         std::string(given) + "\"; use " + list + hint;
+}
+
+NoCommand usage_error(const CLI::App& root, std::string what) {
+  std::string command = "sfumato";
+  for (const CLI::App* chosen : root.get_subcommands()) {
+    command += ' ' + chosen->get_name();
+    if (std::string unknown = unknown_option(*chosen); !unknown.empty()) what = std::move(unknown);
+  }
+  if (root.get_subcommands().empty() && root.remaining_size() > 0) {
+    what = unknown_command(root.remaining().front(), root);
+  }
+  return {"sfumato: error: " + shortened(what) + "\nTry '" + command + " --help'.\n", kBadUsage};
+}
+
+/// Returns what is wrong with a call for help: an unknown command, or -h with a number, which other
+/// programs take for a height. Empty: nothing is wrong.
+std::string wrong_beside_help(const CLI::App& root, std::span<const char* const> arguments) {
+  for (std::size_t i = 1; i < arguments.size(); ++i) {
+    const std::string_view argument = arguments[i];
+    if (root.get_subcommands().empty() && !argument.starts_with('-')) {
+      return unknown_command(argument, root);
+    }
+    if (argument != "-h" || i + 1 == arguments.size()) continue;
+    if (options::parse_number(arguments[i + 1])) return "-h prints help; use --height";
+  }
+  return {};
+}
+
+/// Holds the commands and their arguments.
+class CommandLine {
+ public:
+  CommandLine();
+  Command parse(int argc, const char* const* argv);
+
+ private:
+  Command chosen();
+  Command settled_start();
+
+  CLI::App root_{kDescription, "sfumato"};
+  RenderArguments render_;
+  RenderChoices render_choices_;
+  SolveArguments solve_;
+  JobChoices solve_choices_;
+  TilesArguments tiles_;
+  TilesChoices tiles_choices_;
+  InfoArguments info_;
+  ConvertArguments convert_;
+  LintArguments lint_;
+  CompareArguments compare_;
+  InitArguments init_;
+  WatchArguments watch_;
+  RenderChoices watch_choices_;
+  EditArguments edit_;
+  TraceArguments trace_;
+  TraceChoices trace_choices_;
+};
+
+CommandLine::CommandLine() {
+  root_.footer(kRootFooter);
+  root_.set_help_flag("-h,--help", "Print this help");
+  root_.set_version_flag("--version", "sfumato " SFUMATO_VERSION, "Print the version");
+  root_.require_subcommand(0, 1);
+  root_.get_formatter()->column_width(28);
+  root_.get_formatter()->label("REQUIRED", "");
+  add_render(root_, render_, render_choices_);
+  add_solve(root_, solve_, solve_choices_);
+  add_tiles(root_, tiles_, tiles_choices_);
+  add_info(root_, info_);
+  add_convert(root_, convert_);
+  add_trace(root_, trace_, trace_choices_);
+  add_lint(root_, lint_);
+  add_compare(root_, compare_);
+  add_init(root_, init_);
+  add_watch(root_, watch_, watch_choices_);
+  add_edit(root_, edit_);
+}
+
+Command CommandLine::chosen() {
+  if (root_.got_subcommand("render")) {
+    settle(render_, render_choices_);
+    render_.drawing_options = given_drawing_options(*root_.get_subcommand("render"));
+    return render_;
+  }
+  if (root_.got_subcommand("solve")) {
+    settle(solve_, solve_choices_);
+    return solve_;
+  }
+  if (root_.got_subcommand("tiles")) {
+    settle(tiles_, tiles_choices_);
+    return tiles_;
+  }
+  if (root_.got_subcommand("info")) return info_;
+  if (root_.got_subcommand("convert")) {
+    settle(convert_);
+    return convert_;
+  }
+  if (root_.got_subcommand("trace")) {
+    settle(*root_.get_subcommand("trace"), trace_, trace_choices_);
+    return trace_;
+  }
+  if (root_.got_subcommand("lint")) return lint_;
+  if (root_.got_subcommand("compare")) {
+    settle(compare_);
+    return compare_;
+  }
+  return settled_start();
+}
+
+/// Returns the chosen command if it starts a drawing: init, watch or edit.
+Command CommandLine::settled_start() {
+  if (root_.got_subcommand("init")) {
+    settle(init_);
+    return init_;
+  }
+  if (root_.got_subcommand("watch")) {
+    settle(watch_, watch_choices_);
+    return watch_;
+  }
+  if (root_.got_subcommand("edit")) {
+    settle(edit_);
+    return edit_;
+  }
+  return NoCommand{root_.help(), kBadUsage};
+}
+
+Command CommandLine::parse(int argc, const char* const* argv) {
+  try {
+    root_.parse(argc, argv);
+    return chosen();
+  } catch (const CLI::CallForHelp&) {
+    const std::string wrong = wrong_beside_help(root_, {argv, static_cast<std::size_t>(argc)});
+    return wrong.empty() ? NoCommand{root_.help(), kDone} : usage_error(root_, wrong);
+  } catch (const CLI::CallForVersion& version) {
+    return NoCommand{std::string(version.what()) + '\n', kDone};
+  } catch (const CLI::ParseError& error) {
+    return usage_error(root_, error.what());
+  }
+}
+
+}  // namespace
+
+Command parse_arguments(int argc, const char* const* argv) {
+  return CommandLine().parse(argc, argv);
+}
+
+}  // namespace sfumato::cli

@@ -1,0 +1,475 @@
+#include "raster/coverage/coverage.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "raster/coverage/clip.hpp"
+#include "raster/coverage/split_triangle.hpp"
+
+namespace sfumato::raster {
+namespace {
+
+struct PixelCorners {
+  PixelPoint at[3];
+};
+
+PixelCorners pixel_corners_of(const LayerView& layer, std::uint32_t triangle) {
+  PixelCorners corners;
+  for (int k = 0; k < 3; ++k) corners.at[k] = corner_position(layer, triangle, k);
+  return corners;
+}
+
+/// One of the placed triangles.
+struct Placed {
+  Placed(const PlacedTriangles& all, std::size_t i)
+      : box{{all.left[i], all.top[i]}, {all.right[i], all.bottom[i]}},
+        range{all.begin[i], all.end[i], all.first_row[i], all.end_row[i]} {
+    for (int k = 0; k < 3; ++k) corner[k] = {all.x[k][i], all.y[k][i]};
+  }
+
+  Vec2 corner[3];
+  Box box;
+  PixelRange range;
+};
+
+/// The parts of a triangle in unit squares.
+class TriangleParts {
+ public:
+  /// Prepares a triangle. Its corners are clockwise on the screen, unless the layer is mirrored; it
+  /// uses `cells` as its workspace.
+  TriangleParts(const Placed& placed, bool mirrored, double scale, CellCoverage* cells)
+      : cells_(cells) {
+    const Vec2 a = placed.corner[0] * scale;
+    const Vec2 b = placed.corner[mirrored ? 2 : 1] * scale;
+    const Vec2 c = placed.corner[mirrored ? 1 : 2] * scale;
+    if (!cells_->cut({a, b, c}, {placed.box.min * scale, placed.box.max * scale})) {
+      cells_ = nullptr;
+      clip_ = clip_triangle(a, b, c);
+    }
+  }
+
+  Coverage in(int x, int y) const {
+    return cells_ ? cells_->in(x, y) : pixel_coverage(*clip_, x, y);
+  }
+  /// Returns the part of a pixel's quarter, as a part of a pixel, for a triangle of double size.
+  Coverage in_quarter(int x, int y, int quarter) const {
+    const Vec2 corner{1.0 * (quarter & 1), 1.0 * (quarter >> 1)};
+    const Coverage part = in(2 * x + (quarter & 1), 2 * y + (quarter >> 1));
+    if (part.area == 0) return {};
+    return {0.25 * part.area, 0.5 * (corner + part.centroid)};
+  }
+
+ private:
+  CellCoverage* cells_;  ///< null: not small
+  std::optional<ClipTriangle> clip_;
+};
+
+/// Shades directly into a tile: opaque, in code values.
+class OpaqueShader {
+ public:
+  explicit OpaqueShader(const LayerView& layer) : layer_(layer) {}
+
+  const LayerView& layer() const { return layer_; }
+  void begin_triangle(std::uint32_t triangle, const TriangleFrame& frame) {
+    patch_ = patch_polynomial(ColorChannels(layer_), layer_.order, triangle, frame);
+  }
+  bool has_centers() const { return layer_.order == PatchOrder::cubic; }
+  Color4 at_center(std::uint32_t triangle) const {
+    const std::size_t slot = node_slot(triangle, kCenterNode);
+    return ColorChannels(layer_).at(slot) + color4(0, 0, 0, 1);
+  }
+  Color4 at(const PatchPoint& p, Vec2) const { return patch_color(patch_, p) + color4(0, 0, 0, 1); }
+  Color4 value(const PatchPoint& p, Vec2 center) const { return at(p, center); }
+  Color4 shown(const Color4& value) const { return value; }
+
+ private:
+  const LayerView& layer_;
+  PatchPolynomial patch_;
+};
+
+/// Finds the pixels whose whole square lies in a layer's frame.
+class FrameInImage {
+ public:
+  explicit FrameInImage(const LayerView& layer)
+      : frame_(layer.frame), layer_from_image_(inverse(layer.image_from_layer)) {}
+
+  bool holds(int x, int y) const {
+    const Affine& m = layer_from_image_;
+    const Vec2 center = m({x + 0.5, y + 0.5});
+    const Vec2 reach{0.5 * (std::fabs(m.a) + std::fabs(m.c)),
+                     0.5 * (std::fabs(m.b) + std::fabs(m.d))};
+    return center.x - reach.x >= frame_.min.x && center.x + reach.x <= frame_.max.x &&
+           center.y - reach.y >= frame_.min.y && center.y + reach.y <= frame_.max.y;
+  }
+
+ private:
+  Box frame_;
+  Affine layer_from_image_;
+};
+
+/// Returns the offset of a pixel in the tile's planes.
+std::size_t offset(int x, int row) {
+  return static_cast<std::size_t>(row) * kTileStride + static_cast<std::size_t>(x);
+}
+
+/// Triangles with no longer edge than this, pixels, may have colours that bend within a pixel:
+/// triangles of a blur, which are as fine as its radius.
+constexpr double kSmallTrianglePx = 3;
+
+/// Triangles with no longer edge than this, pixels, are not split by a pixel's quarters.
+constexpr double kWholeTrianglePx = 0.6;
+
+/// Smaller areas are rounding errors.
+constexpr double kLeastPart = 1e-13;
+
+/// The pixels that a box meets: the given one, it and the next one in its row or in its column, or
+/// others, such as for a box beside a tile.
+enum class PixelSpan { one, row, column, other };
+
+PixelSpan pixel_span(const Box& box, int x, int y) {
+  const bool begins = box.min.x >= x && box.min.x < x + 1 && box.min.y >= y && box.min.y < y + 1;
+  if (!(begins && box.max.x <= x + 2 && box.max.y <= y + 2)) return PixelSpan::other;
+  const bool in_column = box.max.x <= x + 1, in_row = box.max.y <= y + 1;
+  if (in_row) return in_column ? PixelSpan::one : PixelSpan::row;
+  return in_column ? PixelSpan::column : PixelSpan::other;
+}
+
+double longest_edge_squared(const Vec2 (&corner)[3]) {
+  double longest = 0;
+  for (int k = 0; k < 3; ++k)
+    longest = std::max(longest, length_squared(corner[(k + 1) % 3] - corner[k]));
+  return longest;
+}
+
+bool may_be_small(const LayerView& layer, std::uint32_t triangle) {
+  return layer.is_bent && layer.is_bent[triangle];
+}
+
+bool is_small(const LayerView& layer, std::uint32_t triangle, const Vec2 (&corner)[3]) {
+  return may_be_small(layer, triangle) &&
+         longest_edge_squared(corner) <= kSmallTrianglePx * kSmallTrianglePx;
+}
+
+bool is_read_in_quarters(const LayerView& layer, std::uint32_t triangle, const Vec2 (&corner)[3]) {
+  if (!may_be_small(layer, triangle)) return false;
+  const double longest = longest_edge_squared(corner);
+  return longest <= kSmallTrianglePx * kSmallTrianglePx &&
+         longest > kWholeTrianglePx * kWholeTrianglePx;
+}
+
+/// Finds the soft edges of triangles, which are queried in increasing order.
+class SoftEdgeSearch {
+ public:
+  explicit SoftEdgeSearch(const LayerView& layer)
+      : is_curve_(layer.edge_is_curve), rest_(layer.soft_edge, layer.soft_edge_count) {}
+
+  std::span<const SoftEdge> of(std::uint32_t triangle) {
+    const std::uint8_t* is_curve = is_curve_ + std::size_t{3} * triangle;
+    if (rest_.empty() || !(is_curve[0] | is_curve[1] | is_curve[2])) return {};
+    skip_before(triangle);
+    std::size_t count = 0;
+    while (count < rest_.size() && soft_edge_triangle(rest_[count]) == triangle) ++count;
+    return rest_.first(count);
+  }
+
+ private:
+  /// Skips in steps that double: the next one is near, or far where a tile shows little of a layer.
+  void skip_before(std::uint32_t triangle) {
+    std::size_t reach = 1;
+    while (reach < rest_.size() && soft_edge_triangle(rest_[reach - 1]) < triangle) reach *= 2;
+    const auto near = rest_.first(std::min(reach, rest_.size()));
+    const auto found = std::ranges::lower_bound(near, triangle, {}, soft_edge_triangle);
+    rest_ = rest_.subspan(static_cast<std::size_t>(found - near.begin()));
+  }
+
+  const std::uint8_t* is_curve_;
+  std::span<const SoftEdge> rest_;
+};
+
+/// Returns the outline of all strips of a soft edge.
+std::array<Vec2, 4> outline(const SoftStrip& strip) {
+  constexpr double kReach = kStripReach[kStrips - 1];
+  return {strip.end[0], strip.end[1], strip.end[1] + strip.reach[1] * kReach,
+          strip.end[0] + strip.reach[0] * kReach};
+}
+
+}  // namespace
+
+/// Calls visit(triangle, place in placed_) for the triangles of a list, one after another.
+template <class Visit>
+void MixedPixels::for_each_placed(const LayerView& layer, const TriangleList& triangles,
+                                  const Tile& tile, const Visit& visit) {
+  for (std::size_t first = 0; first < triangles.count; first += PlacedTriangles::kMost) {
+    const std::size_t count = std::min(triangles.count - first, PlacedTriangles::kMost);
+    kernels_.place_triangles(layer, triangles.triangle + first, count, tile, &placed_);
+    for (std::size_t i = 0; i < count; ++i) visit(triangles.triangle[first + i], i);
+  }
+}
+
+void MixedPixels::mark(const LayerView& layer, const TriangleList& triangles, const Tile& tile) {
+  marks_.clear();
+  SoftEdgeSearch soft_edges(layer);
+  for_each_placed(layer, triangles, tile, [&](std::uint32_t t, std::size_t place) {
+    mark_triangle(layer, t, place, tile);
+    for (const SoftEdge& edge : soft_edges.of(t))
+      marks_.mark_convex(outline(soft_strip(layer, edge)), tile);
+  });
+  sum_.assign(marks_.number(), Sum{});
+}
+
+void MixedPixels::mark_triangle(const LayerView& layer, std::uint32_t triangle, std::size_t place,
+                                const Tile& tile) {
+  const std::uint8_t* is_curve = layer.edge_is_curve + std::size_t{3} * triangle;
+  if (!may_be_small(layer, triangle) && !(is_curve[0] | is_curve[1] | is_curve[2])) return;
+  const Placed placed(placed_, place);
+  // Where triangles are smaller than pixels, earlier ones have already marked these pixels.
+  if (holds_all(marks_.mask(), placed.range)) return;
+  const auto& corner = placed.corner;
+  if (is_small(layer, triangle, corner)) marks_.mark_convex(corner, tile);
+  for (int k = 0; k < 3; ++k)
+    if (is_curve[k]) marks_.mark_edge(corner[k], corner[(k + 1) % 3], tile);
+}
+
+void MixedPixels::Sum::add(const Coverage& part, const Color4& color) {
+  const float part_area = static_cast<float>(part.area);
+  if (area == 0) color.store(first);
+  const Color4 difference = color - Color4::load(first);
+  (Color4::load(rest) + Color4(part_area) * difference).store(rest);
+  area += part_area;
+  moment[0] += part_area * static_cast<float>(part.centroid.x);
+  moment[1] += part_area * static_cast<float>(part.centroid.y);
+}
+
+/// Adds a triangle that lies in the pixel at the range's beginning.
+template <class Shader>
+void MixedPixels::add_whole_triangle(const Shader& shader, std::uint32_t triangle,
+                                     const Vec2 (&corner)[3], const PixelRange& range,
+                                     const Tile& tile) {
+  const bool mirrored = shader.layer().mirrored;
+  const Coverage part =
+      whole_coverage(corner[0], corner[mirrored ? 2 : 1], corner[mirrored ? 1 : 2],
+                     tile.x0 + range.begin, tile.y0 + range.first_row);
+  if (!(part.area > 0)) return;
+  const auto add = [&](int, std::uint32_t index) {
+    sum_[index].add(part, shader.at_center(triangle));
+  };
+  marks_.for_each(range.first_row, range.begin, range.begin + 1, add);
+}
+
+/// Adds a triangle that lies in the pixel at the range's beginning and the next in its row (axis 0)
+/// or column (axis 1), which may be beside the tile.
+template <class Shader>
+void MixedPixels::add_split_triangle(Shader* shader, std::uint32_t triangle,
+                                     const Vec2 (&corner)[3], int axis, const PixelRange& range,
+                                     const Tile& tile) {
+  const Vec2 along[2] = {corner[1] - corner[0], corner[2] - corner[0]};
+  const double area =
+      0.5 * (shader->layer().mirrored ? cross(along[1], along[0]) : cross(along[0], along[1]));
+  if (!(area > 0)) return;
+  bool has_begun = false;
+  const auto add = [&](const SplitPart& split, int column, int row) {
+    const double part_area = split.share * area;
+    if (!(part_area > kLeastPart)) return;
+    marks_.for_each(row, column, column + 1, [&](int, std::uint32_t index) {
+      if (!has_begun) shader->begin_triangle(triangle, kBarycentricFrame);
+      has_begun = true;
+      const Vec2 pixel{1.0 * tile.x0 + column, 1.0 * tile.y0 + row};
+      const Vec2 centroid = corner[0] + along[0] * split.u + along[1] * split.v;
+      const PatchPoint at{static_cast<float>(clamp_unit(split.u)),
+                          static_cast<float>(clamp_unit(split.v))};
+      sum_[index].add({part_area, centroid - pixel}, shader->at(at, pixel + Vec2{0.5, 0.5}));
+    });
+  };
+  const int column = range.begin, row = range.first_row;
+  const double border = axis == 0 ? tile.x0 + column + 1 : tile.y0 + row + 1;
+  const auto distance = [&](Vec2 p) { return (axis == 0 ? p.x : p.y) - border; };
+  const SplitTriangle split =
+      split_triangle({distance(corner[0]), distance(corner[1]), distance(corner[2])});
+  add(split.below, column, row);
+  if (axis == 0 && column + 1 < range.end) add(split.above, column + 1, row);
+  if (axis == 1 && row + 1 < range.end_row) add(split.above, column, row + 1);
+}
+
+template <class Shader>
+void MixedPixels::add_triangle(Shader* shader, std::uint32_t triangle, std::size_t place,
+                               const Tile& tile) {
+  const Placed placed(placed_, place);
+  const PixelRange& range = placed.range;
+  if (!holds_any(marks_.mask(), range)) return;
+  const auto& corner = placed.corner;
+  const bool in_quarters = is_read_in_quarters(shader->layer(), triangle, corner);
+  if (!in_quarters && shader->has_centers()) {
+    const int x = tile.x0 + range.begin, y = tile.y0 + range.first_row;
+    const PixelSpan span = pixel_span(placed.box, x, y);
+    if (span == PixelSpan::one) return add_whole_triangle(*shader, triangle, corner, range, tile);
+    if (span != PixelSpan::other)
+      return add_split_triangle(shader, triangle, corner, span == PixelSpan::row ? 0 : 1, range,
+                                tile);
+  }
+  const bool mirrored = shader->layer().mirrored;
+  const TriangleParts parts(placed, mirrored, in_quarters ? 2 : 1, &cells_);
+  const TriangleFrame frame = triangle_frame(
+      {{corner[0].x, corner[0].y}, {corner[1].x, corner[1].y}, {corner[2].x, corner[2].y}},
+      mirrored);
+  bool has_begun = false;
+  const auto add = [&](const Coverage& part, int x, int y, std::uint32_t index) {
+    if (!(part.area > 0)) return;
+    if (!has_begun) shader->begin_triangle(triangle, frame);
+    has_begun = true;
+    const Vec2 p{x + part.centroid.x, y + part.centroid.y};
+    // Shaders are already filtered over the pixel's square: they are evaluated at its centre.
+    sum_[index].add(part, shader->at(patch_point(frame, p.x, p.y), {x + 0.5, y + 0.5}));
+  };
+  for (int row = range.first_row; row < range.end_row; ++row) {
+    marks_.for_each(row, range.begin, range.end, [&](int column, std::uint32_t index) {
+      const int x = tile.x0 + column, y = tile.y0 + row;
+      if (!in_quarters) return add(parts.in(x, y), x, y, index);
+      for (int quarter = 0; quarter < 4; ++quarter)
+        add(parts.in_quarter(x, y, quarter), x, y, index);
+    });
+  }
+}
+
+/// Reads the colours that a triangle at the edge shows in the pixels of its blur. Without a
+/// triangle the other side's colour is absent.
+template <class Shader>
+void MixedPixels::read_side(Shader* shader, const SoftStrip& strip, std::uint32_t slot, int side) {
+  if (slot == SoftEdge::kNone) {
+    for (BlurredPixel& pixel : blurred_)
+      pixel.side[side] = pixel.side[1 - side] * color4(1, 1, 1, 0);
+    return;
+  }
+  const PixelCorners corners = pixel_corners_of(shader->layer(), slot / 3);
+  const TriangleFrame frame = triangle_frame(corners.at, shader->layer().mirrored);
+  shader->begin_triangle(slot / 3, frame);
+  for (BlurredPixel& pixel : blurred_) {
+    const Vec2 p = lerp(strip.end[0], strip.end[1], double{pixel.part.along});
+    pixel.side[side] = shader->value(patch_point(frame, p.x, p.y), {pixel.x + 0.5, pixel.y + 0.5});
+  }
+}
+
+template <class Shader>
+void MixedPixels::add_blur(Shader* shader, const SoftEdge& edge, const Tile& tile) {
+  const SoftStrip strip = soft_strip(shader->layer(), edge);
+  const PixelRange range = pixels_in(box_of(outline(strip)), tile);
+  for (int row = range.first_row; row < range.end_row; ++row) {
+    marks_.for_each(row, range.begin, range.end, [&](int column, std::uint32_t index) {
+      const int x = tile.x0 + column, y = tile.y0 + row;
+      const StripPart part = strip_part(strip, x, y);
+      if (part.empty()) return;
+      blurred_.push_back({index, x, y, part, {}});
+      if (blurred_.size() == kMostBlurred) blur_pixels(shader, strip, edge);
+    });
+  }
+  blur_pixels(shader, strip, edge);
+}
+
+/// Adds the change by an edge's blur in the collected pixels.
+template <class Shader>
+void MixedPixels::blur_pixels(Shader* shader, const SoftStrip& strip, const SoftEdge& edge) {
+  if (blurred_.empty()) return;
+  const bool front_first = edge.front != SoftEdge::kNone;
+  read_side(shader, strip, front_first ? edge.front : edge.back, front_first ? 1 : 0);
+  read_side(shader, strip, front_first ? edge.back : edge.front, front_first ? 0 : 1);
+  for (const BlurredPixel& pixel : blurred_) {
+    const Color4 across = Color4(edge.contrast) * (pixel.side[0] - pixel.side[1]);
+    // The share of the colour across falls by an eighth from strip to strip.
+    const auto shown = [&](int strips_left) {
+      return shader->shown(pixel.side[1] + Color4(0.125f * strips_left) * across);
+    };
+    Color4 sum = Color4::load(sum_[pixel.sum].blur);
+    Color4 inner = shown(kStrips);
+    for (int i = 0; i < kStrips; ++i) {
+      const Color4 outer = shown(kStrips - 1 - i);
+      sum = sum + Color4(pixel.part.area[i]) * (inner - outer);
+      inner = outer;
+    }
+    sum.store(sum_[pixel.sum].blur);
+  }
+  blurred_.clear();
+}
+
+template <class Shader>
+void MixedPixels::add_blurs(Shader* shader, const TriangleList& triangles, const Tile& tile) {
+  if (shader->layer().soft_edge_count == 0) return;
+  SoftEdgeSearch soft_edges(shader->layer());
+  for (std::size_t i = 0; i < triangles.count; ++i)
+    for (const SoftEdge& edge : soft_edges.of(triangles.triangle[i])) add_blur(shader, edge, tile);
+}
+
+/// Calls visit(x, row, index of its sum) for every marked pixel.
+template <class Visit>
+void MixedPixels::for_each_marked(const Tile& tile, const Visit& visit) const {
+  for (int row = 0; row < tile.height; ++row) {
+    marks_.for_each(row, 0, tile.width, [&](int x, std::uint32_t index) { visit(x, row, index); });
+  }
+}
+
+/// is_straight: writes onto the pixels below, not separately.
+void MixedPixels::write(const LayerView& layer, const Tile& tile, bool is_straight) {
+  // Where half of a pixel's square is covered, the centre rule decides.
+  constexpr float kLeastArea = 0.5f + 1e-6f;
+  // A larger area is all of a pixel, apart from the rounding of the sum.
+  constexpr float kWholeArea = 1 - 1e-5f;
+  const FrameInImage frame(layer);
+  const bool is_opaque = layer.opacity.channel_count == 0;
+  for_each_marked(tile, [&](int x, int row, std::uint32_t index) {
+    const Sum& sum = sum_[index];
+    float share = sum.area > kWholeArea ? 1 : sum.area;
+    if (share < 1 && is_opaque && !frame.holds(tile.x0 + x, tile.y0 + row)) {
+      if (share < kLeastArea) return;
+      share = 1;
+    }
+    const std::size_t at = offset(x, row);
+    float* const target[4] = {tile.color[0] + at, tile.color[1] + at, tile.color[2] + at,
+                              tile.alpha ? tile.alpha + at : nullptr};
+    PixelPart part{share, {sum.moment[0], sum.moment[1]}, {}};
+    for (int c = 0; c < 4; ++c)
+      part.color[c] = sum.area > 0 ? sum.first[c] + sum.rest[c] / sum.area : 0;
+    float out[4];
+    std::copy_n(part.color, 4, out);
+    if (share < 1) {
+      // Values out of range are clamped later where the part stands alone.
+      for (float& channel : part.color) channel = std::clamp(channel, 0.0f, 1.0f);
+      for (int c = 0; c < 4; ++c) out[c] = share * part.color[c];
+      if (is_straight) abutting_.paint(tile.x0 + x, tile.y0 + row, part, sum.below, out);
+    }
+    if (is_straight) {
+      for (int c = 0; c < 4 && target[c]; ++c) *target[c] = out[c] + sum.blur[c];
+    } else {
+      for (int c = 0; c < 4; ++c) *target[c] = std::clamp(out[c] + sum.blur[c], 0.0f, 1.0f);
+    }
+  });
+}
+
+template <class Shader>
+void MixedPixels::add_triangles(Shader* shader, const TriangleList& triangles, const Tile& tile) {
+  if (sum_.empty()) return;
+  for_each_placed(shader->layer(), triangles, tile, [&](std::uint32_t t, std::size_t place) {
+    add_triangle(shader, t, place, tile);
+  });
+  add_blurs(shader, triangles, tile);
+}
+
+void MixedPixels::keep_below(const Tile& tile) {
+  for_each_marked(tile, [&](int x, int row, std::uint32_t index) {
+    const std::size_t at = offset(x, row);
+    for (int c = 0; c < 3; ++c) sum_[index].below[c] = tile.color[c][at];
+    sum_[index].below[3] = tile.alpha ? tile.alpha[at] : 1;
+  });
+}
+
+void MixedPixels::paint(const LayerView& layer, const TriangleList& triangles, const Tile& tile) {
+  OpaqueShader shader(layer);
+  add_triangles(&shader, triangles, tile);
+  write(layer, tile, true);
+}
+
+void MixedPixels::paint(PointShader* shader, const TriangleList& triangles, const Tile& tile) {
+  add_triangles(shader, triangles, tile);
+  write(shader->layer(), tile, false);
+}
+
+}  // namespace sfumato::raster

@@ -1,0 +1,123 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "raster/coverage/abutting.hpp"
+#include "raster/coverage/cell_coverage.hpp"
+#include "raster/coverage/clip.hpp"
+#include "raster/coverage/pixel_marks.hpp"
+#include "raster/coverage/soft_strip.hpp"
+#include "raster/kernels/span_kernels.hpp"
+#include "raster/kernels/tile.hpp"
+#include "raster/shaders/point_shader.hpp"
+
+namespace sfumato::raster {
+
+/// The antialiasing of one tile. A pixel that a curve or its fine blur passes through gets, instead
+/// of the value at its centre, the mean of the patches in it, each weighted by its exact area and
+/// read at the centroid of its part (exact for colours that are linear in the pixel). The same
+/// holds for pixels with triangles so small that colours may bend within a pixel; these are read in
+/// each quarter of the pixel. Sums are taken relative to the first colour, in the order of the
+/// triangles, so that a constant colour stays exactly the same. The change by fine blurs
+/// (raster/coverage/soft_strip.hpp) is added at the end.
+///
+/// The background shows through the area that no triangle covers. The frame of a layer without
+/// opacity is an exception, because it is not an outline: a pixel that it cuts is covered entirely
+/// or not at all, like the larger part of it, so that adjacent frames leave no seam.
+///
+/// One object serves many tiles, one after another.
+class MixedPixels {
+ public:
+  explicit MixedPixels(const SpanKernels& kernels) : kernels_(kernels) {}
+
+  /// Starts a tile. Call it before the first layer of a tile.
+  void start_tile() { abutting_.clear(); }
+
+  /// Marks the mixed pixels of `tile`. Call before they are painted.
+  void mark(const LayerView& layer, const TriangleList& triangles, const Tile& tile);
+
+  /// Returns the pixels that were marked last. If the layer has an opacity, `paint` writes all of
+  /// them.
+  const PixelMask& marked() const { return marks_.mask(); }
+
+  /// Saves the values of the marked pixels before the list is drawn.
+  void keep_below(const Tile& tile);
+
+  /// Repaints the marked pixels after draw_triangles painted the same list. Call `keep_below`
+  /// before that.
+  void paint(const LayerView& layer, const TriangleList& triangles, const Tile& tile);
+
+  /// Repaints the mixed pixels of a layer that was shaded and premultiplied, with nothing below it.
+  /// Premultiplied colours are averaged.
+  void paint(PointShader* shader, const TriangleList& triangles, const Tile& tile);
+
+ private:
+  struct Sum {
+    float first[4] = {};  ///< the first triangle's colour
+    float rest[4] = {};   ///< area times difference to it
+    float area = 0;
+    float moment[2] = {};
+    float below[4] = {};  ///< colour and alpha before the layer was painted
+    float blur[4] = {};   ///< the change by fine blurs
+
+    void add(const Coverage& part, const Color4& color);
+  };
+
+  /// Number of pixels whose blur is computed at a time.
+  static constexpr std::size_t kMostBlurred = 256;
+
+  /// Data of the current soft edge in one pixel.
+  struct BlurredPixel {
+    std::uint32_t sum;
+    int x, y;
+    StripPart part;
+    Color4 side[2];  ///< the shader's values across the edge, and on its own side
+  };
+
+ public:
+  /// Memory of one object if every pixel is mixed.
+  static constexpr std::size_t kMostBytes =
+      sizeof(PlacedTriangles) + sizeof(PixelMarks) + sizeof(CellCoverage) +
+      std::size_t{kTileWidth} * kTileHeight * sizeof(Sum) + kMostBlurred * sizeof(BlurredPixel) +
+      AbuttingParts::kMostBytes;
+
+ private:
+  template <class Visit>
+  void for_each_placed(const LayerView& layer, const TriangleList& triangles, const Tile& tile,
+                       const Visit& visit);
+  void mark_triangle(const LayerView& layer, std::uint32_t triangle, std::size_t place,
+                     const Tile& tile);
+  template <class Shader>
+  void add_triangles(Shader* shader, const TriangleList& triangles, const Tile& tile);
+  template <class Shader>
+  void add_whole_triangle(const Shader& shader, std::uint32_t triangle, const Vec2 (&corner)[3],
+                          const PixelRange& range, const Tile& tile);
+  template <class Shader>
+  void add_split_triangle(Shader* shader, std::uint32_t triangle, const Vec2 (&corner)[3], int axis,
+                          const PixelRange& range, const Tile& tile);
+  template <class Shader>
+  void add_triangle(Shader* shader, std::uint32_t triangle, std::size_t place, const Tile& tile);
+  template <class Shader>
+  void add_blurs(Shader* shader, const TriangleList& triangles, const Tile& tile);
+  template <class Shader>
+  void add_blur(Shader* shader, const SoftEdge& edge, const Tile& tile);
+  template <class Shader>
+  void blur_pixels(Shader* shader, const SoftStrip& strip, const SoftEdge& edge);
+  template <class Shader>
+  void read_side(Shader* shader, const SoftStrip& strip, std::uint32_t slot, int side);
+  void write(const LayerView& layer, const Tile& tile, bool is_straight);
+
+  template <class Visit>
+  void for_each_marked(const Tile& tile, const Visit& visit) const;
+
+  const SpanKernels& kernels_;
+  PlacedTriangles placed_;
+  PixelMarks marks_;
+  CellCoverage cells_;
+  std::vector<Sum> sum_;  ///< of the marked pixels, row by row
+  std::vector<BlurredPixel> blurred_;
+  AbuttingParts abutting_;
+};
+
+}  // namespace sfumato::raster

@@ -1,0 +1,251 @@
+#include <utility>
+
+#include "base/try.hpp"
+#include "curves/response.hpp"
+#include "solve/layers/layer_rows.hpp"
+#include "solve/layers/rough.hpp"
+#include "solve/session/solution_state.hpp"
+
+/// Solution while curves are dragged and colours change.
+namespace sfumato {
+namespace {
+
+Status no_curve() {
+  return make_error(StatusCode::bad_input, "no curve is dragged");
+}
+
+}  // namespace
+
+Status Solution::State::begin_drag(Context& context, std::uint32_t layer, std::uint32_t curve) {
+  end_drag();
+  if (layer >= layers.size() || curve >= document.layers[layer].curves.size()) {
+    return make_error(StatusCode::bad_input, "there is no such curve to drag");
+  }
+  LayerState& state = layers[layer];
+  if (!options || !state.in_picture || frame_changed) {
+    return make_error(StatusCode::bad_input, "the document is to be solved before a drag");
+  }
+  note_drag(layer);
+  Drag begun{layer, curve, &context.budget};
+  if (!state.sight.views.empty()) {
+    SFUMATO_TRY(run_with_all_memory([&](bool) { return begin_engine(context, begun); }));
+  }
+  drag.emplace(std::move(begun));
+  if (drag->engine) drag->shown = drag->engine->take_rows_of_solved();
+  if (drag->engine) drag->shown_by = &*drag->engine;
+  return ok_status();
+}
+
+Status Solution::State::begin_engine(Context& context, Drag& begun) {
+  LayerState& layer = layers[begun.layer];
+  std::optional<solve::RefinedLayer> none;
+  const bool is_at_home = &context.budget == budget;
+  if (is_at_home && !layer.refined && layer.is_exact()) {
+    SFUMATO_TRY(refine(context, begun.layer));
+  }
+  const bool is_known = is_at_home && layer.refined;
+  Result<bool> is_costly = false;
+  if (is_known) {
+    is_costly = solve::LayerDrag::is_costly(context, *layer.refined, begun.curve);
+    SFUMATO_TRY(is_costly);
+  }
+  Result<solve::LayerDrag> engine =
+      solve::LayerDrag::begin(context, document, begun.layer, begun.curve, layer.sight,
+                              *is_costly ? solve::roughly(*options) : options_of(layer),
+                              is_known && !*is_costly ? layer.refined : none);
+  if (engine) begun.engine.emplace(std::move(*engine));
+  return engine.status();
+}
+
+/// With which it is solved.
+DiffuseOptions Solution::State::options_of(const LayerState& layer) const {
+  return layer.is_rough ? solve::roughly(*options) : *options;
+}
+
+/// What fails leaves the curve and its layer as they were.
+Status Solution::State::drag_to(Context& context, Curve curve, const solve::FrameTime& time,
+                                DiffuseStats* stats) {
+  if (!drag) return no_curve();
+  const SpareRelease release(*this);
+  SFUMATO_TRY(hold(context, curve));
+  const ReplaceCurve change{drag->layer, drag->curve, curve};
+  SFUMATO_TRY_ASSIGN(auto&& inverse, apply_change(context, document, change));
+  count_bytes(inverse);
+  LayerState& layer = layers[drag->layer];
+  layer.refined.reset();
+  LayerState before = std::exchange(layer, {});
+  Status status;
+  if (drag->engine) {
+    status = no_throw([&] { return show(context, curve, {.time = time, .stats = stats}); });
+  }
+  if (status) {
+    if (!layer.is_solved()) layer = shown_roughly(std::move(before.sight), drag->layer);
+    return status;
+  }
+  drag->forget_frames();  // one may be of the new curve
+  layer = std::move(before);
+  std::swap(document.layers[drag->layer].curves[drag->curve],
+            std::get<ReplaceCurve>(inverse).value);
+  count_bytes(inverse);
+  return status;
+}
+
+/// Nodes that the last frame left.
+Status Solution::State::drag_more(Context& context, const solve::FrameTime& time,
+                                  DiffuseStats* stats) {
+  if (!drag) return no_curve();
+  if (drag->left == 0) return ok_status();
+  const SpareRelease release(*this);
+  return no_throw([&] { return show_more(context, {.time = time, .stats = stats}); });
+}
+
+/// Where the frame's tables are no more, it is made anew.
+Status Solution::State::show_more(Context& context, const solve::FrameOptions& how) {
+  solve::LayerDrag* const maker = drag->shown_by;
+  const Curve& curve = document.layers[drag->layer].curves[drag->curve];
+  if (!maker->can_go_on(context)) return show(context, curve, how);
+  solve::FrameOptions more = how;
+  more.wants_rows = wants_rows(maker);
+  Result<solve::FramePatches> frame = maker->go_on(context, more);
+  if (!frame && is_lack_of_memory(frame.status())) return show(context, curve, how);
+  return frame ? show_frame(context, maker, std::move(*frame), how) : frame.status();
+}
+
+/// Whether the picture's layer can be made an engine's next frame, row by row.
+bool Solution::State::wants_rows(const solve::LayerDrag* maker) const {
+  return drag->shown && drag->shown_by == maker;
+}
+
+/// maker   out: the engine that made it
+Status Solution::State::make_frame(Context& context, const Curve& curve,
+                                   const solve::FrameOptions& how, solve::FramePatches& patches,
+                                   solve::LayerDrag*& maker) {
+  const auto draw = [&](solve::LayerDrag& engine) {
+    maker = &engine;
+    solve::FrameOptions one = how;
+    one.wants_rows = wants_rows(&engine);
+    return run_with_all_memory([&](bool) {
+      Result<solve::FramePatches> frame = engine.frame(context, curve, one);
+      if (frame) patches = std::move(*frame);
+      return frame.status();
+    });
+  };
+  Status status = draw(*drag->engine);
+  if (status.code != StatusCode::bad_input || !drag->engine->needs_room(curve)) return status;
+  SFUMATO_TRY(begin_roomy(context));
+  return drag->roomy ? draw(*drag->roomy) : status;
+}
+
+/// For a drag beyond the picture, if that is charged to the same Budget and memory is not lacking.
+Status Solution::State::begin_roomy(Context& context) {
+  if (drag->roomy || !drag->may_have_room || &context.budget != drag->budget) return ok_status();
+  Status status = run_with_all_memory([&](bool) {
+    Result<solve::LayerDrag> roomy = drag->engine->with_room(context);
+    if (roomy) drag->roomy.emplace(std::move(*roomy));
+    return roomy.status();
+  });
+  drag->may_have_room = !is_lack_of_memory(status);
+  return drag->may_have_room ? status : ok_status();
+}
+
+/// The picture with the curve that is dragged, which the document has already.
+Status Solution::State::show(Context& context, const Curve& curve, const solve::FrameOptions& how) {
+  solve::FramePatches frame;
+  solve::LayerDrag* maker = nullptr;
+  Status status = make_frame(context, curve, how, frame, maker);
+  if (status.code == StatusCode::bad_input) {
+    return solve(context, *options, SolveGoal::rough, how.stats);
+  }
+  return status ? show_frame(context, maker, std::move(frame), how) : status;
+}
+
+/// For the last frame of `maker`, in the picture's layer, unless that was given up.
+Status Solution::State::make_room(Context& context, const solve::LayerDrag& maker) {
+  PatchLayer& layer = picture.layers[drag->layer];
+  const std::size_t known = bytes_of(layer);
+  Status status = run_with_all_memory([&](bool) {
+    return maker.can_go_on(context) ? maker.make_room(context, layer) : ok_status();
+  });
+  return status ? hold_more(context, layer, known) : status;
+}
+
+/// All that may fail comes first. A frame whose tables were given up meanwhile is made anew.
+Status Solution::State::show_frame(Context& context, solve::LayerDrag* maker,
+                                   solve::FramePatches frame, const solve::FrameOptions& how) {
+  SFUMATO_TRY(hold(context, frame.layer));
+  if (!frame.is_whole) SFUMATO_TRY(make_room(context, *maker));
+  std::optional<LayerRows> news;
+  if (drag->shown && frame.rows && drag->shown_by == maker) {
+    // In the news, and twice while the delta takes these up.
+    for (int copies = 0; copies < 3; ++copies) {
+      SFUMATO_TRY(hold(context, *drag->shown));
+      SFUMATO_TRY(hold(context, *frame.rows));
+    }
+    news = solve::rows_between(drag->layer, *drag->shown, *frame.rows);
+  }
+  delta.layers.reserve(delta.layers.size() + 1);
+  delta.rows.reserve(delta.rows.size() + 1);
+  if (!frame.is_whole && !maker->can_go_on(context)) {
+    drag->forget_shown();
+    const Curve& curve = document.layers[drag->layer].curves[drag->curve];
+    return show(context, curve, how);
+  }
+  solve::note_new(drag->layer, std::move(news), delta);
+  if (frame.is_whole) {
+    picture.layers[drag->layer] = std::move(frame.layer);
+  } else {
+    maker->write(frame, *drag->shown, picture.layers[drag->layer]);
+  }
+  drag->left = frame.left;
+  drag->shown = std::move(frame.rows);
+  drag->shown_by = maker;
+  return ok_status();
+}
+
+Status Solution::State::begin_color(Context& context, const StopPlace& place) {
+  end_drag();
+  if (place.layer >= layers.size() ||
+      !curves::has_stop(document.layers[place.layer].curves, place)) {
+    return make_error(StatusCode::bad_input, "there is no such stop to be changed");
+  }
+  LayerState& layer = layers[place.layer];
+  if (!options || !layer.is_solved() || frame_changed) {
+    return make_error(StatusCode::bad_input,
+                      "the document is to be solved before a colour changes");
+  }
+  note_drag(place.layer);
+  const bool is_at_home = &context.budget == budget;
+  return run_with_all_memory([&](bool) {
+    std::optional<solve::RefinedLayer> none;
+    Result<solve::ColorDrag> begun =
+        solve::ColorDrag::begin(context, document, place, layer.sight, options_of(layer),
+                                is_at_home ? layer.refined : none);
+    if (begun) coloring.emplace(std::move(*begun));
+    return begun.status();
+  });
+}
+
+/// The first frame brings a layer with tables of its own: that of the solution counts on for as
+/// long as the document is the one that was solved.
+Status Solution::State::color_to(Context& context, const StopValue& value) {
+  if (!coloring) return make_error(StatusCode::bad_input, "no stop is prepared to be changed");
+  const SpareRelease release(*this);
+  SFUMATO_TRY(coloring->prepare(context, value));
+  if (coloring->new_layer()) SFUMATO_TRY(hold(context, *coloring->new_layer()));
+  delta.layers.reserve(delta.layers.size() + 1);
+  const StopPlace& place = coloring->place();
+  LayerState& layer = layers[place.layer];
+  Curve& curve = document.layers[place.layer].curves[place.curve];
+  const bool keeps = coloring->keeps(curve);
+  std::optional<PatchLayer> solved = coloring->show(curve, picture.layers[place.layer]);
+  if (!keeps) {
+    layer = shown_roughly(std::move(layer.sight), place.layer);
+  } else if (layer.in_picture && solved) {
+    layer.fresh = std::move(solved);
+    layer.in_picture.reset();
+  }
+  solve::note_new(place.layer, {}, delta);
+  return ok_status();
+}
+
+}  // namespace sfumato

@@ -1,0 +1,51 @@
+import { describe, expect, test } from "vitest";
+import type { Point } from "../../../../web/editor/src/geometry/affine.js";
+import { CurveGrid } from "../../../../web/editor/src/canvas/hit.js";
+import { placesOf } from "../../../../web/editor/src/canvas/places.js";
+import { gridStep, snapped } from "../../../../web/editor/src/canvas/snap.js";
+import { curve, FakeDrawing, line } from "../support/drawing.js";
+
+const a = curve("a", [line([100, 100], [200, 100])]);
+const b = curve("b", [line([204, 60], [204, 160])]);
+const grid = new CurveGrid(placesOf(new FakeDrawing([a, b])), [1, 0, 0, 1, 0, 0], 400, 300);
+const wish = { snaps: true, grid: false, zoom: 1, origin: [0, 0] as Point, isWanted: () => true, also: [] };
+
+describe("a point", () => {
+  test("goes_to_an_end_before_a_curve_that_is_nearer", () => {
+    expect(snapped(grid, [203, 104], wish).at).toEqual([200, 100]);
+  });
+
+  test("goes_to_the_nearest_point_of_a_curve_where_no_end_is_near", () => {
+    const { at, guides } = snapped(grid, [150, 105], wish);
+    expect(at[0]).toBeCloseTo(150, 6);
+    expect(at[1]).toBeCloseTo(100, 6);
+    expect(guides).toHaveLength(1);
+  });
+
+  test("stays_where_nothing_is_within_eight_pixels", () => {
+    expect(snapped(grid, [150, 108.1], wish)).toEqual({ at: [150, 108.1], guides: [] });
+  });
+
+  test("does_not_hear_what_is_moved_nor_anything_where_snapping_is_off", () => {
+    const isWanted = ({ item }: { item: { name: string } }) => item.name !== "a";
+    expect(snapped(grid, [150, 101], { ...wish, isWanted }).at).toEqual([150, 101]);
+    expect(snapped(grid, [150, 101], { ...wish, snaps: false }).at).toEqual([150, 101]);
+  });
+
+  test("goes_to_the_grid_where_it_is_on_and_nothing_else_is_near", () => {
+    // At zoom 1, lines are 10 units apart.
+    const at = snapped(grid, [31, 248], { ...wish, grid: true, origin: [2, 3] }).at;
+    expect(at).toEqual([32, 253]);
+  });
+});
+
+test("lines_of_the_grid_are_one_two_or_five_units_and_at_least_eight_pixels_apart", () => {
+  for (let exponent = -3; exponent <= 4; exponent += 0.01) {
+    const zoom = 10 ** exponent;
+    const step = gridStep(zoom);
+    expect(step * zoom).toBeGreaterThanOrEqual(8 - 1e-6);
+    expect(step * zoom).toBeLessThan(20 + 1e-6);
+    const mantissa = step / 10 ** Math.floor(Math.log10(step) + 1e-9);
+    expect([1, 2, 5].some((k) => Math.abs(mantissa - k) < 1e-6)).toBe(true);
+  }
+});

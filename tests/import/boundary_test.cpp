@@ -1,0 +1,86 @@
+// Boundaries of filled contours, point by point.
+#include "import/boundary.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "curves/bezier.hpp"
+
+namespace sfumato::svg_import {
+namespace {
+
+constexpr double kBoundaryTolerance = 60.0 / 16384;
+constexpr int kPointsPerPiece = 2000;
+
+std::vector<Vec2> points_along(const std::vector<Vec2>& chain, int per_piece) {
+  std::vector<Vec2> points;
+  for (std::size_t i = 0; 3 * i + 3 < chain.size(); ++i) {
+    const curves::Cubic cubic = curves::piece(chain, i);
+    for (int k = 0; k <= per_piece; ++k) {
+      points.push_back(curves::point_at(cubic, double{1} * k / per_piece));
+    }
+  }
+  return points;
+}
+
+/// Returns the largest distance from points of the boundary to the contour.
+double farthest_from(const std::vector<Vec2>& contour, const Contours& boundary) {
+  const std::vector<Vec2> there = points_along(contour, kPointsPerPiece);
+  double farthest = 0;
+  for (const std::vector<Vec2>& loop : boundary) {
+    for (const Vec2 p : points_along(loop, 20)) {
+      double nearest = INFINITY;
+      for (const Vec2 q : there) nearest = std::min(nearest, length(p - q));
+      farthest = std::max(farthest, nearest);
+    }
+  }
+  return farthest;
+}
+
+/// Expects a boundary that follows the closed contour.
+void expect_on(std::vector<Vec2> contour, const std::string& name) {
+  Context context;
+  const auto boundary = fill_boundary(context, {contour}, false, kBoundaryTolerance);
+  ASSERT_TRUE(boundary) << name;
+  EXPECT_FALSE(boundary->empty()) << name;
+  const Vec2 begin = contour.front(), end = contour.back();
+  contour.insert(contour.end(), {lerp(end, begin, 1.0 / 3), lerp(end, begin, 2.0 / 3), begin});
+  EXPECT_LE(farthest_from(contour, *boundary), 8 * kBoundaryTolerance) << name;
+}
+
+TEST(FillBoundary, follows_a_crescent_whose_curves_run_back_into_each_other) {
+  expect_on({{12.135, 70.771},
+             {16.143, 64.96},
+             {18.215, 60.8},
+             {24.115, 56.65},
+             {29.519, 52.848},
+             {35.795, 50.26},
+             {42.395, 49.596},
+             {15.727, 52.272},
+             {-2.128, 83.52},
+             {.205, 108.452}},
+            "crescent");
+}
+
+TEST(FillBoundary, follows_crescents_with_nearly_tangent_tips) {
+  std::mt19937 random(7);
+  const auto number = [&](double low, double high) {
+    return low + (high - low) * static_cast<double>(random()) / 4294967295.0;
+  };
+  for (int i = 0; i < 40; ++i) {
+    // Both curves leave the tip in nearly one direction.
+    const Vec2 tip{number(30, 50), number(0, 20)}, away{-number(5, 20), number(-1, 3)};
+    const Vec2 turned = away * number(0.5, 3) + Vec2{0, number(-1e-2, 1e-2)};
+    const Vec2 from{number(0, 10), number(40, 60)}, to{number(0, 10), number(60, 70)};
+    expect_on({from, from + Vec2{number(0, 9), -number(5, 20)}, tip + away, tip, tip + turned,
+               to + Vec2{-number(0, 9), -number(5, 30)}, to},
+              std::to_string(i));
+  }
+}
+
+}  // namespace
+}  // namespace sfumato::svg_import

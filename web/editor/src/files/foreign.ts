@@ -1,0 +1,39 @@
+// SVG of other programs, which has shapes but no diffusion curves.
+import { SFUMATO, SVG } from "../source/attributes.js";
+import { parse } from "../source/parse.js";
+import { SourceError, type ElementNode } from "../source/tree.js";
+
+/** Elements that other programs show. */
+const SHOWN = new Set([
+  "circle",
+  "ellipse",
+  "image",
+  "line",
+  "path",
+  "polygon",
+  "polyline",
+  "rect",
+  "text",
+  "use",
+]);
+
+function* within(element: ElementNode): Generator<ElementNode> {
+  yield element;
+  for (const child of element.children) yield* within(child);
+}
+
+/** Returns whether a text is SVG that shows something and contains nothing of Sfumato. */
+export function isForeign(text: string): boolean {
+  let isShowing = false;
+  try {
+    for (const { local, namespace, attributes } of within(parse(text))) {
+      if (attributes.some((attribute) => attribute.namespace === SFUMATO)) return false;
+      isShowing ||= (namespace === SVG || namespace === "") && SHOWN.has(local);
+    }
+  } catch (error) {
+    // Opening the file reports the error.
+    if (error instanceof SourceError) return false;
+    throw error;
+  }
+  return isShowing;
+}
