@@ -9,13 +9,13 @@
 #include "largest_layer.hpp"
 #include "sfumato/solve/solution.hpp"
 
-// What it costs to prepare a stop for other colours, and a frame in which it has another one,
-// beside solving the document: CPU time in milliseconds of one thread.
+// The cost of preparing a stop for colour changes, and of a frame after a change, compared with
+// solving the document: CPU time in milliseconds of one thread.
 //
 //   build/bench/color [--curves N] [--max-error E] FILE...
 //
-// The first stop on the left of N curves of the layer with the most, one after another, gets five
-// colours.
+// Five colours are given, one after another, to the first left stop of N curves of the layer with
+// the most curves.
 namespace sfumato {
 namespace {
 
@@ -30,8 +30,8 @@ using bench::cpu_milliseconds;
 
 struct Times {
   double begin = 0;
-  double first = 0;  ///< frame, which brings tables
-  double frame = 0;  ///< others
+  double first = 0;  ///< the first frame, which makes tables
+  double frame = 0;  ///< the other frames
   double nodes = 0;
   int stops = 0;
 };

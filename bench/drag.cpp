@@ -9,21 +9,21 @@
 
 #include "largest_layer.hpp"
 #include "sfumato/solve/diffuse.hpp"
-#include "solve/layer_drag.hpp"
+#include "solve/session/layer_drag.hpp"
 
-// What the begin of a drag costs, its first frame and each later one, in which a curve has moved,
-// beside solving its layer: CPU time in milliseconds of one thread. And what is kept of the
-// solution for begins, in MB.
+// The cost of the begin of a drag, of its first frame and of later frames, while a curve moves,
+// compared with solving its layer: CPU time in milliseconds of one thread. It also prints the
+// memory, in MB, that a solution reserves for drags.
 //
 //   build/bench/drag [--curves N] [--max-error E] [--missed SHARE] [--seconds S] FILE...
 //
-// SHARE is LayerDrag's most_missed; S the time of a frame (FrameOptions::time), after which
-// `left` nodes wait. N curves of the layer with the most, one after another, are dragged by up to
-// seven user units.
+// SHARE is LayerDrag's most_missed. S is the time of a frame (FrameOptions::time), after which
+// `left` nodes wait. N curves of the layer with the most curves are dragged, one after another, by
+// up to seven user units.
 namespace sfumato {
 namespace {
 
-constexpr int kFrames = 30;  // after the first
+constexpr int kFrames = 30;  // after the first frame
 
 struct Options {
   std::uint32_t curves = 12;
@@ -43,7 +43,7 @@ struct Times {
   int frames = 0;
 };
 
-/// A layer that was solved.
+/// A solved layer.
 struct Solved {
   solve::LayerSight sight;
   std::optional<solve::RefinedLayer> refined;

@@ -11,8 +11,8 @@
 #include "sfumato/raster/rasterize.hpp"
 #include "sfumato/solve/diffuse.hpp"
 
-// What the artistic controls cost, as ratios to the plain picture in the same run: blur, opacity
-// and textures on lady_bug, and a thousand instances of a small layer of our own.
+// The cost of the artistic controls, as ratios to the plain picture in the same run: blur, opacity
+// and textures on lady_bug, and a thousand instances of a small layer.
 namespace sfumato {
 namespace {
 
@@ -25,7 +25,7 @@ double median_seconds(const std::function<double()>& run) {
   return seconds[kRuns / 2];
 }
 
-/// The gather on the paper's mesh; blur makes that finer where its radii are small.
+/// The gather on the paper's mesh; small blur radii make the mesh finer.
 struct GatherCost {
   double seconds = 0;
   double nodes = 0;
@@ -98,7 +98,7 @@ Document with_opacity(Document document) {
   return document;
 }
 
-/// A soft mask round the middle, apart from the colours.
+/// Returns the document with a soft mask around the middle, independent of the colours.
 Document with_mask(Document document) {
   Curve mask = ellipse({256, 256}, {220, 200});
   mask.left.opacity = one_opacity(0);
@@ -122,7 +122,7 @@ Document with_textures(Document document, std::uint32_t count) {
   return document;
 }
 
-/// A fish-like layer, soft at its edge, `count` times on an artboard of 1024².
+/// Returns `count` instances of a fish-like layer with a soft rim, on an artboard of 1024².
 Document school(int count) {
   Document document;
   document.artboard = {{0, 0}, {1024, 1024}};

@@ -9,16 +9,16 @@
 
 #include "gather/exact.hpp"
 #include "gather/gather.hpp"
-#include "gather/locate.hpp"
-#include "gather/packing.hpp"
 #include "gather/rays.hpp"
+#include "gather/scene/locate.hpp"
+#include "gather/scene/packing.hpp"
 #include "prepared.hpp"
 #include "scenes.hpp"
 #include "sfumato/base/native/thread_pool.hpp"
 #include "sfumato/document/build.hpp"
 
 // Colours at the free nodes of the paper's mesh (no error-driven refinement), step by step. Times
-// are of one thread but for `gather_all`; time_per_point is what docs/benchmarks.md tells.
+// are for one thread, except in `gather_all`. docs/benchmarks.md reports time_per_point.
 namespace sfumato {
 namespace {
 
@@ -26,7 +26,7 @@ constexpr const char* kScenes[] = {"lady_bug.xml", "tomatos.xml", "dolphin.xml"}
 
 using bench::prepare, bench::Prepared;
 
-/// The scene of range(0), prepared once. Null: skipped.
+/// Returns the scene of range(0), prepared once; null: skipped.
 const Prepared* prepared_scene(benchmark::State& state) {
   static std::map<std::string, std::unique_ptr<Prepared>> cache;
   const std::string name = kScenes[state.range(0)];
@@ -38,10 +38,10 @@ const Prepared* prepared_scene(benchmark::State& state) {
   return entry.get();
 }
 
-/// Curves of half a unit, anywhere on a square of 1024.
+/// Returns curves of half a unit, anywhere on a square of 1024.
 Document specks(int count) {
   std::mt19937 random(1);
-  // Not uniform_real_distribution, which is another one in every library.
+  // uniform_real_distribution differs between standard libraries.
   const auto number = [&] { return static_cast<float>(random() >> 8) / (1 << 24); };
   const auto color = [&] { return Rgb{number(), number(), number()}; };
   Document document;
@@ -119,7 +119,7 @@ void exact(benchmark::State& state) {
   time_exact(state, p, level);
 }
 
-/// range(0): how many. Windows that are far are estimated.
+/// range(0): the count. Distant windows are estimated.
 void exact_among_specks(benchmark::State& state) {
   const std::unique_ptr<Prepared> p = prepare(specks(static_cast<int>(state.range(0))));
   if (!p) return state.SkipWithError("no mesh");

@@ -10,8 +10,8 @@
 #include "sfumato/raster/rasterize.hpp"
 #include "sfumato/solve/diffuse.hpp"
 
-// Picture → Image of a public scene at 1024² by the CPU and by OpenGL, whose device is named:
-// Mesa's llvmpipe is software on the same CPU. A context and its programs are made each time.
+// Picture → Image of a public scene at 1024² on the CPU and by OpenGL, with the name of the device.
+// Mesa's llvmpipe is software on the same CPU. Each run makes a new context with its programs.
 namespace sfumato {
 namespace {
 

@@ -13,10 +13,10 @@
 #include "support/twin_source.hpp"
 #include "walk_points.hpp"
 
-// The exact gather by compute shaders (point_walk.glsl), and by the packets of the CPU beside it:
-// nodes of the paper's mesh, pixels of an image 1024 wide, and of one 3840 wide. The label is the
-// device; of a software driver a sample of the points is asked for. `bits` are the points that
-// differ from the twin in C++, and `most` is how far, in code values.
+// The exact gather by compute shaders (point_walk.glsl), compared with the CPU's packets: nodes of
+// the paper's mesh, pixels of an image 1024 wide, and of one 3840 wide. The label is the device; a
+// software driver gets only a sample of the points. `bits` counts the points that differ from the
+// C++ twin, and `most` is the largest difference in code values.
 namespace sfumato {
 namespace {
 
@@ -31,7 +31,7 @@ struct Points {
   std::map<int, std::vector<gather::WalkPoint>> at{};  ///< by width
 };
 
-/// Null: skipped.
+/// Returns null to skip.
 Points* points_of(benchmark::State& state, int scene, int width) {
   static std::map<int, Points> cache;
   Points& points = cache[scene];
@@ -112,7 +112,7 @@ void by_device(benchmark::State& state) {
   tables.identity = std::make_shared<const char>();
   Context context;
   std::vector<float> sums(points.size() * gather::sums_of_point(tables));
-  // The first call compiles, uploads, and learns how many points fit into a batch.
+  // The first call compiles, uploads, and finds out how many points fit into a batch.
   for (int i = 0; i < 2; ++i)
     if (!(*walker)->sum(context, tables, points, sums)) return state.SkipWithError("no answer");
   for (auto _ : state) benchmark::DoNotOptimize((*walker)->sum(context, tables, points, sums).ok());
@@ -150,7 +150,7 @@ void by_packets(benchmark::State& state) {
   count_points(state, all.size());
 }
 
-/// A context, and the limits of its device.
+/// Creates a context, and reads the limits of its device.
 void create_context(benchmark::State& state) {
   for (auto _ : state) {
     const auto walker = gpu::Walker::create({});

@@ -13,14 +13,14 @@
 
 namespace sfumato::bench {
 
-/// Of all threads of this process.
+/// Returns the CPU time of all threads of this process.
 inline double cpu_milliseconds() {
   timespec time{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
   return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
 }
 
-/// A document, and the layer of it that has the most curves.
+/// A document and the index of its layer with the most curves.
 struct LargestLayer {
   std::string name;
   Document document;
@@ -28,7 +28,7 @@ struct LargestLayer {
   std::uint32_t curve_count = 0;
 };
 
-/// Nothing where the file cannot be read, or has no layer.
+/// Returns nothing if the file cannot be read or has no layer.
 inline std::optional<LargestLayer> read_largest_layer(Context& context, const std::string& path) {
   std::ifstream stream(path, std::ios::binary);
   const std::string text(std::istreambuf_iterator<char>(stream), {});

@@ -44,7 +44,7 @@ std::optional<Input> load(const std::string& name) {
   return input;
 }
 
-/// Per triangle of `count`, nanoseconds.
+/// Reports nanoseconds per triangle, for `count` triangles.
 void report(benchmark::State& state, std::size_t count) {
   state.counters["triangles"] = static_cast<double>(count);
   state.counters["triangles/s"] =

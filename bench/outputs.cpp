@@ -20,8 +20,8 @@
 #include "sfumato/raster/rasterize.hpp"
 #include "sfumato/solve/diffuse.hpp"
 
-// What lady_bug becomes in each format: bytes, bytes after gzip (formats that are packed already
-// hardly change), triangles, and the time from the picture to the bytes.
+// lady_bug in each format: bytes, bytes after gzip (formats that are compressed already hardly
+// change), triangles, and the time from the picture to the bytes.
 namespace sfumato {
 namespace {
 
@@ -39,7 +39,7 @@ Result<Bytes> png(Context& context, const Picture& picture, ExportNotes*) {
   return encode_png(context, *image);
 }
 
-/// As the command makes it, with pixels until the first frame.
+/// Writes HTML as the command does, with pixels until the first frame.
 Result<Bytes> html(Context& context, const Picture& picture, ExportNotes* notes) {
   const Result<Image> image = rasterize(context, picture, {.width = 512, .height = 512});
   if (!image) return image.status();

@@ -10,13 +10,13 @@
 #include "sfumato/picture/picture_file.hpp"
 #include "sfumato/solve/diffuse.hpp"
 
-// Pictures to bytes and back, checked; `bytes` is the size of the file.
+// Pictures to bytes and back, with checks; `bytes` is the size of the file.
 namespace sfumato {
 namespace {
 
 constexpr std::array<const char*, 3> kScenes{"lady_bug.xml", "dolphin.xml", "roses.xml"};
 
-/// The picture of a scene, solved once; null where the scene is not at hand.
+/// Returns the picture of a scene, solved once; null if the scene is missing.
 const Picture* picture_of(benchmark::State& state) {
   static std::map<std::string, Picture> solved;
   const std::string name = kScenes[static_cast<std::size_t>(state.range(0))];

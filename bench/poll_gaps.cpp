@@ -21,16 +21,17 @@
 #include "sfumato/export/svg/svg.hpp"
 #include "sfumato/formats/read_document.hpp"
 #include "sfumato/formats/svg/svg_write.hpp"
+#include "sfumato/import/import_svg.hpp"
 #include "sfumato/lint/lint.hpp"
 #include "sfumato/raster/rasterize.hpp"
 #include "support/poll_recorder.hpp"
 
-// How long work goes without a look at the cancel flag: the longest gap of each stage, in CPU time
-// of the one thread that works, over the public scenes and over inputs near the limits.
+// How long work runs without a poll of the cancel flag: the longest gap of each stage, in CPU time
+// of the only working thread, over the public scenes and over inputs near the limits.
 //
 //   build/bench/poll_gaps [--where] [WORD...]      only cases whose name has one of the words
 //
-// --where tells the functions on the stack at the end of each gap that is longer than 20 ms.
+// --where prints the functions on the stack at the end of each gap longer than 20 ms.
 namespace sfumato {
 namespace {
 
@@ -64,7 +65,7 @@ void tell_stack(double seconds) {
   std::printf("\n");
 }
 
-/// Runs one stage and prints its line; its result.
+/// Runs one stage, prints its line, and returns its result.
 template <class Work>
 auto measured(const std::string& name, Context& context, Work work) {
   PollRecorder recorder;
@@ -92,7 +93,7 @@ Context roomy() {
   return Context{.budget = Budget(std::size_t{12} << 30)};
 }
 
-/// What a picture becomes, by every exporter.
+/// Measures every exporter on a picture.
 void measure_exports(const std::string& name, const Picture& picture) {
   Context context = roomy();
   measure(name + ", PDF", context, [&](Context& c) { return export_pdf(c, picture, {}); });
@@ -240,6 +241,18 @@ void strokes() {
   if (far) measure_raster("wide local curves", *far, 1024, 1024);
 }
 
+/// Measures drawings of 10,000 shapes: apart, on one ground, and each over others.
+void imports() {
+  for (const test::ShapePlaces places :
+       {test::ShapePlaces::apart, test::ShapePlaces::on_ground, test::ShapePlaces::overlapping}) {
+    const std::string text = test::many_shapes_svg(10'000, places);
+    Context context = roomy();
+    context.limits.layers = 20'000;
+    measure("10,000 shapes " + std::string(test::name_of(places)) + ", import", context,
+            [&](Context& c) { return import_svg(c, text, "shapes.svg"); });
+  }
+}
+
 void textures() {
   const Image image = test::noise_image(8000, 8000);
   Context context = roomy();
@@ -265,10 +278,11 @@ struct Case {
   void (*run)();
 };
 
-constexpr Case kCases[] = {
-    {"stops", many_stops},      {"curves", many_curves}, {"path", long_path},
-    {"refinement", refinement}, {"exports", exports},    {"wide", wide_images},
-    {"strokes", strokes},       {"textures", textures},  {"webp", webp}};
+constexpr Case kCases[] = {{"stops", many_stops}, {"curves", many_curves},
+                           {"path", long_path},   {"refinement", refinement},
+                           {"exports", exports},  {"wide", wide_images},
+                           {"strokes", strokes},  {"textures", textures},
+                           {"webp", webp},        {"imports", imports}};
 
 constexpr const char* kScenes[] = {"lady_bug", "dolphin", "tomatos", "glass_droplet_blur"};
 

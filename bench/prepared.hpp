@@ -7,17 +7,17 @@
 
 #include "curves/attributes.hpp"
 #include "curves/flatten.hpp"
-#include "gather/scene.hpp"
+#include "gather/scene/scene.hpp"
 #include "mesh/mesher.hpp"
 #include "sfumato/document/document.hpp"
-#include "solve/nodes.hpp"
+#include "solve/fields/nodes.hpp"
 
 namespace sfumato::bench {
 
-/// A drawing of one layer, meshed, and the free nodes of the paper's mesh (no error-driven
+/// A drawing of one layer with its mesh, and the free nodes of the paper's mesh (no error-driven
 /// refinement).
 struct Prepared {
-  Context context;  // what the rest is charged to
+  Context context;  // charged with the other members
   mesh::TriangleMesh visibility;
   curves::SegmentAttributes attributes;
   std::vector<Vec2> points;

@@ -14,8 +14,8 @@
 #include "sfumato/solve/diffuse.hpp"
 #include "support/places.hpp"
 
-// Picture → Image: on a picture made here, as large as lady_bug's (about 10,000 triangles, and
-// about 30,000 pixels of 1024² that curves cut), and on the public scenes where they are.
+// Picture → Image: on a synthetic picture as large as lady_bug's (about 10,000 triangles, and about
+// 30,000 pixels of 1024² that curves cut), and on the public scenes if they are present.
 namespace sfumato {
 namespace {
 
@@ -28,7 +28,7 @@ double hash_unit(std::uint32_t i) {
   return (i ^ (i >> 16)) / 4294967296.0;
 }
 
-/// Bands around two points: their borders are the curves.
+/// Returns the band around two points that holds p; borders of bands are the curves.
 int region_of(Vec2 p) {
   const double a = length(p - Vec2{150, 170});
   const double b = length(p - Vec2{380, 330});
@@ -48,7 +48,7 @@ void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c, PatchLayer*
   for (std::uint32_t v : corner) center = center + layer->vertex_position[v] / 3;
   for (int k = 0; k < 3; ++k) {
     layer->triangle_vertex.push_back(corner[k]);
-    // The mirror image of the centre stands for the triangle across the edge.
+    // The centre mirrored at the edge stands for the triangle across it.
     const Vec2 p = layer->vertex_position[corner[k]];
     const Vec2 q = layer->vertex_position[corner[(k + 1) % 3]];
     layer->edge_is_curve.push_back(region_of(center) != region_of(p + q - center));
@@ -124,8 +124,8 @@ BENCHMARK(rasterize_synthetic)
     ->MeasureProcessCPUTime()
     ->UseRealTime();
 
-/// The same picture over a background, not painted straight. Arguments: BlendMode,
-/// InterpolationSpace (the node values stay: what they look like does not matter).
+/// The same picture blended over a background. Arguments: BlendMode, InterpolationSpace (the node
+/// values do not change, because their appearance does not matter).
 void rasterize_blended(benchmark::State& state) {
   Picture picture = synthetic_picture();
   picture.interpolation = static_cast<InterpolationSpace>(state.range(1));
@@ -154,7 +154,8 @@ BENCHMARK(rasterize_blended)
 constexpr int kSectors = 36;
 constexpr int kRings = 7;
 
-/// A corner of a fish's mesh: rings about the middle, 80 × 36 units, narrowing to the tail.
+/// Returns a corner of a fish's mesh: rings around the middle, 80 × 36 units, narrowing to the
+/// tail.
 Vec2 fish_vertex(int ring, int sector) {
   const double angle = 2 * 3.14159265358979 * sector / kSectors;
   const double radius = static_cast<double>(ring) / kRings;
@@ -162,8 +163,8 @@ Vec2 fish_vertex(int ring, int sector) {
   return {40 * radius * std::cos(angle), 18 * radius * std::sin(angle) * narrow};
 }
 
-/// 468 triangles, opaque in the middle and soft towards the rim; what lies outside was dropped.
-/// Curves are the rim, the outline within it and four stripes.
+/// Returns 468 triangles, opaque in the middle and soft towards the rim; triangles outside are
+/// dropped. Curves are the rim, the outline inside it and four stripes.
 PatchLayer fish_layer() {
   PatchLayer layer;
   layer.opacity.channel_count = 1;
@@ -200,7 +201,8 @@ PatchLayer fish_layer() {
   return layer;
 }
 
-/// The school of the paper's Fig. 7: instances of one layer, turned, scaled, half of them mirrored.
+/// Returns the school of the paper's Fig. 7: instances of one layer, rotated, scaled, half of them
+/// mirrored.
 Picture fish_picture(std::uint32_t fish_count) {
   Picture picture;
   picture.artboard = picture.viewport = {{0, 0}, {kSide, kSide}};
@@ -247,7 +249,7 @@ BENCHMARK(rasterize_instances)
 
 constexpr const char* kScenes[] = {"lady_bug", "tomatos", "dolphin"};
 
-/// The mesh of the paper's density, no refinement.
+/// Returns the picture with the paper's mesh density, without refinement.
 Result<Picture> scene_picture(Context& context, const std::string& name) {
   const std::string path = test::shared_path("scenes/") + name + ".xml";
   std::ifstream file(path, std::ios::binary);

@@ -9,10 +9,10 @@
 #include "largest_layer.hpp"
 #include "sfumato/solve/solution.hpp"
 
-// What a rough picture costs in which two curves have moved, beside the exact one: CPU time in
-// milliseconds of one thread, the least of some rounds. And the begin of a drag of one curve, and
-// its first frame: after the rough picture, and after the exact one, which has kept what drags
-// begin from.
+// The cost of a rough picture after two curves moved, compared with the exact one: CPU time in
+// milliseconds of one thread, the minimum of some rounds. It also measures the begin of a drag of
+// one curve and its first frame: after the rough picture, and after the exact one, which has
+// reserved the data for the begin of drags.
 //
 //   build/bench/rough [--rounds N] FILE...
 namespace sfumato {
@@ -33,7 +33,7 @@ Curve moved(const Solution& solution, std::uint32_t layer, std::uint32_t curve, 
   return result;
 }
 
-/// Takes the least of what was and what a step takes.
+/// Takes the minimum of the former time and the time of a step.
 template <class Step>
 bool take_time(double& least, const Step& step) {
   const double start = cpu_milliseconds();

@@ -11,23 +11,23 @@
 #include "curves/attributes.hpp"
 #include "curves/flatten.hpp"
 #include "gather/gather.hpp"
-#include "gather/rows.hpp"
+#include "gather/rows/rows.hpp"
 #include "mesh/mesher.hpp"
 #include "scenes.hpp"
 #include "sfumato/base/native/thread_pool.hpp"
 
-// Rows of the gather at the pixels of a picture, and the gather itself at the same points. Times
-// are of all threads together (cpu_per_point) and of the clock (time_per_point).
+// Rows of the gather at the pixels of a picture, and the gather itself at the same points.
+// cpu_per_point sums all threads; time_per_point is wall clock.
 namespace sfumato {
 namespace {
 
 constexpr const char* kScenes[] = {"lady_bug.xml", "tomatos.xml", "dolphin.xml"};
 
-/// Rows are for photos: about so many pixels.
+/// The approximate number of pixels; rows are for photos.
 constexpr double kPixels = 300'000;
 
 struct Prepared {
-  Context context;  // what the rest is charged to
+  Context context;  // charged with the other members
   TableMemory memory{"a benchmark"};
   mesh::TriangleMesh visibility;
   curves::SegmentAttributes colors, places;
@@ -62,7 +62,7 @@ std::unique_ptr<Prepared> prepare(const Document& document) {
   return prepared;
 }
 
-/// The scene of range(0), prepared once. Null: skipped.
+/// Returns the scene of range(0), prepared once; null: skipped.
 const Prepared* prepared_scene(benchmark::State& state) {
   static std::map<std::string, std::unique_ptr<Prepared>> cache;
   const std::string name = kScenes[state.range(0)];
@@ -101,7 +101,7 @@ void rows(benchmark::State& state) {
       static_cast<double>(terms) / static_cast<double>(p->points.size());
 }
 
-/// The same points by the gather, which gives colours alone.
+/// The same points through the gather, which gives only colours.
 void gather_all(benchmark::State& state) {
   const Prepared* p = prepared_scene(state);
   if (!p) return;

@@ -12,14 +12,14 @@
 
 namespace sfumato::bench {
 
-/// The text of a public scene; nothing where the scenes are not at hand.
+/// Returns the text of a public scene; nothing if the scenes are missing.
 inline std::optional<std::string> scene_text(const std::string& name) {
   std::ifstream stream(test::shared_path("scenes/") + name, std::ios::binary);
   if (!stream) return std::nullopt;
   return std::string(std::istreambuf_iterator<char>(stream), {});
 }
 
-/// A public scene. Where it is not at hand the benchmark is skipped.
+/// Returns a public scene. Skips the benchmark if the scene is missing.
 inline std::optional<Document> scene(benchmark::State& state, const std::string& name) {
   Context context;
   const std::optional<std::string> text = scene_text(name);

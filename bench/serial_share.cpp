@@ -9,14 +9,14 @@
 #include "sfumato/formats/read_document.hpp"
 #include "sfumato/solve/diffuse.hpp"
 
-// How much of diffuse() more threads can share: its CPU time (work), and that of the longest chain
-// of it in which each part waits for the one before (span). What any number of threads takes is at
-// least the span; share is span / work, and two is work over the time that Amdahl's law gives two
-// threads.
+// How much of diffuse() threads can share: its CPU time (work), and the time of its longest chain
+// of steps that wait for each other (span). With any number of threads it takes at least the span.
+// share is span / work, and two is work over the time that Amdahl's law predicts for two threads.
 //
 //   build/bench/serial_share [--width PIXELS] FILE...
 //
-// Tasks run one after another in one thread: the figures do not depend on how many cores are free.
+// Tasks run one after another in one thread, so the figures do not depend on the number of free
+// cores.
 namespace sfumato {
 namespace {
 
@@ -26,12 +26,12 @@ double thread_seconds() {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// Runs tasks in order, with a clock for each that begins where all of them do.
+/// Runs tasks in order, with a clock for each one that starts at their common beginning.
 class SpanExecutor final : public Executor {
  public:
   void start() { seconds_ = 0, since_ = thread_seconds(); }
 
-  /// Of the longest chain since start().
+  /// Returns the time of the longest chain since start().
   double span_seconds() {
     advance();
     return seconds_;
@@ -76,7 +76,7 @@ bool measure(const std::string& path, double width_px) {
   const DiffuseOptions options{.pixels_per_unit = width_px / document.artboard.width()};
   double work = 0, span = 0;
   constexpr int kRuns = 3;
-  for (int i = 0; i < kRuns; ++i) {  // the quickest: the others were disturbed
+  for (int i = 0; i < kRuns; ++i) {  // the fastest run; the others were disturbed
     executor.start();
     const double begin = thread_seconds();
     if (!diffuse(context, document, options)) return false;

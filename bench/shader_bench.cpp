@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "raster/image_shader.hpp"
+#include "raster/shaders/image_shader.hpp"
 
 // Image-domain shaders: rows of 256 pixels of a 512² image, one thread; the rate is per pixel.
 namespace sfumato {

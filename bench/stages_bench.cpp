@@ -8,9 +8,9 @@
 #include "sfumato/codecs/png.hpp"
 #include "sfumato/raster/rasterize.hpp"
 #include "sfumato/solve/diffuse.hpp"
-#include "solve/nodes.hpp"
+#include "solve/fields/nodes.hpp"
 
-// The stages that have no benchmark of their own, and the whole way from a document to a PNG.
+// The stages without a benchmark of their own, and the whole path from a document to a PNG.
 namespace sfumato {
 namespace {
 

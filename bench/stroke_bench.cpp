@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "raster/local_stroke.hpp"
+#include "raster/layers/local_stroke.hpp"
 
 // A local curve → pixels: scribbles of several lengths and radii over 1024², one thread.
 namespace sfumato {
@@ -21,7 +21,7 @@ double hash_unit(std::uint32_t i) {
   return (i ^ (i >> 16)) / 4294967296.0;
 }
 
-/// A walk of `pieces` cubics of about 5 units each that turns at random and stays inside the image.
+/// Returns a random walk of `pieces` cubics of about 5 units each that stays inside the image.
 LocalCurve scribble(int pieces, float radius, bool two_sided) {
   LocalCurve curve;
   Vec2 p{kSide / 2, kSide / 2};

@@ -1,8 +1,8 @@
-// The paper's Table 1 beside ours, as Markdown: table1 [--runs N] [FOLDER OF SCENES]
+// Prints the paper's Table 1 beside our figures, as Markdown: table1 [--runs N] [FOLDER OF SCENES]
 //
-// Times are medians of N runs (default 11) after one that is not counted, in milliseconds of wall
-// clock, with the best run in parentheses; ratios are of medians. The mesh is the paper's (no
-// error-driven refinement) but for the last two rows; the paper's machine had a GTX 780.
+// Times are medians of N runs (default 11) after one uncounted run, in milliseconds of wall clock,
+// with the best run in parentheses; ratios are of medians. The mesh is the paper's (no error-driven
+// refinement), except in the last two rows. The paper's machine had a GTX 780.
 
 #include <algorithm>
 #include <cstdio>
@@ -44,7 +44,7 @@ constexpr Scene kScenes[] = {
     {"dolphin", {"FISH", "1859", "53k", "27k", "113k", "61", "16", "277"}},
 };
 
-/// Milliseconds of wall clock. `best` says what a busy machine hides.
+/// Milliseconds of wall clock. On a busy machine `best` is more reliable.
 struct Time {
   double median = 0;
   double best = 0;
@@ -83,7 +83,7 @@ Time summary(std::vector<double> seconds) {
   return {1000 * median, 1000 * seconds.front()};
 }
 
-/// Summaries of the columns that `run` returns in seconds, after one run that is not counted.
+/// Returns summaries of the columns that `run` returns in seconds, after one uncounted run.
 std::vector<Time> times_of(int run_count, const std::function<std::vector<double>()>& run) {
   std::vector<std::vector<double>> columns(run().size());
   for (int i = 0; i < run_count; ++i) {
@@ -95,8 +95,8 @@ std::vector<Time> times_of(int run_count, const std::function<std::vector<double
   return result;
 }
 
-/// The centres of an image's pixels over the artboard, in tiles of 4×4 so that neighbours in the
-/// list are neighbours in the plane.
+/// Returns the pixel centres of an image over the artboard, in tiles of 4×4, so that neighbours in
+/// the list are neighbours in the plane.
 std::vector<Vec2> pixel_centres(const Box& artboard) {
   std::vector<Vec2> points;
   for (int tile_y = 0; tile_y < kImagePixels; tile_y += 4) {
@@ -112,7 +112,8 @@ std::vector<Vec2> pixel_centres(const Box& artboard) {
   return points;
 }
 
-/// The paper's mesh does not follow blur radii; bench/features has their cost.
+/// Returns options without blur, because the paper's mesh ignores blur radii; bench/features
+/// measures them.
 DiffuseOptions sharp_options() {
   DiffuseOptions options;
   options.ignore_blur = true;

@@ -1,14 +1,14 @@
-// Traces pictures and says how well, as Markdown:
+// Traces pictures and reports the quality, as Markdown:
 //
 //   trace [--points N,N...] [--threads N] [--smooth PX] [--stops few|normal|many]
 //         [--blur fitted|estimated|sharp] [--out FOLDER] [photos|drawings|flat|FILE]...
 //
-// Without a picture: all three groups. PSNR and SSIM compare the drawing, rendered with 16 bits at
-// the picture's size, with the picture; where it is transparent, on white or on black, whichever is
-// worse. "predicted" is what the trace expects of its last round. For drawings: how much of the
-// length of their curves is visible, how much of that the trace finds within two pixels, and how
-// much of the trace lies on it. Seconds of wall clock and of CPU, and the peak memory of the
-// process, are of trace() alone. --out keeps the drawings as
+// Without a picture: all three groups. PSNR and SSIM compare the picture with the drawing, rendered
+// with 16 bits at the picture's size; a transparent picture is compared on white and on black, and
+// the worse value counts. "predicted" is the trace's own estimate after its last round. For
+// drawings: the visible share of the length of their curves, the share of it that the trace finds
+// within two pixels, and the share of the trace that lies on it. Seconds of wall clock and of CPU,
+// and the peak memory of the process, cover only trace(). --out stores the drawings as
 // FOLDER-NAME-POINTS.svg and .png.
 
 #include "sfumato/trace/trace.hpp"
@@ -45,8 +45,8 @@ struct Arguments {
   std::vector<std::string> files;
 };
 
-/// Peak memory of this process in MB, from the last call of reset(). 0 where the system does not
-/// say.
+/// Measures the peak memory of this process in MB since the last reset(). 0 if the system does not
+/// report it.
 struct PeakMemory {
   static void reset() { std::ofstream("/proc/self/clear_refs") << "5"; }
   static double megabytes() {
@@ -76,7 +76,7 @@ Counts counts_of(const Document& document) {
   return counts;
 }
 
-/// How a drawing looks beside a picture.
+/// The similarity of a drawing and a picture.
 struct Likeness {
   double psnr_db = 0;
   std::optional<double> ssim;

@@ -26,7 +26,7 @@ bool has_extension(const std::string& path, std::span<const std::string_view> ex
   return std::ranges::find(extensions, own) != extensions.end();
 }
 
-/// Without alpha where all of an rgba8 image is opaque.
+/// Returns the image without alpha if all its pixels are opaque.
 Image without_needless_alpha(Image image) {
   Image opaque{image.width, image.height, PixelFormat::rgb8, {}};
   for (std::size_t i = 0; i < image.bytes.size(); i += 4) {

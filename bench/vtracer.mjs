@@ -1,15 +1,15 @@
 #!/usr/bin/env node
-// Traces beside vtracer's, of the same pictures at equal bytes and at equal PSNR, as Markdown.
+// Compares traces with vtracer's for the same pictures, at equal bytes and at equal PSNR, as Markdown.
 //
 //   npm install --prefix build/vtracer @neplex/vectorizer@0.1.0
 //   node bench/vtracer.mjs [--packages build/vtracer] [--sfumato build/sfumato]
 //        [--points N,N...] [--theirs-alone] [PICTURE]...
 //
-// Without pictures: those of examples/photos and of ../shared/photos that are there.
-// @neplex/vectorizer is vtracer as a package of npm; where it is not installed nothing is measured,
-// stderr says so, and the exit code is 0. It has ten settings, from coarse to fine. rsvg-convert
-// draws its drawings and `sfumato render` ours, with 16 bits; netpbm reads all pictures
-// (`scripts/setup viewers gallery`). Bytes are those of the SVG, PSNR is of sRGB code values.
+// Without pictures: the pictures of examples/photos and of ../shared/photos, if present. @neplex/vectorizer is
+// vtracer as an npm package; without it nothing is measured, stderr reports that, and the exit code is 0. It has
+// ten settings, from coarse to fine. rsvg-convert draws its drawings and `sfumato render` ours, with 16 bits;
+// netpbm reads all pictures (`scripts/setup viewers gallery`). Bytes count the SVG; PSNR is computed on sRGB code
+// values.
 import { execFileSync } from "node:child_process";
 import { existsSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
@@ -22,9 +22,8 @@ const ROOT = fileURLToPath(new URL("..", import.meta.url));
 const FOLDERS = [join(ROOT, "examples/photos"), join(ROOT, "../shared/photos")];
 
 /**
- * From few large shapes to many small ones. To leave small shapes out costs photos least: at equal
- * bytes it is up to 8 dB better than fewer colours or coarser layers. Decimals in paths add nothing
- * but bytes where shapes are large.
+ * From few large shapes to many small ones. Leaving out small shapes costs photos least: at equal bytes it is up to
+ * 8 dB better than fewer colours or coarser layers. Decimals in paths of large shapes only add bytes.
  */
 const SETTINGS = [256, 128, 64, 32, 16, 11, 8, 6, 4, 2].map((filterSpeckle) => ({ filterSpeckle,
   colorPrecision: 8, layerDifference: filterSpeckle > 2 ? 8 : 3,
@@ -44,7 +43,7 @@ function isThere(command) {
   }
 }
 
-/** The samples of a PPM of 8 or 16 bits, from 0 to 1. */
+/** Returns the samples of a PPM of 8 or 16 bits, from 0 to 1. */
 function samplesOf(ppm) {
   const [head, width, height, most] = /^P6\s+(\d+)\s+(\d+)\s+(\d+)\s/.exec(
     ppm.toString("latin1", 0, 100));
@@ -57,7 +56,7 @@ function samplesOf(ppm) {
   return samples;
 }
 
-/** A PNG as on white. A picture of greys alone is a PGM by itself. */
+/** Returns the samples of a PNG on white. pngtopnm writes a grey picture as PGM. */
 function samplesOfPng(png) {
   const pixels = run("pngtopnm", ["-mix", "-background=white"], png);
   return samplesOf(pixels[1] === 0x35 ? run("pgmtoppm", ["white"], pixels) : pixels);
@@ -69,7 +68,7 @@ function psnr(a, b) {
   return 10 * Math.log10(a.length / sum);
 }
 
-/** The picture as PNG, whatever it was. */
+/** Converts a picture of any kind to PNG. */
 function pngOf(path) {
   const bytes = readFileSync(path);
   return /\.jpe?g$/i.test(path) ? run("pnmtopng", [], run("jpegtopnm", [], bytes)) : bytes;
@@ -101,7 +100,7 @@ const row = (...cells) => console.log(`| ${cells.join(" | ")} |`);
 const kilobytes = ({ bytes }) => (bytes / 1000).toFixed(0);
 const decibels = ({ db }) => db.toFixed(1);
 
-/** Theirs at a number of bytes: on the line between the settings around it, by log bytes. */
+/** Returns vtracer's PSNR at a number of bytes: interpolated between the neighbouring settings, by log bytes. */
 function atBytes(results, bytes) {
   const sorted = [...results].sort((a, b) => a.bytes - b.bytes);
   if (bytes < sorted[0].bytes) return `none (least ${kilobytes(sorted[0])} kB)`;
@@ -112,7 +111,7 @@ function atBytes(results, bytes) {
   return (a.db + (b.db - a.db) * t).toFixed(1);
 }
 
-/** Theirs with a PSNR at least: the fewest bytes. */
+/** Returns the fewest bytes of vtracer with at least this PSNR. */
 function atDecibels(results, db) {
   const enough = results.filter((one) => one.db >= db).sort((a, b) => a.bytes - b.bytes);
   if (enough.length) return kilobytes(enough[0]);
@@ -146,7 +145,7 @@ function picturesOf(folder) {
   return [];
 }
 
-/** The package, or nothing, with the reason on stderr. */
+/** Returns the package; without it prints the reason on stderr and returns nothing. */
 function loadVectorizer(packages) {
   const tools = ["rsvg-convert", "pngtopnm", "pnmtopng", "jpegtopnm"];
   const absent = tools.filter((tool) => !isThere(tool));

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "gather/locate.hpp"
-#include "gather/packing.hpp"
 #include "gather/point_source.hpp"
+#include "gather/scene/locate.hpp"
+#include "gather/scene/packing.hpp"
 #include "prepared.hpp"
 
 namespace sfumato::bench {
@@ -22,15 +22,15 @@ inline std::vector<gather::WalkPoint> located(const gather::Scene& scene,
   return walk;
 }
 
-/// The nodes of a drawing as a Gatherer asks for them: by triangle.
+/// Returns the nodes of a drawing in the order of a Gatherer: by triangle.
 inline std::vector<gather::WalkPoint> node_points(const Prepared& drawing) {
   std::vector<gather::WalkPoint> walk = located(drawing.scene, drawing.points);
   std::ranges::stable_sort(walk, {}, &gather::WalkPoint::triangle);
   return walk;
 }
 
-/// Pixel centres of an image of this width, off the grid so that none lies on a curve's control
-/// point; tiles of 8 × 4 pixels.
+/// Returns pixel centres of an image of this width, off the grid so that none lies on a curve's
+/// control point, in tiles of 8 × 4 pixels.
 inline std::vector<gather::WalkPoint> pixel_points(const Prepared& drawing, const Box& artboard,
                                                    int width) {
   constexpr int kTileWidth = 8, kTileHeight = 4;
@@ -51,7 +51,7 @@ inline std::vector<gather::WalkPoint> pixel_points(const Prepared& drawing, cons
   return located(drawing.scene, points);
 }
 
-/// At most `count` of them, in runs of neighbours from everywhere.
+/// Returns at most `count` of the points, in runs of neighbours from everywhere.
 inline std::vector<gather::WalkPoint> sample_of(const std::vector<gather::WalkPoint>& all,
                                                 std::size_t count) {
   constexpr std::size_t kRun = 32;

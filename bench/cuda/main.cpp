@@ -1,4 +1,4 @@
-// The exact gather of nodes and pixels of a public scene by CUDA: gpu_gather_cuda [SCENE.xml]
+// The exact gather of nodes and pixels of a public scene in CUDA: gpu_gather_cuda [SCENE.xml]
 #include <algorithm>
 #include <cstdio>
 #include <optional>

@@ -1,5 +1,5 @@
-// point_walk.glsl as CUDA: a thread gathers one point. Compiled with -fmad=false, so that its sums
-// have the twin's bits.
+// point_walk.glsl in CUDA: a thread gathers one point. Compiled with -fmad=false, so that its sums
+// equal the twin's bits.
 #include <cuda_runtime.h>
 
 #include "cuda/point_walk.hpp"
@@ -72,7 +72,7 @@ __global__ void gather_points(Walk walk, const Point* point, int count, float ne
   row[1] = walk.value.x, row[2] = walk.value.y, row[3] = walk.value.z, row[4] = walk.value.w;
 }
 
-/// Memory of the device.
+/// Memory on the device.
 class DeviceTable {
  public:
   explicit DeviceTable(std::size_t bytes, const void* content = nullptr) {

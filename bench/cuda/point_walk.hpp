@@ -6,7 +6,7 @@
 
 namespace sfumato::bench {
 
-/// The tables of a scene without blur, as point_walk.glsl reads them, and the points.
+/// The tables of a scene without blur, in the form of point_walk.glsl, and the points.
 struct CudaWalk {
   const void* edge_beyond;
   std::size_t edge_beyond_bytes;
@@ -17,11 +17,11 @@ struct CudaWalk {
   const void* point;  ///< gather::WalkPoint
   std::size_t point_count;
   float negligible;
-  int block_size;  ///< threads of a block
+  int block_size;  ///< threads per block
 };
 
-/// Gathers `times` times. sums: 5 numbers a point. Returns the milliseconds of one time, without
-/// transfers, or a negative number and what is wrong.
+/// Gathers `times` times. sums: 5 numbers per point. Returns the milliseconds of one gather without
+/// transfers, or a negative number with an error text.
 double walk_by_cuda(const CudaWalk& walk, int times, float* sums, std::string& device_or_error);
 
 }  // namespace sfumato::bench
