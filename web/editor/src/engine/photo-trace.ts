@@ -4,7 +4,7 @@ import { en } from "../strings/en.js";
 import type { CubicPath } from "../geometry/cubic.js";
 import { inOwnWorker, started } from "./own-worker.js";
 import { EngineError, type Link } from "./rpc.js";
-import type { Host } from "./seat.js";
+import { giveImages, type Host } from "./seat.js";
 import type {
   FittedCurve,
   FitWish,
@@ -106,8 +106,7 @@ export class TracePreviews {
   ): void {
     this.#next = async () => {
       const link = await (this.#link ??= started(this.host));
-      await link.call("addImages", images.slice(this.#imageCount));
-      this.#imageCount = images.length;
+      this.#imageCount = await giveImages(link, images, this.#imageCount);
       await link.call("read", text);
       const wish: RasterWish = { width, height, viewport: null, background: background ?? null, depth: 8, isDraft };
       const data = await link.call<Uint8ClampedArray<ArrayBuffer>>("raster", wish);

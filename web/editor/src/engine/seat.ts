@@ -30,6 +30,17 @@ export async function moduleOf(host: Host): Promise<WebAssembly.Module> {
   }
 }
 
+/**
+ * Hands in the images that a worker has not got. More may be added to the list meanwhile.
+ * @param count how many it has
+ * @returns how many it has then
+ */
+export async function giveImages(link: Link, images: readonly GivenImage[], count: number): Promise<number> {
+  const missing = images.slice(count);
+  if (missing.length > 0) await link.call("addImages", missing);
+  return count + missing.length;
+}
+
 export class Seat {
   readonly link: Link;
   /** Resolves when it can be called. */
@@ -66,9 +77,7 @@ export class Seat {
 
   /** Hands in the images that it has not got. */
   async give(images: readonly GivenImage[]): Promise<void> {
-    if (this.#imageCount >= images.length) return;
-    await this.link.call("addImages", images.slice(this.#imageCount));
-    this.#imageCount = images.length;
+    this.#imageCount = await giveImages(this.link, images, this.#imageCount);
   }
 
   /**
