@@ -82,14 +82,14 @@ suite() {
 }
 
 # unit_tests BUILD [OPTION...]: runs the tests of a build folder in parallel on all cores, with options of
-# ctest. The report, $results/ctest.xml, holds the results and times; the exit code says whether the report
-# exists.
+# ctest. The report, $results/$report.xml, holds the results and times; the exit code says whether the report
+# exists. report: ctest or ctest-SUFFIX.
 unit_tests() {
-  local log=$results/ctest.log
+  local report=$results/${report:-ctest}
   ctest --test-dir "$1" "${@:2}" --parallel "$(nproc)" --output-on-failure \
-    --output-junit "$PWD/$results/ctest.xml" --no-tests=error </dev/null >"$log" 2>&1
-  grep -vE '^ *(Start +[0-9]+:|[0-9]+/[0-9]+ Test +#[0-9]+:.* Passed +)' "$log"
-  [[ -s $results/ctest.xml ]]
+    --output-junit "$PWD/$report.xml" --no-tests=error </dev/null >"$report.log" 2>&1
+  grep -vE '^ *(Start +[0-9]+:|[0-9]+/[0-9]+ Test +#[0-9]+:.* Passed +)' "$report.log"
+  [[ -s $report.xml ]]
 }
 
 # start_results: empties the folder $results, except for built files.
