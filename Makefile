@@ -8,7 +8,7 @@ targets := sfumato sfumato_library sfumato_c
 fuzz_seconds := 60
 
 .DEFAULT_GOAL := help
-.PHONY: help demo build test check check-all soak docs kills check-slurm sanitize fuzz fuzz-merge bench wasm hostile-growth \
+.PHONY: help demo build test check check-all soak leaks docs kills check-slurm sanitize fuzz fuzz-merge bench wasm hostile-growth \
   hostile-sanitized equal equal-by-clang editor editor-tests python npm deb reproducible clean
 
 help:
@@ -18,6 +18,7 @@ help:
 	@echo 'make check   the quick tests and the style; run it before you submit a change'
 	@echo 'make check-all   the slow tests, WebAssembly, browsers, Python, npm, outside programs'
 	@echo 'make soak    the native tests with all their random cases: hours'
+	@echo 'make leaks   import 10,000 random shapes: no opacity leaks out of them; a minute'
 	@echo 'make docs    the API reference: build/docs/html/index.html'
 	@echo 'make kills   write outputs while 1,000 kill -9 interrupt them'
 	@echo 'make check-slurm   tiles and frames with Slurm and GNU parallel on this machine'
@@ -70,6 +71,12 @@ soak:
 	@cmake --build $(build_folder) --parallel $(jobs)
 	@SFUMATO_SOAK=1 ctest --test-dir $(build_folder) --timeout 7200 --parallel $(jobs) --progress \
 	  --output-on-failure --no-tests=error
+
+leaks:
+	@scripts/setup build cache check
+	@cmake --preset release -DSFUMATO_TESTS=ON -DSFUMATO_WERROR=OFF --log-level=WARNING >/dev/null
+	@cmake --build $(build_folder) --parallel $(jobs) --target test_import
+	@SFUMATO_SOAK=1 $(build_folder)/tests/test_import --gtest_filter=Leaks.no_random_shape_has_any
 
 docs:
 	@scripts/setup docs
