@@ -136,6 +136,16 @@ TEST(LenientImport, a_switch_draws_its_first_child_that_can_be_drawn) {
   EXPECT_EQ(chosen(""), "");
 }
 
+TEST(LenientImport, a_switch_passes_over_what_is_never_drawn) {
+  for (const std::string first : {"<desc>d</desc>", "<title>t</title>", "<metadata/>", "<defs/>",
+                                  "<style/>", "<symbol/>", "<desc/><title/><metadata/>"}) {
+    const ImportedSvg made =
+        import_text(drawing("<switch>" + first + "<circle id='a' r='5'/></switch>"));
+    EXPECT_EQ(ids_of(made), "a ") << first;
+    EXPECT_TRUE(made.warnings.empty()) << first;
+  }
+}
+
 TEST(LenientImport, a_use_of_what_is_around_it_draws_nothing) {
   const std::string a = "<circle id='a' r='5'/>";
   EXPECT_EQ(ids_of(import_text(drawing("<g id='g'><use href='#g'/>" + a + "</g>"))), "a ");

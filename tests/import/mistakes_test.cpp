@@ -144,6 +144,23 @@ TEST(ImportMistakes, a_gradient_does_without_a_faulty_attribute) {
   }
 }
 
+TEST(ImportMistakes, an_empty_transform_is_the_identity) {
+  const std::string scaled =
+      "<linearGradient id='h' gradientTransform='scale(3)'>" + kStops + "</linearGradient>";
+  for (const std::string empty : {"gradientTransform=''", "gradientTransform=' '"}) {
+    const ImportedSvg alone = with_gradient(empty);
+    EXPECT_EQ(facts_of(alone), facts_of(with_gradient("")));
+    EXPECT_EQ(warning_of(alone), "");
+    const ImportedSvg heir =
+        mistaken(scaled + "<linearGradient id='g' href='#h' " + empty + "/>" + kPainted);
+    EXPECT_EQ(facts_of(heir), facts_of(alone));
+    EXPECT_EQ(warning_of(heir), "");
+  }
+  const ImportedSvg shape = mistaken("<rect width='80' height='40' transform=''/>");
+  EXPECT_EQ(extent_of_mistaken(shape), "0 0 80 40 ");
+  EXPECT_EQ(warning_of(shape), "");
+}
+
 TEST(ImportMistakes, hrefs_of_gradients_in_a_circle_end_where_they_close) {
   const ImportedSvg made = mistaken(
       "<linearGradient id='g' href='#h'/><linearGradient id='h' "
