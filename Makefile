@@ -9,7 +9,7 @@ fuzz_seconds := 60
 
 .DEFAULT_GOAL := help
 .PHONY: help demo build test check check-all soak leaks docs kills check-slurm sanitize fuzz fuzz-merge bench wasm hostile-growth \
-  hostile-sanitized equal equal-by-clang editor editor-tests python npm deb reproducible clean
+  hostile-sanitized equal equal-by-clang viewer editor editor-tests python npm deb reproducible clean
 
 help:
 	@echo 'make demo    install what the build needs, build, draw $(scene)'
@@ -30,6 +30,7 @@ help:
 	@echo 'make equal   random scenes $(equal_scenes): the same bits for all thread counts and instruction sets'
 	@echo 'make equal-by-clang   the library built by clang gives the same bits as the one built by g++'
 	@echo 'make wasm    the library for WebAssembly: build-wasm/sfumato.wasm'
+	@echo 'make viewer  bundle the scripts, shaders and styles of web/viewer into web/viewer/dist'
 	@echo 'make editor  draw in a browser: $(build_folder)/editor/ and $(build_folder)/editor.html'
 	@echo 'make editor-tests   the editor in Chromium: all user actions, and the inputs of the fuzzers; its core in Firefox'
 	@echo 'make python  the wheel, $(build_folder)/python/, tested after installation'
@@ -116,6 +117,9 @@ bench:
 wasm:
 	@scripts/setup wasm cache
 	@scripts/build-wasm build-wasm
+
+viewer:
+	@scripts/build-viewer
 
 editor:
 	@scripts/build-editor

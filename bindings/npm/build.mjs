@@ -1,31 +1,14 @@
 // Builds the package: node build.mjs MODULES OUT, where MODULES is the output folder of scripts/build-wasm. Needs
 // the packages of tests/package.json. Run it through scripts/build-npm.
-import { copyFileSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { inEachModule, licenceOfLibrary } from "../../web/wasm/licences.mjs";
-import { condensed } from "../../web/editor/tools/viewer-page.mjs";
 
 const { build } = createRequire(new URL("tests/package.json", import.meta.url))("esbuild");
 const path = (relative) => fileURLToPath(new URL(relative, import.meta.url));
 const [modules, out] = process.argv.slice(2);
-
-/** The viewer's shaders by name, without comments and indentation, as in the viewer's page. */
-const shaders = {
-  name: "shaders",
-  setup(building) {
-    building.onResolve({ filter: /^sfumato-shaders$/ }, () => ({ path: "shaders", namespace: "shaders" }));
-    building.onLoad({ filter: /.*/, namespace: "shaders" }, () => {
-      const folder = path("../../web/viewer/shaders");
-      // Used only by the editor and for exact pixels.
-      const names = readdirSync(folder).filter((name) => !/^(edges\.|exact)/.test(name));
-      const texts = names.map((name) => [name, condensed(readFileSync(join(folder, name), "utf8"))]);
-      const table = JSON.stringify(Object.fromEntries(texts));
-      return { contents: `const texts = ${table};\nexport const shaderText = (name) => texts[name];` };
-    });
-  },
-};
 
 /** Files that are in the package once and are imported by the others. */
 const apart = {
@@ -60,7 +43,7 @@ await bundle("src/node.js", { platform: "node", plugins: [apart] });
 await bundle("src/index.js", { plugins: [apart], minify: true });
 await bundle("src/worker.js", { minify: true });
 await bundle("src/element/element.js", { minify: true, plugins: [apart] });
-await bundle("src/element/drawing.js", { minify: true, plugins: [shaders] });
+await bundle("src/element/drawing.js", { minify: true });
 for (const name of ["package.json", "README.md", "src/index.d.ts", "src/element.d.ts", "../../LICENSE"]) {
   copyFileSync(path(name), join(out, name.split("/").at(-1)));
 }

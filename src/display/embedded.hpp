@@ -4,8 +4,12 @@
 
 namespace sfumato::display {
 
-/// Returns the text of a file of web/viewer, compiled into the library (cmake/SfumatoEmbed.cmake);
-/// empty if the name is unknown. The name is relative to web/viewer: "shaders/patch.vert".
-std::string_view embedded_file(std::string_view name);
+// Files compiled into the library (cmake/SfumatoEmbed.cmake); empty if the name is unknown.
+
+/// Returns a shader of web/viewer/shaders or of gather: "patch.vert".
+std::string_view shader_text(std::string_view name);
+
+/// Returns a file of web/viewer/dist: "page.html" is the page with marks such as {{payload}}.
+std::string_view page_text(std::string_view name);
 
 }  // namespace sfumato::display

@@ -63,7 +63,7 @@ Result<Program> Program::create_compute(const Gl& gl, const std::string& text) {
 }
 
 std::string_view Program::text_of(std::string_view name) {
-  return display::embedded_file("shaders/" + std::string(name));
+  return display::shader_text(name);
 }
 
 Status Program::link(std::string_view shader) const {

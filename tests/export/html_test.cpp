@@ -2,17 +2,14 @@
 #include "sfumato/export/html/html.hpp"
 
 #include <gtest/gtest.h>
-#include <zlib.h>
 
 #include <cstdint>
 #include <limits>
 #include <string>
 #include <vector>
 
-#include "base/table_memory.hpp"
 #include "codecs/base64.hpp"
 #include "display/embedded.hpp"
-#include "export/html/html_text.hpp"
 #include "export/support.hpp"
 
 namespace sfumato {
@@ -48,42 +45,18 @@ TEST(Html, holds_all_that_it_needs) {
   EXPECT_TRUE(html.ends_with("</html>\n"));
   EXPECT_EQ(html.find("http"), html.find("http-equiv"));
   EXPECT_EQ(test::count(html, " src="), 0u);  // of an element, not of a script
-  for (const char* mark :
-       {"{{title", "{{style", "{{fallback", "{{shaders", "{{payload", "{{script"})
+  for (const char* mark : {"{{title", "{{style", "{{fallback", "{{payload", "{{script"})
     EXPECT_EQ(test::count(html, mark), 0u) << mark;
   EXPECT_EQ(test::count(html, "<script"), test::count(html, "</script>"));
   EXPECT_NE(html.find("default-src 'none'"), std::string::npos);
 }
 
-/// Returns the unpacked content of the page's element "shaders".
-std::string unpacked_shaders(const std::string& html) {
-  const std::string mark = "id=\"shaders\">";
-  const std::size_t begin = html.find(mark) + mark.size();
-  const std::string coded = html.substr(begin, html.find('<', begin) - begin);
-  const Context context;  // first, because it must outlive the tables charged to it
-  TableMemory memory("test");
-  std::vector<std::uint8_t> packed;
-  EXPECT_TRUE(codecs::decode_base64(context, coded, memory, packed));
-  std::string text(1 << 20, ' ');
-  uLongf size = text.size();
-  EXPECT_EQ(uncompress(reinterpret_cast<Bytef*>(text.data()), &size, packed.data(), packed.size()),
-            Z_OK);
-  text.resize(size);
-  return text;
-}
-
-TEST(Html, every_script_and_shader_is_compiled_in) {
+TEST(Html, is_the_bundled_page_with_its_marks_filled) {
+  const std::string_view bundle = display::page_text("page.html");
   const std::string html = html_of(triangle_picture());
-  const std::string shaders = unpacked_shaders(html);
-  for (const char* name : {"patch.vert", "paint.glsl", "present.frag", "point_walk.glsl"}) {
-    const std::string_view shader = display::embedded_file(std::string("shaders/") + name);
-    ASSERT_FALSE(shader.empty()) << name;
-    const std::string part = name + std::string(1, '\0') + outputs::condensed(shader) + '\0';
-    EXPECT_NE(shaders.find(part), std::string::npos) << name;
-  }
-  // The code that main.js starts, and a definition of an earlier file.
-  EXPECT_NE(html.find("class ByteReader"), std::string::npos);
-  EXPECT_NE(html.find("\nmain();\n"), std::string::npos);
+  EXPECT_GT(bundle.size(), 100'000u);
+  EXPECT_TRUE(html.starts_with(bundle.substr(0, bundle.find("{{"))));
+  EXPECT_TRUE(html.ends_with(bundle.substr(bundle.rfind("}}") + 2)));
 }
 
 TEST(Html, a_title_cannot_leave_its_place) {

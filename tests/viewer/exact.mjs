@@ -1,10 +1,10 @@
 // Exact pixels, gathered in a page, compared with the library's.
-import { readFileSync, readdirSync, writeFileSync } from "node:fs";
+import { readFileSync, writeFileSync } from "node:fs";
 import { deflateSync, inflateSync } from "node:zlib";
 import { PayloadError } from "../../web/viewer/bytes.js";
 import { readExactLayers } from "../../web/viewer/exact_fields.js";
 import { PictureReader } from "../../web/viewer/payload.js";
-import { check, pathOf, randomNumbers, settled, show } from "./harness.mjs";
+import { check, randomNumbers, settled, show } from "./harness.mjs";
 import { withServer } from "./updates.mjs";
 
 /** Limit in code values. */
@@ -57,11 +57,6 @@ function pageOf(command, name) {
   return page;
 }
 
-const shaderPaths = [
-  ...readdirSync(pathOf("web/viewer/shaders")).map((name) => `web/viewer/shaders/${name}`),
-  "src/gather/point_walk.glsl",
-].join(" ");
-
 /** Returns the pixels that a page gathers from a payload. */
 export async function gathered({ pages }, payload, wish) {
   let result = null;
@@ -72,7 +67,7 @@ export async function gathered({ pages }, payload, wish) {
         return module.gathered(asked);
       }, wish);
     });
-  }, { "/shaders": ["text/plain", shaderPaths] });
+  });
   return result;
 }
 

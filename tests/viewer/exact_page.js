@@ -5,13 +5,6 @@ import { readPicture } from "/web/viewer/payload.js";
 
 const text = async (path) => (await fetch(path)).text();
 
-async function readShaders() {
-  const shaders = new Map();
-  for (const path of (await text("/shaders")).split(" "))
-    shaders.set(path.split("/").at(-1), await text(`/${path}`));
-  return shaders;
-}
-
 const frame = () => new Promise((resolve) => setTimeout(resolve, 1));
 
 /** @returns pixels in the layout of the image: red, green, blue, alpha; -1: missing */
@@ -31,10 +24,9 @@ function pixelsOf(gl, exact, size) {
  *   many were requested, and milliseconds
  */
 export async function gathered({ size, views, limit, isPaced }) {
-  const shaders = await readShaders();
   const gl = document.createElement("canvas").getContext("webgl2");
   const picture = await readPicture(await text("/payload"));
-  const programs = new Programs(gl, (name) => shaders.get(name));
+  const programs = new Programs(gl);
   gl.bindVertexArray(gl.createVertexArray());
   const exact = new ExactPixels(gl, programs, picture);
   if (exact.reason) return { reason: exact.reason };

@@ -1,6 +1,5 @@
 // Lost graphics, browsers without a feature, damaged files, pictures with little content.
 import { writeFileSync } from "node:fs";
-import { deflateSync, inflateSync } from "node:zlib";
 import { check, difference, pictureOf, rangeOf, settled } from "./harness.mjs";
 
 const DOCUMENT = "tests/wasm/controls.svg";
@@ -52,11 +51,7 @@ async function testBrowsers(tap, tools) {
   );
   await tap.test("a driver that refuses the shaders is spoken of", () => {
     const path = tools.command.changed(DOCUMENT, "refused", (page) =>
-      page.replace(/(id="shaders">)([^<]*)/, (_all, mark, packed) => {
-        const text = inflateSync(Buffer.from(packed, "base64")).toString();
-        const wrong = text.replaceAll("void main()", "void main(");
-        return mark + deflateSync(wrong).toString("base64");
-      }),
+      page.replaceAll("void main()", "void main("),
     );
     return saysInstead(tools, path, undefined, "refuses a shader");
   });

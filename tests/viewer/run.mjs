@@ -12,7 +12,6 @@ import { testExactHard } from "./exact_hard.mjs";
 import { testFramesAndPaper } from "./frames.mjs";
 import { testInteraction } from "./interaction.mjs";
 import { testGlb, testSvg } from "./outputs.mjs";
-import { testModules } from "./modules.mjs";
 import { testPayload } from "./payload.mjs";
 import { testPdf, testPdfInChromium } from "./pdf.mjs";
 import { testOtherDriver, testPictures } from "./pictures.mjs";
@@ -35,7 +34,6 @@ await tap.test("the viewer's types are right", () => {
     throw new Error(String(error.stdout));
   }
 });
-await testModules(tap, { command });
 await testPayload(tap, { dump, command });
 await testTables(tap);
 await testGlb(tap, { command });

@@ -1,6 +1,6 @@
 // The renderer with changing pictures, as the modules that other programs import.
 import { createServer } from "node:http";
-import { readFileSync, readdirSync } from "node:fs";
+import { readFileSync } from "node:fs";
 import { isDeepStrictEqual } from "node:util";
 import { check, documentPath, pathOf } from "./harness.mjs";
 
@@ -9,15 +9,12 @@ const DOCUMENTS = ["tests/viewer/compositing.svg", "tests/viewer/small.svg"];
 /** Returns the picture of a page, as base64. */
 const payloadOf = (html) => html.match(/id="payload">([^<]*)</)[1];
 
-/** Serves the modules, an empty page, a picture and more; `body` gets the address. */
-export async function withServer(payload, body, more = {}) {
-  const shaders = readdirSync(pathOf("web/viewer/shaders")).join(" ");
+/** Serves the modules, an empty page and a picture; `body` gets the address. */
+export async function withServer(payload, body) {
   const made = {
     "/": ["text/html", "<!DOCTYPE html><title>updates</title><canvas></canvas>"],
     "/favicon.ico": ["image/png", ""],
     "/payload": ["text/plain", payload],
-    "/shaders": ["text/plain", shaders],
-    ...more,
   };
   const server = createServer(({ url }, response) => {
     const [type, content] = made[url] ?? ["text/javascript", readFileSync(pathOf(url.slice(1)))];

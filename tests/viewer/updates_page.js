@@ -31,13 +31,9 @@ function counted(gl) {
   return live;
 }
 
-/** Returns the shaders, the picture, and the drawing parameters. */
+/** Returns the picture and the drawing parameters. */
 export async function open() {
   const text = async (path) => (await fetch(path)).text();
-  const shaders = new Map();
-  for (const name of (await text("/shaders")).split(" ")) {
-    shaders.set(name, await text(`/web/viewer/shaders/${name}`));
-  }
   const canvas = document.querySelector("canvas");
   [canvas.width, canvas.height] = SIZE;
   const gl = canvas.getContext("webgl2", { alpha: false, antialias: false, depth: false });
@@ -53,7 +49,7 @@ export async function open() {
     mesh: false,
     lineScale: 1,
   };
-  const make = (made) => new Renderer(gl, (name) => shaders.get(name), made, texels);
+  const make = (made) => new Renderer(gl, made, texels);
   return { gl, live, picture, texels, frame, make };
 }
 

@@ -2,8 +2,6 @@ import { fileURLToPath } from "node:url";
 import type { Plugin } from "vite";
 import { defineConfig } from "vitest/config";
 import { licencesPlugin } from "./tools/licences.mjs";
-import { shaderTextPlugin } from "./tools/shader-text.mjs";
-import { viewerPagePlugin } from "./tools/viewer-page.mjs";
 
 const path = (relative: string) => fileURLToPath(new URL(relative, import.meta.url));
 
@@ -23,7 +21,7 @@ const packagesForTests: Plugin = {
 export default defineConfig({
   root: path("."),
   base: "./",
-  plugins: [viewerPagePlugin(), shaderTextPlugin(), licencesPlugin(module), packagesForTests],
+  plugins: [licencesPlugin(module), packagesForTests],
   resolve: {
     alias: [{ find: /^sfumato-module(?=\?)/, replacement: module }],
   },

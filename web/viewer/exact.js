@@ -3,6 +3,7 @@
 
 import { composed, inverted, mappedBox, translation } from "./affine.js";
 import { PayloadError } from "./bytes.js";
+import { exactShaders } from "./dist/shaders.js";
 import { readExactLayers } from "./exact_fields.js";
 import { ExactScene, wholeShift } from "./exact_scene.js";
 import { Pace, TILE, without, Work } from "./exact_work.js";
@@ -99,6 +100,8 @@ export class ExactPixels {
   constructor(gl, programs, picture, known) {
     this.gl = gl;
     this.programs = programs;
+    // Added here, because a program that never shows exact pixels is bundled without them.
+    Object.assign(programs.texts, exactShaders);
     this.picture = picture;
     this.format = gl.RGBA16F;
     this.stepLimit = STEP_LIMIT;

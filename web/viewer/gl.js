@@ -1,6 +1,7 @@
 // A thin layer over WebGL2: the abilities of a browser, and programs from shaders.
 
 import { rowsOf } from "./affine.js";
+import { shaders } from "./dist/shaders.js";
 
 /** @import { Affine } from "./affine.js" */
 
@@ -150,11 +151,11 @@ export class Program {
 export class Programs {
   /**
    * @param {WebGL2RenderingContext} gl
-   * @param {(name: string) => string} textOf returns a file of shaders/
    */
-  constructor(gl, textOf) {
+  constructor(gl) {
     this.gl = gl;
-    this.textOf = textOf;
+    /** Texts of shaders by file name. */
+    this.texts = { ...shaders };
     /** @type {Map<string, Program>} */
     this.made = new Map();
   }
@@ -169,15 +170,14 @@ export class Programs {
     let program = this.made.get(key);
     if (program) return program;
     const head = ["#version 300 es", ...defines.map((name) => `#define ${name}`), ""].join("\n");
-    const common = head + this.textOf("common.glsl");
-    const paint = defines.includes("WITH_PAINTS") ? this.textOf("paint.glsl") : "";
-    const walk = defines.includes("WITH_WALK")
-      ? this.textOf("exact.glsl") + this.textOf("point_walk.glsl")
-      : "";
+    const { texts } = this;
+    const common = head + texts["common.glsl"];
+    const paint = defines.includes("WITH_PAINTS") ? texts["paint.glsl"] : "";
+    const walk = defines.includes("WITH_WALK") ? texts["exact.glsl"] + texts["point_walk.glsl"] : "";
     program = new Program(
       this.gl,
-      common + this.textOf(`${vertex}.vert`),
-      common + paint + walk + this.textOf(`${fragment}.frag`),
+      common + texts[`${vertex}.vert`],
+      common + paint + walk + texts[`${fragment}.frag`],
     );
     const complaint = program.complaint();
     if (complaint) throw new Error(`The graphics driver refuses a shader (${key}): ${complaint}`);

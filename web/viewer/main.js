@@ -1,3 +1,4 @@
+/*! Sfumato's viewer, MIT licence. */
 // Starts the viewer, and gives the page its interface: window.sfumatoViewer (docs/viewer.md).
 
 import { PayloadError } from "./bytes.js";

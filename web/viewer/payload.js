@@ -113,18 +113,6 @@ async function inflated(bytes) {
   }
 }
 
-/**
- * Returns texts by name, from base64 of a zlib stream; a zero byte ends each name and each text.
- * @param {string} base64
- * @returns {Promise<Map<string, string>>}
- */
-export async function readTexts(base64) {
-  const text = new TextDecoder().decode(await inflated(bytesOfBase64(base64)));
-  const parts = text.split("\0");
-  const names = parts.filter((_, i) => i % 2 === 0);
-  return new Map(names.map((name, i) => [name, parts[2 * i + 1]]));
-}
-
 /** Reads the parts of a picture that are the same with layers' tables and without. */
 class StackReader {
   /** @param {Uint8Array} bytes */

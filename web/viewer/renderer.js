@@ -41,17 +41,16 @@ const SHOWN_EVERY = 400;
 export class Renderer {
   /**
    * @param {WebGL2RenderingContext} gl
-   * @param {(name: string) => string} shaderText
    * @param {Picture} picture
    * @param {Uint16Array} texels texels of the paints
    * @param {Programs | null} shared programs of this context, owned by the caller
    */
-  constructor(gl, shaderText, picture, texels, shared = null) {
+  constructor(gl, picture, texels, shared = null) {
     this.gl = gl;
     this.picture = picture;
     this.abilities = abilitiesOf(gl);
     this.hasOwnPrograms = shared === null;
-    this.programs = shared ?? new Programs(gl, shaderText);
+    this.programs = shared ?? new Programs(gl);
     this.targets = new Targets(gl, this.abilities);
     this.layers = new LayerDrawer(gl, this.programs, picture, texels);
     this.strokes = new StrokeDrawer(gl, this.programs, picture);

@@ -2,7 +2,6 @@
 
 import { exactPixels, isSoftware } from "./exact.js";
 import { makeTexels } from "./paints.js";
-import { readTexts } from "./payload.js";
 import { Renderer } from "./renderer.js";
 import { View } from "./view.js";
 import { Motion } from "./motion.js";
@@ -60,8 +59,6 @@ export class Viewer {
     this.waitingForFrame = [];
     /** @type {(() => void)[]} */
     this.waiting = [];
-    /** The texts of shaders by name. @type {Map<string, string>} */
-    this.shaders = new Map();
     /** @type {Uint16Array | null} */
     this.texels = null;
     /** @type {(state: ViewState) => void} */
@@ -81,7 +78,6 @@ export class Viewer {
     });
     if (!gl) throw new Error("This browser shows a still picture only: it has no WebGL 2.");
     this.gl = gl;
-    this.shaders = await readTexts(document.getElementById("shaders")?.textContent ?? "");
     this.texels = await makeTexels(gl, this.picture.paints);
     // Software needs a minute for the work that a GPU does in a second.
     this.exact = !isSoftware(gl);
@@ -102,12 +98,7 @@ export class Viewer {
   build() {
     const { gl, texels } = this;
     if (!gl || !texels || gl.isContextLost()) return;
-    const textOf = (/** @type {string} */ name) => {
-      const text = this.shaders.get(name);
-      if (text === undefined) throw new Error(`The page has no shader ${name}.`);
-      return text;
-    };
-    this.renderer = new Renderer(gl, textOf, this.picture, texels);
+    this.renderer = new Renderer(gl, this.picture, texels);
     this.change();
   }
 

@@ -4,7 +4,6 @@ import { Programs } from "../../../../web/viewer/gl.js";
 import { makeTexels } from "../../../../web/viewer/paints.js";
 import { drawPage } from "../../../../web/viewer/paper.js";
 import { Renderer } from "../../../../web/viewer/renderer.js";
-import { shaderText } from "sfumato-shaders";
 
 /** @import { Picture } from "../../../../web/viewer/payload.js" */
 /** @import { Frame } from "../../../../web/viewer/renderer.js" */
@@ -43,7 +42,7 @@ class Stage {
     this.madeTexels = new WeakMap();
     /** The client whose frame the targets hold. @type {Client | null} */
     this.owner = null;
-    this.programs = new Programs(this.gl, shaderText);
+    this.programs = new Programs(this.gl);
     this.canvas.addEventListener("webglcontextlost", (event) => {
       event.preventDefault();
       this.forget();
@@ -55,7 +54,7 @@ class Stage {
   forget() {
     this.renderers.clear();
     this.owner = null;
-    if (this.gl) this.programs = new Programs(this.gl, shaderText);
+    if (this.gl) this.programs = new Programs(this.gl);
   }
 
   /** Decodes the textures of a picture, after which it can be drawn. @param {Picture} picture */
@@ -80,7 +79,7 @@ class Stage {
     const { gl } = this;
     const texels = this.madeTexels.get(picture);
     if (!gl || !texels) throw new Error("The picture was not prepared.");
-    const renderer = this.renderers.get(picture) ?? new Renderer(gl, shaderText, picture, texels, this.programs);
+    const renderer = this.renderers.get(picture) ?? new Renderer(gl, picture, texels, this.programs);
     this.renderers.delete(picture);
     this.renderers.set(picture, renderer);
     for (const [other, oldest] of this.renderers) {

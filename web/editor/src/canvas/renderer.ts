@@ -9,7 +9,6 @@ import type { PictureUpdate } from "../engine/types.js";
 import { ExactStage } from "./exact.js";
 import { photosOf } from "./photo.js";
 import { Scene, type SceneChange } from "./scene.js";
-import { shaderText } from "./shaders.js";
 import type { StackItem } from "./stack-parts.js";
 import { keepStill } from "./still.js";
 
@@ -99,7 +98,7 @@ export class PictureCanvas {
   #build() {
     const { picture } = this.#scene;
     if (!this.#gl || this.#gl.isContextLost() || !picture || !this.#texels) return;
-    this.#renderer = new Renderer(this.#gl, shaderText, picture, this.#texels.texels);
+    this.#renderer = new Renderer(this.#gl, picture, this.#texels.texels);
     this.#exact.reset();
     this.change();
   }

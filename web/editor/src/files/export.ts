@@ -122,7 +122,7 @@ async function fallbackOf(source: ExportSource): Promise<string | null> {
 
 async function exportHtml(source: ExportSource, watch: ExportWatch): Promise<Blob> {
   watch.onStage?.("draw");
-  const { default: template } = await import("virtual:viewer-page");
+  const { default: template } = await import("../../../viewer/dist/page.html?raw");
   const payload = new Uint8Array(await unlessAborted(source.engine.payload(), watch.signal));
   const fallback = await unlessAborted(fallbackOf(source), watch.signal);
   watch.onStage?.("pack");
@@ -157,7 +157,7 @@ export async function estimateSize(wish: ExportWish, source: ExportSource): Prom
   try {
     if (wish.format === "svg") return new Blob([await svgOf(wish, source)]).size;
     if (wish.format === "png") return complaintAboutSize(wish) === null ? await estimatePng(wish, source) : null;
-    const { default: template } = await import("virtual:viewer-page");
+    const { default: template } = await import("../../../viewer/dist/page.html?raw");
     const payload = await deflated(new Uint8Array(await source.engine.payload()));
     const fallback = await fallbackOf(source);
     return template.length + Math.ceil((payload.size * 4) / 3) + (fallback?.length ?? 0);
