@@ -1,8 +1,9 @@
 """Builds one wheel for every Python 3 of a platform. The wheel has no extension module; it carries
-shared libraries beside the Python files. CMake builds the C library from the checkout that holds
-this folder, or SFUMATO_LIBRARY names a library to use. The wheel also carries the libraries that
-this one needs and that a system may lack. With SFUMATO_LIBRARY=system the wheel holds only Python
-files, which load the system's libsfumato.so.1; Debian's package is built this way.
+shared libraries beside the Python files. cffi makes one of these files, which describes the C
+interface (interface.py). CMake builds the C library from the checkout that holds this folder, or
+SFUMATO_LIBRARY names a library to use. The wheel also carries the libraries that this one needs and
+that a system may lack. With SFUMATO_LIBRARY=system the wheel holds only Python files, which load
+the system's libsfumato.so.1; Debian's package is built this way.
 """
 
 import os
@@ -145,4 +146,8 @@ class WithLibrary(Distribution):
         return CARRIES
 
 
-setup(cmdclass={"build_py": Build, "bdist_wheel": Wheel}, distclass=WithLibrary)
+setup(
+    cmdclass={"build_py": Build, "bdist_wheel": Wheel},
+    distclass=WithLibrary,
+    cffi_modules=["interface.py:ffi"],
+)

@@ -20,6 +20,7 @@ from ._errors import (
     LimitError,
     UnavailableError,
     UsageError,
+    text_of as _text_of,
 )
 from ._field import Field, Weights
 from ._library import lib as _lib
@@ -27,7 +28,7 @@ from ._picture import Interactive, Picture, load_picture
 from ._session import Session
 from ._trace import Round, trace
 
-__version__: str = _lib.sfumato_version().decode()
+__version__: str = _text_of(_lib.sfumato_version())
 
 __all__ = [
     "Cancelled",

@@ -2,48 +2,56 @@
 
 from __future__ import annotations
 
-import ctypes
-from typing import Any, Optional
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._handle import Resource
-from ._library import Image, View
+from ._library import ffi, lib
 
 Points = NDArray[np.float64]
-_dtypes: dict[int, type[np.generic]] = {1: np.uint8, 2: np.uint32, 3: np.float32, 4: np.float64}
-_formats = {(3, "u1"): 0, (4, "u1"): 1, (3, "u2"): 2, (4, "u2"): 3}
+_dtypes: dict[int, type[np.generic]] = {
+    lib.SFUMATO_U8: np.uint8,
+    lib.SFUMATO_U32: np.uint32,
+    lib.SFUMATO_F32: np.float32,
+    lib.SFUMATO_F64: np.float64,
+}
+_formats = {
+    (3, "u1"): lib.SFUMATO_RGB8,
+    (4, "u1"): lib.SFUMATO_RGBA8,
+    (3, "u2"): lib.SFUMATO_RGB16,
+    (4, "u2"): lib.SFUMATO_RGBA16,
+}
 
 
 class Export:
     """Keeps a resource's memory alive while an array is a view of it."""
 
-    def __init__(self, view: View, owner: Resource) -> None:
+    def __init__(self, view: Any, owner: Resource) -> None:
         self.owner = owner
         dtype = np.dtype(_dtypes[view.type])
         self.__array_interface__ = {
             "version": 3,
             "shape": (view.rows, view.columns),
             "typestr": dtype.str,
-            "data": (view.data, True),
+            "data": (int(ffi.cast("uintptr_t", view.data)), True),
             "strides": (view.row_bytes, dtype.itemsize),
         }
 
 
-def empty_table(view: View) -> NDArray[Any]:
+def empty_table(view: Any) -> NDArray[Any]:
     table: NDArray[Any] = np.empty((0, view.columns), _dtypes[view.type])
     table.flags.writeable = False
     return table
 
 
-def copied(view: View) -> NDArray[Any]:
+def copied(view: Any) -> NDArray[Any]:
     """Copies a table into an array that owns its memory."""
     table: NDArray[Any] = np.empty((view.rows, view.columns), _dtypes[view.type])
     if view.rows:
-        row = view.columns * table.itemsize
-        assert view.row_bytes == row
-        ctypes.memmove(table.ctypes.data, view.data, view.rows * row)
+        assert view.row_bytes == view.columns * table.itemsize
+        ffi.memmove(table, view.data, table.nbytes)
     return table
 
 
@@ -72,7 +80,7 @@ def fixed(array: NDArray[Any]) -> NDArray[Any]:
     return array
 
 
-def pixels_of(array: NDArray[Any], what: str) -> Image:
+def pixels_of(array: NDArray[Any], what: str) -> Any:
     """Describes rows of pixels in place. Keep the array alive while the description is used."""
     if not isinstance(array, np.ndarray):
         raise TypeError(f"{what}: expected a numpy array, not {type(array).__name__}")
@@ -88,7 +96,8 @@ def pixels_of(array: NDArray[Any], what: str) -> Image:
     if array.strides[1:] != (channels * array.itemsize, array.itemsize) or step < row:
         raise ValueError(f"{what}: the pixels of a row are not one behind the other")
     kind = _formats[channels, array.dtype.str[1:]]
-    return Image(array.ctypes.data, step, width, height, kind)
+    first = ffi.cast("void *", array.ctypes.data)
+    return ffi.new("sfumato_image *", (first, step, width, height, kind))
 
 
 def picture_of(image: ArrayLike, what: str) -> NDArray[Any]:
@@ -102,7 +111,3 @@ def picture_of(image: ArrayLike, what: str) -> NDArray[Any]:
     if array.ndim == 2 and array.dtype.kind == "u":
         array = np.repeat(array[:, :, None], 3, axis=2)
     return np.ascontiguousarray(array)
-
-
-def address_of(array: Optional[NDArray[Any]]) -> Optional[int]:
-    return None if array is None or array.size == 0 else int(array.ctypes.data)

@@ -3,25 +3,23 @@ data."""
 
 from __future__ import annotations
 
-import ctypes
 from collections.abc import Sequence as AbstractSequence
 from typing import TYPE_CHECKING, Any, Callable, Optional, Union, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _library
-from ._arrays import address_of, copied, fixed, rows_of
-from ._colors import KINDS, OPEN, STOPS, Colors, Given, colors_given, scalars_given
+from ._arrays import copied, fixed, rows_of
+from ._colors import KINDS, Colors, Given, colors_given, scalars_given, stops_of
 from ._errors import UsageError, text_of
-from ._library import View, lib
+from ._library import ffi, lib, names_of
 from ._settable import Settable
 
 if TYPE_CHECKING:
     from ._document import Document
 
-_attributes = {"color": 0, "opacity": 1, "blur": 2}
-_spaces = ("length", "pieces")
+_attributes = names_of("sfumato_attribute")
+_spaces = ("length", "pieces")  # enum sfumato_space
 Scalars = Union[None, str, ArrayLike]
 
 
@@ -44,11 +42,11 @@ class Layer:
         """The id of the layer; may be ""."""
         held = self._document._held()
         with held.lock:
-            return text_of(lib.sfumato_layer_id(held.address, self._index))
+            return text_of(lib.sfumato_layer_id(held.pointer, self._index))
 
     def _count(self) -> int:
         """Returns the curve count. The caller holds the document."""
-        return int(lib.sfumato_curve_count(self._document._held().address, self._index))
+        return int(lib.sfumato_curve_count(self._document._held().pointer, self._index))
 
     @property
     def curves(self) -> "Curves":
@@ -79,7 +77,7 @@ class Layer:
                 ("opacity", scalars_given(opacity, "opacity")),
                 ("blur", scalars_given(blur, "blur")),
             )
-            if value.kind != OPEN
+            if value.kind != lib.SFUMATO_OPEN
         ]
         added: list[Curve] = []
 
@@ -94,7 +92,7 @@ class Layer:
             document._moved(self._index, where, 1)
             added.append(document._curve(self, where))
 
-        rest = (address_of(xy), len(xy))
+        rest = (ffi.from_buffer("double[]", xy), len(xy))
         document._session.edit("insert_curve", document._held(), place, rest, keep)
         curve = added[0]
         try:
@@ -164,20 +162,20 @@ class Curve:
         """The id of the curve; may be ""."""
         held = self._layer._document._held()
         with held.lock:
-            return text_of(lib.sfumato_curve_id(held.address, *self._place()))
+            return text_of(lib.sfumato_curve_id(held.pointer, *self._place()))
 
     def _get_points(self) -> NDArray[np.float64]:
         """The 3 n + 1 control points of n Bézier pieces, in units of the layer: (3 n + 1) × 2. The
         array is a read-only copy; assign to this property to move the curve."""
-        view = View()
+        view = ffi.new("sfumato_view *")
         held = self._layer._document._held()
         with held.lock:
-            lib.sfumato_curve_points(held.address, *self._place(), ctypes.byref(view))
+            lib.sfumato_curve_points(held.pointer, *self._place(), view)
             return fixed(copied(view))
 
     def _set_points(self, points: ArrayLike) -> None:
         xy = rows_of(points, 2, "points")
-        self._edit("set_curve_points", address_of(xy), len(xy))
+        self._edit("set_curve_points", ffi.from_buffer("double[]", xy), len(xy))
 
     points = Settable(_get_points, _set_points)
 
@@ -186,7 +184,7 @@ class Curve:
         """The curve's weight relative to other curves, above 0; usually 1."""
         held = self._layer._document._held()
         with held.lock:
-            return float(lib.sfumato_curve_weight(held.address, *self._place()))
+            return float(lib.sfumato_curve_weight(held.pointer, *self._place()))
 
     @weight.setter
     def weight(self, weight: float) -> None:
@@ -299,36 +297,32 @@ class Side:
     def stops(self, attribute: str) -> tuple[str, str, NDArray[np.float64]]:
         """Returns, for "color", "opacity" or "blur", the kind, the space of the offsets ("length"
         or "pieces"), and the rows."""
-        which, columns = self._attribute(attribute)
-        kind, space = ctypes.c_int32(), ctypes.c_int32()
+        which = self._attribute(attribute)
         held = self._curve._layer._document._held()
         with held.lock:
-            place = (*self._curve._place(), self._side, which)
-            count = lib.sfumato_curve_stops(held.address, *place, kind, space, None, 0)
-            rows = np.empty((count, columns))
-            lib.sfumato_curve_stops(held.address, *place, None, None, address_of(rows), count)
-        return KINDS[kind.value], _spaces[space.value], fixed(rows)
+            kind, space, rows = stops_of(held, *self._curve._place(), self._side, which)
+        return KINDS[kind], _spaces[space], fixed(rows)
 
     def set_stops(self, attribute: str, rows: ArrayLike, space: str = "length") -> None:
         """Sets the stops of "color" (n × 4), "opacity" or "blur" (n × 2), with offsets in a space."""
-        _, columns = self._attribute(attribute)
+        columns = 2 if self._attribute(attribute) else 4
         if space not in _spaces:
             raise UsageError(f'{space!r} is not a space of offsets; use "length" or "pieces"')
-        self._give(attribute, Given(STOPS, rows_of(rows, columns, attribute), True), space)
+        self._give(attribute, Given(lib.SFUMATO_STOPS, rows_of(rows, columns, attribute), True), space)
 
     @staticmethod
-    def _attribute(attribute: str) -> tuple[int, int]:
+    def _attribute(attribute: str) -> int:
         if attribute not in _attributes:
             raise UsageError(f'{attribute!r}: expected "color", "opacity" or "blur"')
-        return _attributes[attribute], 4 if attribute == "color" else 2
+        return _attributes.index(attribute)
 
     def _give(self, attribute: str, given: Given, space: Optional[str] = None) -> None:
         """Sets rows; their offsets use the space of the present stops unless another one is given."""
         if space is None:
             space = self.stops(attribute)[1] if given.has_offsets else "length"
         self._curve._edit(
-            "set_curve_stops", self._side, _attributes[attribute], given.kind, _spaces.index(space),
-            address_of(given.rows), len(given.rows),
+            "set_curve_stops", self._side, _attributes.index(attribute), given.kind,
+            _spaces.index(space), ffi.from_buffer("double[]", given.rows), len(given.rows),
         )
 
     def _take(self, what: "Union[Side, Colors]") -> None:

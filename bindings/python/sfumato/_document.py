@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ctypes
 import io
 import json
 import os
@@ -11,14 +10,13 @@ from typing import IO, Any, NamedTuple, Optional, Union, cast
 
 from numpy.typing import ArrayLike, NDArray
 
-from . import _library
 from ._arrays import picture_of, pixels_of
 from ._colors import SPACES
 from ._curves import Curve, Layer
 from ._drawing import Box, Drawing, Load, Path, Text, box_of
 from ._field import Field
 from ._handle import Resource
-from ._library import lib
+from ._library import ffi, lib, member_type
 from ._options import Option, encode
 from ._picture import Picture
 from ._session import Session, session_of
@@ -54,7 +52,7 @@ class Document(Drawing):
             "interpolation": interpolation,
             "background": background,
         }
-        made = session_of(session).make("document_new", lib.sfumato_document_free, encode(options))
+        made = session_of(session).make("document_new", encode(options))
         return Document(made, session)
 
     @property
@@ -62,26 +60,26 @@ class Document(Drawing):
         """The visible part of the plane: x, y, width and height in user units."""
         held = self._held()
         with held.lock:
-            return box_of(lib.sfumato_document_artboard, held.address)
+            return box_of(lib.sfumato_document_artboard, held.pointer)
 
     @property
     def interpolation(self) -> str:
         """The space for mixing colours: "srgb", "linear" or "oklab"."""
         held = self._held()
         with held.lock:
-            return SPACES[lib.sfumato_document_interpolation(held.address)]
+            return SPACES[int(lib.sfumato_document_interpolation(held.pointer))]
 
     @property
     def layers(self) -> tuple[Layer, ...]:
         """The layers, in drawing order."""
         held = self._held()
         with held.lock:
-            return tuple(Layer(self, i) for i in range(lib.sfumato_layer_count(held.address)))
+            return tuple(Layer(self, i) for i in range(lib.sfumato_layer_count(held.pointer)))
 
     def to_svg(self) -> str:
         """Returns the whole drawing as SVG; reading it again gives exactly the same drawing."""
         held = self._held()
-        data = self._session.make_bytes("document_write", held.address, reads=held, slow=True)
+        data = self._session.make_bytes("document_write", held.pointer, reads=held, slow=True)
         return data.decode()
 
     def save(self, file: Union[Path, IO[bytes], IO[str]]) -> None:
@@ -98,8 +96,7 @@ class Document(Drawing):
     def copy(self) -> "Document":
         """Returns a copy of the document."""
         held = self._held()
-        free = lib.sfumato_document_free
-        made = self._session.make("document_copy", free, held.address, reads=held)
+        made = self._session.make("document_copy", held.pointer, reads=held)
         return Document(made, self._given)
 
     def __copy__(self) -> "Document":
@@ -112,7 +109,7 @@ class Document(Drawing):
         """Returns probable mistakes, in the form of `sfumato lint --json`: dicts with "kind",
         "message" and places. verbose: include notes."""
         held, options = self._held(), encode({"verbose": verbose})
-        told = self._session.make_bytes("lint", held.address, options, reads=held, slow=True)
+        told = self._session.make_bytes("lint", held.pointer, options, reads=held, slow=True)
         hints: list[dict[str, Any]] = json.loads(told)["hints"]
         return hints
 
@@ -136,8 +133,7 @@ class Document(Drawing):
             if quick:
                 raise TypeError("quick goes with again")
             made = self._session.make(
-                "solve", lib.sfumato_picture_free, held.address, encode(options),
-                reads=held, slow=True,
+                "solve", held.pointer, encode(options), reads=held, slow=True
             )
             return Picture(made, self._given)
         if options:
@@ -164,8 +160,7 @@ class Document(Drawing):
         held, array = self._held(), picture_of(image, "image")
         pixels = pixels_of(array, "image")
         made = self._session.make(
-            "fit_colors", lib.sfumato_document_free, held.address, ctypes.byref(pixels),
-            encode(options), reads=held, slow=True,
+            "fit_colors", held.pointer, pixels, encode(options), reads=held, slow=True
         )
         return Document(made, self._given)
 
@@ -285,10 +280,10 @@ def _made_of(
     warnings."""
     chosen = session_of(session)
 
-    def bring(_: Any, href: bytes, deliver: Any, sink: Any) -> int:
+    def bring(_: Any, href: Any, deliver: Any, sink: Any) -> int:
         def answer() -> bytes:
             assert load is not None
-            return bytes(load(os.fsdecode(href)))
+            return bytes(load(os.fsdecode(ffi.string(href))))
 
         content = chosen.ask(answer)
         if content is None:
@@ -296,9 +291,9 @@ def _made_of(
         deliver(sink, content, len(content))
         return 0
 
-    loader = _library.Loader(_library.LOAD(bring), None)
-    given = ctypes.byref(loader) if load is not None else None
+    called = ffi.callback(member_type("sfumato_loader", "load"), bring)
+    loader = ffi.new("sfumato_loader *", {"load": called})
+    given = loader if load is not None else ffi.NULL
     words = name.replace("\0", "").encode("utf-8", "surrogateescape")
-    free = lib.sfumato_document_free
-    made = chosen.make(function, free, data, len(data), words, given, slow=True)
+    made = chosen.make(function, data, len(data), words, given, slow=True)
     return Document(made, session), chosen

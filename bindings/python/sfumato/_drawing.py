@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import ctypes
 import os
-from typing import Callable, Optional, Union
+from typing import Any, Callable, Optional, Union
 
 from ._handle import Handle, Resource
+from ._library import ffi
 from ._session import Session, session_of
 
 Box = tuple[float, float, float, float]
@@ -15,9 +15,9 @@ Path = Union[str, "os.PathLike[str]"]
 Text = Union[str, bytes, bytearray, memoryview]
 
 
-def box_of(function: Callable[..., int], address: int) -> Box:
-    box = (ctypes.c_double * 4)()
-    function(address, box)
+def box_of(function: Callable[..., int], pointer: Any) -> Box:
+    box = ffi.new("double[4]")
+    function(pointer, box)
     return (box[0], box[1], box[2], box[3])
 
 

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import ctypes
-from typing import Optional
+from typing import Any, Optional
 
-from . import _library
-from ._library import lib
+from ._library import ffi, lib
 
 
 class Error(Exception):
@@ -50,27 +48,28 @@ class DrawingWarning(UserWarning):
 
 
 _classes: dict[int, type[Error]] = {
-    _library.BAD_INPUT: InputError,
-    _library.LIMIT: LimitError,
-    _library.CANCELLED: Cancelled,
-    _library.UNAVAILABLE: UnavailableError,
-    _library.BAD_USAGE: UsageError,
+    lib.SFUMATO_BAD_INPUT: InputError,
+    lib.SFUMATO_LIMIT: LimitError,
+    lib.SFUMATO_CANCELLED: Cancelled,
+    lib.SFUMATO_UNAVAILABLE: UnavailableError,
+    lib.SFUMATO_BAD_USAGE: UsageError,
 }
 
 
-def error_of(context: int, status: int) -> Optional[Exception]:
+def error_of(context: Any, status: int) -> Optional[Exception]:
     """Returns the error of the last call with a context; None after success."""
-    if status == _library.OK:
+    if status == lib.SFUMATO_OK:
         return None
     reason = text_of(lib.sfumato_error_text(context))
-    if status == _library.OUT_OF_MEMORY:
+    if status == lib.SFUMATO_OUT_OF_MEMORY:
         return MemoryError(reason or "out of memory")
-    line, column = ctypes.c_int32(), ctypes.c_int32()
+    line, column = ffi.new("int32_t *"), ffi.new("int32_t *")
     lib.sfumato_error_place(context, line, column)
     file = text_of(lib.sfumato_error_file(context))
-    return _classes.get(status, Error)(reason, file, line.value, column.value)
+    return _classes.get(status, Error)(reason, file, line[0], column[0])
 
 
-def text_of(words: Optional[bytes]) -> str:
-    """Decodes a string of the library. It may contain bytes of a file that are not UTF-8."""
-    return (words or b"").decode("utf-8", "replace")
+def text_of(words: Any) -> str:
+    """Decodes a string of the library; NULL is "". It may contain bytes of a file that are not UTF-8."""
+    text: bytes = ffi.string(words) if words else b""
+    return text.decode("utf-8", "replace")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ctypes
 import importlib
 import threading
 from typing import TYPE_CHECKING, Any, Mapping, NamedTuple, Optional
@@ -10,19 +9,18 @@ from typing import TYPE_CHECKING, Any, Mapping, NamedTuple, Optional
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _library
-from ._arrays import address_of, copied, rows_of
+from ._arrays import copied, rows_of
 from ._colors import convert_colors
 from ._errors import UsageError
 from ._handle import Handle, Resource
-from ._library import View, lib
+from ._library import ffi, lib
 from ._options import Option, encode
 from ._session import Session, session_of
 
 if TYPE_CHECKING:
     from ._document import Document
 
-_attributes = {"color": 0, "opacity": 1}
+_attributes = {"color": lib.SFUMATO_COLOR, "opacity": lib.SFUMATO_OPACITY}
 
 
 class Weights(NamedTuple):
@@ -55,8 +53,7 @@ class Field(Handle):
         held = self._document._held()
         super().__init__(
             self._session.make(
-                "field_new", lib.sfumato_field_free, held.address, layer, encode(options),
-                reads=held, slow=True,
+                "field_new", held.pointer, layer, encode(options), reads=held, slow=True
             )
         )
 
@@ -82,8 +79,8 @@ class Field(Handle):
         held, xy = self._held(), rows_of(points, 2, "points")
         out = np.empty((len(xy), 4), np.float32)
         self._session.call(
-            "field_colors", held.address, address_of(xy), len(xy), address_of(out),
-            reads=held, slow=True,
+            "field_colors", held.pointer, ffi.from_buffer("double[]", xy), len(xy),
+            ffi.from_buffer("float[]", out), reads=held, slow=True,
         )
         return out
 
@@ -103,8 +100,8 @@ class Field(Handle):
         with self._one:
             made = self._weights.get(of) or self._prepare(of)
             session.call(
-                "weights_at", made.address, address_of(xy), len(xy), float(negligible),
-                changes=made, slow=True,
+                "weights_at", made.pointer, ffi.from_buffer("double[]", xy), len(xy),
+                float(negligible), changes=made, slow=True,
             )
             tables = [_table(made, i) for i in range(6)]
         del held
@@ -136,8 +133,8 @@ class Field(Handle):
     def _prepare(self, of: str) -> Resource:
         held, options = self._document._held(), encode({**self._options, "ends": None})
         made = self._weights[of] = self._session.make(
-            "weights_new", lib.sfumato_weights_free, held.address, self._layer, _attributes[of],
-            options, reads=held, slow=True,
+            "weights_new", held.pointer, self._layer, _attributes[of], options,
+            reads=held, slow=True,
         )
         return made
 
@@ -146,6 +143,6 @@ class Field(Handle):
 
 
 def _table(weights: Resource, which: int) -> NDArray[Any]:
-    view = View()
-    lib.sfumato_weights_table(weights.address, which, ctypes.byref(view))
+    view = ffi.new("sfumato_view *")
+    lib.sfumato_weights_table(weights.pointer, which, view)
     return copied(view)

@@ -102,7 +102,7 @@ class Flight:
         function, arguments = call
         try:
             self._status = function(*arguments)
-        except BaseException as error:  # an argument that ctypes does not accept
+        except BaseException as error:  # an argument that cffi does not accept
             self._failure = self._failure or error
         self._finished = True
         self._news.put(None)

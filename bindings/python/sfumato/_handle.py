@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import threading
-import weakref
 from types import TracebackType
-from typing import Callable, Optional, TypeVar
+from typing import Any, Optional, TypeVar
 
 Self = TypeVar("Self", bound="Handle")
 
 
 class Resource:
-    """An object of the library with its lock. It is released when nobody refers to it any more.
+    """An object of the library with its lock. The object is freed when nobody refers to its pointer
+    any more, unless the pointer is borrowed.
 
     The library lets several calls read an object while none changes it. A short call holds the
     lock. A long call reads with a lease, and changes wait for the lease to end. Ctrl+C may come
@@ -19,14 +19,11 @@ class Resource:
     the lease from a set.
     """
 
-    def __init__(self, address: int, free: Optional[Callable[[int], object]]) -> None:
-        self.address = address
+    def __init__(self, pointer: Any) -> None:
+        self.pointer = pointer
         self.lock = threading.RLock()
         self.leases: set[Lease] = set()
         self.changing = 0  # the thread whose long call changes it; 0: none
-        if free is not None:
-            # At exit the system frees all memory; arrays may still be read until then.
-            weakref.finalize(self, free, address).atexit = False
 
     def is_read(self) -> bool:
         """Returns whether a change must wait without the lock that the caller holds. Raises
@@ -57,7 +54,7 @@ class Handle:
         self._resource: Optional[Resource] = resource
 
     def _held(self) -> Resource:
-        """Returns the resource; keep the result alive while its address is used."""
+        """Returns the resource. Its pointer keeps the object alive."""
         resource = self._resource
         if resource is None:
             raise ValueError(f"this {type(self).__name__} was freed")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import base64
-import ctypes
 import io
 import os
 import sys
@@ -14,25 +13,16 @@ from typing import IO, Any, Optional, Tuple, Union, cast
 import numpy as np
 from numpy.typing import NDArray
 
-from . import _library
 from ._arrays import Export, copied, empty_table, pixels_of
 from ._drawing import Box, Drawing, Path, box_of
 from ._errors import UsageError
 from ._handle import Handle, Resource
-from ._library import View, lib
+from ._library import ffi, lib, names_of
 from ._options import Option, encode
 from ._session import Session, session_of
 
-_statistics = (
-    "curves", "segments", "triangles", "vertices", "nodes",
-    "geometry_seconds", "triangulation_seconds", "gather_seconds", "waiting_nodes",
-    "kept_layers", "continued_layers", "begun_layers",
-)
-_tables = (
-    "vertices", "triangles", "curve_edges",
-    "color_nodes", "color_values", "opacity_nodes", "opacity_values",
-)
-
+_statistics = tuple(name.removeprefix("solved_") for name in names_of("sfumato_statistic"))
+_tables = names_of("sfumato_table")
 
 SOLVED = "sfp"  # the extension of solved pictures
 
@@ -77,13 +67,13 @@ class Picture(Handle):
         """The solved part of the plane: x, y, width and height in user units."""
         held = self._held()
         with held.lock:
-            return box_of(lib.sfumato_picture_viewport, held.address)
+            return box_of(lib.sfumato_picture_viewport, held.pointer)
 
     @property
     def layer_count(self) -> int:
         held = self._held()
         with held.lock:
-            return int(lib.sfumato_picture_layer_count(held.address))
+            return int(lib.sfumato_picture_layer_count(held.pointer))
 
     @property
     def statistics(self) -> dict[str, float]:
@@ -92,7 +82,7 @@ class Picture(Handle):
         held = self._held()
         with held.lock:
             return {
-                name: float(lib.sfumato_picture_statistic(held.address, i))
+                name: float(lib.sfumato_picture_statistic(held.pointer, i))
                 for i, name in enumerate(_statistics)
             }
 
@@ -134,7 +124,7 @@ class Picture(Handle):
             raise ValueError("out has no alpha")
         held = self._held()
         self._session.call(
-            "raster", held.address, ctypes.byref(pixels), encode(options), reads=held, slow=True
+            "raster", held.pointer, pixels, encode(options), reads=held, slow=True
         )
         return out
 
@@ -169,9 +159,9 @@ class Picture(Handle):
         if format.lower() == SOLVED:
             if options:
                 raise TypeError(f"a solved picture takes no options, as {next(iter(options))}")
-            return session.make_bytes("picture_write", held.address, reads=held, slow=True)
+            return session.make_bytes("picture_write", held.pointer, reads=held, slow=True)
         data = session.make_bytes(
-            "export", held.address, format.replace("\0", "?").encode("utf-8", "replace"),
+            "export", held.pointer, format.replace("\0", "?").encode("utf-8", "replace"),
             encode(options), reads=held, slow=True,
         )
         session.warn()
@@ -198,50 +188,49 @@ class Picture(Handle):
 
     def vertices(self, layer: int = 0) -> NDArray[np.float64]:
         """n × 2: positions in the frame of the layer."""
-        return self._table(layer, _library.VERTICES)
+        return self._table(layer, lib.SFUMATO_VERTICES)
 
     def triangles(self, layer: int = 0) -> NDArray[np.uint32]:
         """m × 3: rows of vertices()."""
-        return self._table(layer, _library.TRIANGLES)
+        return self._table(layer, lib.SFUMATO_TRIANGLES)
 
     def curve_edges(self, layer: int = 0) -> NDArray[np.uint8]:
         """m × 3: 1 if colours may jump across that edge of the triangle."""
-        return self._table(layer, _library.CURVE_EDGES)
+        return self._table(layer, lib.SFUMATO_CURVE_EDGES)
 
     def color_nodes(self, layer: int = 0) -> NDArray[np.uint32]:
         """m × 10: rows of color_values(), which are the nodes of one cubic patch each."""
-        return self._table(layer, _library.COLOR_NODES)
+        return self._table(layer, lib.SFUMATO_COLOR_NODES)
 
     def color_values(self, layer: int = 0) -> NDArray[np.float32]:
         """k × 3 or more: a colour, in the document's space for mixing colours, then the
         weight of each gradient and texture of the layer."""
-        return self._table(layer, _library.COLOR_VALUES)
+        return self._table(layer, lib.SFUMATO_COLOR_VALUES)
 
     def opacity_nodes(self, layer: int = 0) -> NDArray[np.uint32]:
         """m × 10: rows of opacity_values(); no rows if the layer is opaque."""
-        return self._table(layer, _library.OPACITY_NODES)
+        return self._table(layer, lib.SFUMATO_OPACITY_NODES)
 
     def opacity_values(self, layer: int = 0) -> NDArray[np.float32]:
         """k × 1 or more: an opacity, then the weight of each gradient and texture."""
-        return self._table(layer, _library.OPACITY_VALUES)
+        return self._table(layer, lib.SFUMATO_OPACITY_VALUES)
 
     def changes(self, table: str, layer: int = 0) -> NDArray[np.uint32]:
         """Returns k × 2 row ranges (from, up to) of a table, such as "color_values", that the last
         solve(again=…) or next() computed again. The array is a copy."""
         if table not in _tables:
             raise UsageError(f"{table!r} is not a table; use one of {', '.join(_tables)}")
-        view = View()
-        held = self._held()
+        held, view = self._held(), ffi.new("sfumato_view *")
         with held.lock:
-            self._check_layer(held.address, layer)
-            lib.sfumato_picture_changes(held.address, layer, _tables.index(table), ctypes.byref(view))
+            self._check_layer(held.pointer, layer)
+            lib.sfumato_picture_changes(held.pointer, layer, _tables.index(table), view)
             return copied(view)
 
     def _table(self, layer: int, table: int) -> NDArray[Any]:
-        held, view = self._held(), View()
+        held, view = self._held(), ffi.new("sfumato_view *")
         with held.lock:
-            self._check_layer(held.address, layer)
-            lib.sfumato_picture_table(held.address, layer, table, ctypes.byref(view))
+            self._check_layer(held.pointer, layer)
+            lib.sfumato_picture_table(held.pointer, layer, table, view)
             if view.rows == 0:
                 return empty_table(view)
             export = Export(view, held)
@@ -249,8 +238,8 @@ class Picture(Handle):
         return np.asarray(export)
 
     @staticmethod
-    def _check_layer(address: int, layer: int) -> None:
-        count = lib.sfumato_picture_layer_count(address)
+    def _check_layer(picture: Any, layer: int) -> None:
+        count = lib.sfumato_picture_layer_count(picture)
         if not 0 <= layer < count:
             raise IndexError(f"there is no layer {layer} among {count}")
 
@@ -272,7 +261,7 @@ class Picture(Handle):
         if len(self._exports) > 0:
             raise BufferError("arrays look at this picture's tables: copy them, or let go of them")
         document._session.call(
-            name, of.address, *how, held.address, reads=of, changes=held, slow=True
+            name, of.pointer, *how, held.pointer, reads=of, changes=held, slow=True
         )
 
     def _repr_png_(self) -> bytes:
@@ -309,8 +298,7 @@ def load_picture(
     else:
         with io.open(source, "rb") as file:
             data = file.read()
-    free = lib.sfumato_picture_free
-    made = session_of(session).make("picture_read", free, data, len(data), slow=True)
+    made = session_of(session).make("picture_read", data, len(data), slow=True)
     return Picture(made, session)
 
 

@@ -2,20 +2,17 @@
 
 from __future__ import annotations
 
-import ctypes
 import functools
 import os
 import threading
 import time
 import warnings
-import weakref
 from typing import Any, Callable, Mapping, Optional
 
-from . import _library
 from ._errors import DrawingWarning, Error, error_of, text_of
 from ._flight import Flight
 from ._handle import Lease, Resource
-from ._library import lib
+from ._library import ffi, lib
 from ._options import Option, encode
 
 Progress = Callable[[str, float], object]
@@ -56,13 +53,12 @@ class Session:
         }
         if progress is not None and not callable(progress):
             raise TypeError("progress is a function of a stage and a fraction")
-        address = lib.sfumato_context_new(encode(options))
-        if not address:
+        made = lib.sfumato_context_new(encode(options))
+        if not made:
             raise MemoryError("no memory for a session")
-        self._context: int = address
-        weakref.finalize(self, lib.sfumato_context_free, address).atexit = False
-        if lib.sfumato_error_text(address):
-            raise error_of(address, _library.BAD_USAGE) or Error("no session")
+        self._context: Any = ffi.gc(made, lib.sfumato_context_free)
+        if text_of(lib.sfumato_error_text(made)):
+            raise error_of(made, lib.SFUMATO_BAD_USAGE) or Error("no session")
         self.progress = progress
         self._process = os.getpid()
         self._one = threading.RLock()
@@ -144,7 +140,7 @@ class Session:
             while True:
                 with resource.lock:
                     if not resource.is_read():
-                        self._do(name, (resource.address, *place(), *rest), False)
+                        self._do(name, (resource.pointer, *place(), *rest), False)
                         return None if after is None else after()
                 time.sleep(_WAIT)
 
@@ -165,28 +161,20 @@ class Session:
         if error is not None:
             raise error
 
-    def make(
-        self, name: str, free: Callable[[int], object], *arguments: Any, **how: Any
-    ) -> Resource:
-        """The same for calls that return a new object, which free() releases."""
-        out = ctypes.c_void_p()
+    def make(self, name: str, *arguments: Any, **how: Any) -> Resource:
+        """The same for calls that return a new object. sfumato_TYPE_free() frees it."""
+        place = ffi.typeof(getattr(lib, "sfumato_" + name)).args[-1]
+        free = getattr(lib, place.item.item.cname.removeprefix("struct ") + "_free")
+        out = ffi.new(place)
         try:
-            self.call(name, *arguments, ctypes.byref(out), **how)
-        except BaseException:
-            if out.value is not None:  # a callback raised an exception, and the call went on to its end
-                free(out.value)
-            raise
-        assert out.value is not None
-        return Resource(out.value, free)
+            self.call(name, *arguments, out, **how)
+        finally:  # a callback may raise an exception and the call still make an object
+            made = ffi.gc(out[0], free)
+        return Resource(made)
 
     def make_bytes(self, name: str, *arguments: Any, **how: Any) -> bytes:
-        out = ctypes.c_void_p()
-        try:
-            self.call(name, *arguments, ctypes.byref(out), **how)
-            size = lib.sfumato_bytes_size(out.value)
-            return ctypes.string_at(lib.sfumato_bytes_data(out.value), size) if size else b""
-        finally:
-            lib.sfumato_bytes_free(out.value)
+        made = self.make(name, *arguments, **how).pointer
+        return bytes(ffi.buffer(lib.sfumato_bytes_data(made), lib.sfumato_bytes_size(made)))
 
     def ask(self, answer: Callable[[], Any]) -> Any:
         """In a callback of a slow call: runs answer() in the caller's thread, which may use the
@@ -206,7 +194,7 @@ class Session:
     def last_warnings(self) -> list[str]:
         """Returns the warnings of the last call, each with its place."""
         found: list[str] = []
-        while (words := lib.sfumato_warning(self._context, len(found))) is not None:
+        while words := lib.sfumato_warning(self._context, len(found)):
             found.append(text_of(words))
         return found
 
@@ -222,20 +210,20 @@ class Session:
         try:
             self._flight, self._is_lent = flight, False
             if self.progress is not None and outer is None:
-                told = _library.PROGRESS(self._tell)
-                lib.sfumato_set_progress(self._context, told, None)
+                told = ffi.callback("sfumato_progress_fn", self._tell)
+                lib.sfumato_set_progress(self._context, told, ffi.NULL)
             return flight.run(function, arguments)
         finally:
             self._flight, self._is_lent = outer, lent
             if told is not None:
-                lib.sfumato_set_progress(self._context, _library.PROGRESS(0), None)
+                lib.sfumato_set_progress(self._context, ffi.NULL, ffi.NULL)
             if not self._cancelled:
                 lib.sfumato_resume(self._context)
 
-    def _tell(self, _: Any, stage: bytes, fraction: float) -> None:
+    def _tell(self, _: Any, stage: Any, fraction: float) -> None:
         flight, hears = self._flight, self.progress
         if flight is not None and hears is not None:
-            flight.tell(functools.partial(hears, stage.decode(), fraction))
+            flight.tell(functools.partial(hears, text_of(stage), fraction))
 
 
 def _directly(function: Callable[..., int], arguments: tuple[Any, ...]) -> int:

@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-import ctypes
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import Any, Callable, Optional
 
 from numpy.typing import ArrayLike
 
-from . import _library
 from ._arrays import picture_of, pixels_of
 from ._document import Document
 from ._handle import Resource
-from ._library import lib
+from ._library import ffi, member_type
 from ._options import Option, encode
 from ._session import Session, session_of
 
@@ -53,20 +51,18 @@ def trace(
     chosen, array = session_of(session), picture_of(image, "image")
     pixels = pixels_of(array, "image")
 
-    def reached(_: Any, state: Any, drawing: int) -> None:
-        at = state.contents
-        names = [name for name, _ in _library.TraceState._fields_]
-        now = Round(**{name: getattr(at, name) for name in names})
+    def reached(_: Any, state: Any, drawing: Any) -> None:
+        now = Round(*(getattr(state, field.name) for field in fields(Round)))
 
         def answer() -> None:
             assert on_round is not None
-            with Document(Resource(drawing, None), chosen) as lent:
+            with Document(Resource(drawing), chosen) as lent:
                 on_round(now, lent)
 
         chosen.ask(answer)
 
-    watch = _library.Watch(_library.REACHED(reached), None)
-    given = ctypes.byref(watch) if on_round is not None else None
-    free = lib.sfumato_document_free
-    made = chosen.make("trace", free, ctypes.byref(pixels), encode(options), given, slow=True)
+    called = ffi.callback(member_type("sfumato_trace_watch", "reached"), reached)
+    watch = ffi.new("sfumato_trace_watch *", {"reached": called})
+    given = watch if on_round is not None else ffi.NULL
+    made = chosen.make("trace", pixels, encode(options), given, slow=True)
     return Document(made, session)

@@ -1,9 +1,8 @@
-"""The installed package: its libraries, signatures, documents and examples."""
+"""The installed package: its libraries, documents and examples."""
 
 from __future__ import annotations
 
 import ast
-import ctypes
 import ctypes.util
 import importlib.metadata
 import os
@@ -17,7 +16,6 @@ import pytest
 
 import sfumato
 from conftest import EXAMPLES, ROOT
-from sfumato import _library
 
 FOLDER = Path(sfumato.__file__).parent
 # Whoever tests an installed package sets this; otherwise the Python files of the checkout may be
@@ -83,48 +81,6 @@ def test_no_modules_import_each_other_in_a_circle():
         assert done, f"a circle among {sorted(left)}"
         for name in done:
             del left[name]
-
-
-def declarations():
-    """Returns, from the header, each function's result type and its number of parameters."""
-    header = (ROOT / "include" / "sfumato" / "sfumato.h").read_text()
-    found = {}
-    for result, name, arguments in re.findall(
-        r"^SFUMATO_API ([^()]*?)\bsfumato_([a-z_]+)\(([^;]*)\);", header, re.MULTILINE
-    ):
-        given = [a for a in arguments.split(",") if a.strip() != "void"]
-        found[name] = (result.strip(), [" ".join(a.split()) for a in given])
-    return found
-
-
-def kind_of(declared):
-    """Returns how ctypes describes a type: the size of a number, or a pointer."""
-    sizes = {"int32_t": ("i", 4), "uint32_t": ("u", 4), "size_t": ("u", ctypes.sizeof(ctypes.c_size_t)),
-             "double": ("f", 8), "void": None}
-    if "*" in declared or "[" in declared or "progress_fn" in declared:
-        return "pointer"
-    word = declared.replace("const ", "").split()[0]
-    return sizes[word]
-
-
-def kind_of_ctype(ctype):
-    if ctype is None:
-        return None
-    if ctype in (ctypes.c_void_p, ctypes.c_char_p) or not hasattr(ctype, "_type_"):
-        return "pointer"
-    if issubclass(ctype, ctypes._Pointer) or issubclass(ctype, ctypes._CFuncPtr):
-        return "pointer"
-    letter = "f" if ctype is ctypes.c_double else "i" if ctype is ctypes.c_int32 else "u"
-    return letter, ctypes.sizeof(ctype)
-
-
-def test_signatures_are_those_of_the_header():
-    declared = declarations()
-    assert len(declared) > 50
-    for name, (result, *arguments) in _library._signatures.items():
-        of_it, takes = declared[name]
-        assert kind_of_ctype(result) == kind_of(of_it), name
-        assert [kind_of_ctype(a) for a in arguments] == [kind_of(a) for a in takes], name
 
 
 def snippets(document):
