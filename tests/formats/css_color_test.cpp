@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "formats/css/color.hpp"
-#include "formats/css/color_names.hpp"
+#include "formats/css/names.hpp"
 
 namespace sfumato {
 namespace {
@@ -24,10 +24,7 @@ TEST(CssColor, names) {
   expect_color("transparent", 0, 0, 0, 0);
 }
 
-TEST(CssColor, names_stand_in_order_so_that_they_are_found) {
-  for (std::size_t i = 1; i < css::kNamedColors.size(); ++i) {
-    EXPECT_LT(css::kNamedColors[i - 1].name, css::kNamedColors[i].name);
-  }
+TEST(CssColor, every_name_is_found) {
   for (const css::NamedColor& color : css::kNamedColors) {
     EXPECT_TRUE(css::parse_color(color.name).ok()) << color.name;
   }

@@ -9,7 +9,7 @@
 #include "base/text/ascii.hpp"
 #include "base/try.hpp"
 #include "formats/css/color_functions.hpp"
-#include "formats/css/color_names.hpp"
+#include "formats/css/names.hpp"
 #include "formats/css/value.hpp"
 #include "formats/text/suggestion.hpp"
 

@@ -1,75 +1,15 @@
 #pragma once
 
-#include <array>
 #include <compare>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 
+#include "formats/css/names.hpp"
 #include "formats/css/tokenizer.hpp"
 
 namespace sfumato::css {
-
-/// The CSS properties that are read from documents.
-enum class Property : std::uint8_t {
-  background_color,  ///< of the outermost <svg>
-  clip_path,
-  clip_rule,
-  color,
-  color_interpolation,
-  cx,
-  cy,
-  d,
-  display,
-  fill,
-  fill_opacity,
-  fill_rule,
-  filter,
-  flood_color,
-  flood_opacity,
-  font_size,
-  height,
-  image_rendering,
-  isolation,
-  marker_end,
-  marker_mid,
-  marker_start,
-  mask,
-  mask_type,
-  mix_blend_mode,
-  opacity,
-  overflow,
-  paint_order,
-  r,
-  rotate,
-  rx,
-  ry,
-  scale,
-  shape_rendering,
-  stop_color,
-  stop_opacity,
-  stroke,
-  stroke_dasharray,
-  stroke_dashoffset,
-  stroke_linecap,
-  stroke_linejoin,
-  stroke_miterlimit,
-  stroke_opacity,
-  stroke_width,
-  transform,
-  transform_box,
-  transform_origin,
-  translate,
-  vector_effect,
-  visibility,
-  width,
-  x,
-  y,
-  custom  ///< one whose name begins with "--"; not among the kPropertyCount
-};
-
-inline constexpr std::size_t kPropertyCount = static_cast<std::size_t>(Property::custom);
 
 /// A property that is read, or a custom one.
 struct PropertyName {
@@ -88,6 +28,9 @@ std::optional<Property> property_of(std::string_view raw_name);
 
 /// Returns whether an element without a value takes its parent's.
 bool is_inherited(Property property);
+
+/// Returns how the attribute with the property's name sets it.
+AttributeUse attribute_use(Property property);
 
 /// The keywords that any property accepts.
 enum class WideKeyword : std::uint8_t { none, inherit, initial, unset, revert, revert_layer };

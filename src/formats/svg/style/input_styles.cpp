@@ -20,19 +20,6 @@
 namespace sfumato::svg {
 namespace {
 
-/// Properties whose attribute counts only where its value is valid, as in browsers.
-constexpr css::Property kCheckedAttributes[] = {
-    css::Property::font_size,    css::Property::stroke_dasharray, css::Property::stroke_dashoffset,
-    css::Property::stroke_width, css::Property::transform_box,    css::Property::transform_origin,
-    css::Property::vector_effect};
-
-/// Further ones of elements that are forgiven.
-constexpr css::Property kForgivenAttributes[] = {
-    css::Property::color,        css::Property::display,        css::Property::fill,
-    css::Property::fill_opacity, css::Property::marker_end,     css::Property::marker_mid,
-    css::Property::marker_start, css::Property::overflow,       css::Property::stop_color,
-    css::Property::stroke,       css::Property::stroke_opacity, css::Property::visibility};
-
 /// Steps that a setting of a matching rule costs, which is kept.
 constexpr std::size_t kSettingSteps = 2;
 
@@ -254,17 +241,13 @@ bool Input::may_be_written(Element element, css::Property property) {
 
 /// Returns the presentation attribute of a property.
 std::optional<std::string_view> Input::written(Element element, css::Property property) {
-  if (property == css::Property::background_color) return std::nullopt;
-  if (!may_be_written(element, property)) return std::nullopt;
+  const css::AttributeUse use = css::attribute_use(property);
+  if (use == css::AttributeUse::none || !may_be_written(element, property)) return std::nullopt;
   const auto text = attribute(element, css::property_name(property));
-  const bool is_ours =
-      property == css::Property::mix_blend_mode || property == css::Property::isolation;
-  if (!text || (is_ours && forgives(element))) return std::nullopt;
+  if (!text || (use == css::AttributeUse::own && forgives(element))) return std::nullopt;
   const std::string_view value = ascii_trimmed(*text);
-  const bool is_checked =
-      std::ranges::find(kCheckedAttributes, property) != std::end(kCheckedAttributes) ||
-      (forgives(element) &&
-       std::ranges::find(kForgivenAttributes, property) != std::end(kForgivenAttributes));
+  const bool is_checked = use == css::AttributeUse::checked ||
+                          (use == css::AttributeUse::forgiven && forgives(element));
   if (!is_checked || css::is_value(property, value, text_poll_, css::ValueSyntax::attribute)) {
     return value;
   }

@@ -3,18 +3,22 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { describe, expect, test } from "vitest";
 import { colorText, parseColor, parseOpaque } from "../../../../web/editor/src/source/colors.js";
-import { COLOR_NAMES } from "../../../../web/editor/src/geometry/colornames.js";
 import * as limits from "../../../../web/editor/src/source/limits.js";
 import { elementsOf } from "../../../../web/editor/src/source/nodes.js";
 import { parse } from "../../../../web/editor/src/source/parse.js";
 import { applied } from "../../../../web/editor/src/source/patch.js";
 import { patchOf } from "../../../../web/editor/src/source/attributes.js";
+import { isValue, PROPERTIES } from "../../../../web/editor/src/source/properties.js";
 import { setStyle, setStyles } from "../../../../web/editor/src/source/set-style.js";
 import { COLORS, RADII, readSide, SHARES, sideText } from "../../../../web/editor/src/source/stops.js";
 import type { Notation, SideValue } from "../../../../web/editor/src/source/stops.js";
 import { Styles } from "../../../../web/editor/src/source/styles.js";
 import type { Property } from "../../../../web/editor/src/source/styles.js";
 import { pick, randomNumbers, repository } from "../corpus.js";
+
+test("every property that the editor reads has values of a kind that it knows", () => {
+  for (const property of PROPERTIES) expect(isValue(property, "none of all values"), property).toBe(false);
+});
 
 describe("colours", () => {
   const bytes = (text: string) => {
@@ -23,7 +27,6 @@ describe("colours", () => {
   };
 
   test("in all notations", () => {
-    expect(COLOR_NAMES.size).toBe(148);
     expect(bytes("#c21")).toEqual([204, 34, 17]);
     expect(bytes("RebeccaPurple")).toEqual([102, 51, 153]);
     expect(bytes("rgb(1 2 3)")).toEqual([1, 2, 3]);

@@ -1,6 +1,6 @@
 // Colours as CSS Color 4 writes them; tests/color/colors.txt has what is read and what is not.
+import names from "../../../../src/formats/css/colors.json";
 import { rgbFromHsl, rgbFromHwb, type Rgb } from "../geometry/color.js";
-import { COLOR_NAMES } from "../geometry/colornames.js";
 import {
   labFromLch,
   rgbFromXyz,
@@ -30,9 +30,7 @@ const between = (value: number, least: number, most: number) =>
   Math.min(Math.max(value, least), most);
 const clamped = (value: number) => between(value, 0, 1);
 
-function fromBytes(rgb: number): Rgb {
-  return { r: (rgb >> 16) / 255, g: ((rgb >> 8) & 255) / 255, b: (rgb & 255) / 255 };
-}
+const COLOR_NAMES: ReadonlyMap<string, string> = new Map(Object.entries(names));
 
 function fromHex(digits: string): Color | null {
   if (!/^(?:[0-9a-f]{3,4}|[0-9a-f]{6}|[0-9a-f]{8})$/i.test(digits)) return null;
@@ -46,8 +44,8 @@ function fromHex(digits: string): Color | null {
 
 function fromName(name: string): Color | null {
   if (name === "transparent") return { rgb: { r: 0, g: 0, b: 0 }, alpha: 0 };
-  const bytes = COLOR_NAMES.get(name);
-  return bytes === undefined ? null : { rgb: fromBytes(bytes), alpha: 1 };
+  const digits = COLOR_NAMES.get(name)?.slice(1);
+  return digits === undefined ? null : fromHex(digits);
 }
 
 /** A number or that of a percentage; `none` is 0. NaN: neither, or too large. */

@@ -1,36 +1,38 @@
 // Properties of CSS that the editor reads, and the values that they have.
+import table from "../../../../src/formats/css/properties.json";
 import { parseColor } from "./colors.js";
 import { keywordOf, shareOf, solid, tokensOf, urlAmong } from "./css.js";
 import type { Token } from "./css.js";
 import { variablesIn } from "./variables.js";
 import type { VariableName } from "./variables.js";
 
-export const BLEND_MODES = [
-  "normal",
-  "multiply",
-  "screen",
-  "overlay",
-  "darken",
-  "lighten",
-  "color-dodge",
-  "color-burn",
-  "hard-light",
-  "soft-light",
-  "difference",
-  "exclusion",
-  "hue",
-  "saturation",
-  "color",
-  "luminosity",
-] as const;
+/** A row of the table. Without `editor`, only the engine reads the property. */
+interface Row {
+  readonly value: string;
+  readonly words?: string;
+  readonly most_words?: number;
+  readonly inherited?: boolean;
+  readonly editor?: boolean;
+}
+
+type Table = typeof table;
+export type Property = {
+  [Name in keyof Table]: Table[Name] extends { editor: boolean } ? Name : never;
+}[keyof Table];
+
+/** With custom properties. */
+export type PropertyName = Property | VariableName;
+
+const ROWS = Object.entries<Row>(table).filter(([, row]) => row.editor) as [Property, Row][];
+const ROW_OF: ReadonlyMap<string, Row> = new Map(ROWS);
+const wordsOf = (row: Row) => row.words?.split(" ") ?? [];
+
+export const PROPERTIES = ROWS.map(([name]) => name);
+export const INHERITED = new Set(PROPERTIES.filter((name) => ROW_OF.get(name)?.inherited));
+export const BLEND_MODES = wordsOf(table["mix-blend-mode"]);
 
 const isShare = (text: string) => shareOf(text) !== null;
 const isColor = (text: string) => keywordOf(text) === "currentcolor" || parseColor(text) !== null;
-const isOneOf =
-  (...words: string[]) =>
-  (text: string) =>
-    words.includes(keywordOf(text) ?? "");
-
 const PAINT_WORDS = ["none", "context-fill", "context-stroke"];
 
 /** A paint, perhaps behind url(…): what to paint where that leads nowhere. */
@@ -43,76 +45,24 @@ function isPaint(text: string): boolean {
   return isColor(rest) || PAINT_WORDS.includes(keywordOf(rest) ?? "");
 }
 
-/** The words of `display`, up to three of them. */
-const DISPLAYS: ReadonlySet<string> = new Set([
-  "none",
-  "inline",
-  "block",
-  "contents",
-  "flow",
-  "flow-root",
-  "inline-block",
-  "list-item",
-  "run-in",
-  "table",
-  "inline-table",
-  "table-row-group",
-  "table-header-group",
-  "table-footer-group",
-  "table-row",
-  "table-cell",
-  "table-column-group",
-  "table-column",
-  "table-caption",
-  "flex",
-  "inline-flex",
-  "grid",
-  "inline-grid",
-  "ruby",
-  "ruby-base",
-  "ruby-text",
-  "ruby-base-container",
-  "ruby-text-container",
-]);
-
-function isDisplay(text: string): boolean {
-  const words = solid(tokensOf(text));
-  const isKnown = ({ kind, value }: Token) => kind === "ident" && DISPLAYS.has(value.toLowerCase());
-  return words.length > 0 && words.length <= 3 && words.every(isKnown);
+function isWords(text: string, row: Row): boolean {
+  const [words, known] = [solid(tokensOf(text)), wordsOf(row)];
+  const isKnown = ({ kind, value }: Token) => kind === "ident" && known.includes(value.toLowerCase());
+  return words.length > 0 && words.length <= (row.most_words ?? 1) && words.every(isKnown);
 }
 
-/** Whether a text without var() is a value of a property. */
-const IS_VALUE = {
-  display: isDisplay,
-  visibility: isOneOf("visible", "hidden", "collapse"),
-  opacity: isShare,
-  "mix-blend-mode": isOneOf(...BLEND_MODES),
-  fill: isPaint,
-  stroke: isPaint,
-  "fill-opacity": isShare,
+/** Whether a text without var() is a value of a property, by the kind of its values. */
+const IS_VALUE: Readonly<Record<string, (text: string, row: Row) => boolean>> = {
   color: isColor,
-  "stop-color": isColor,
-  "stop-opacity": isShare,
-} as const;
-
-export type Property = keyof typeof IS_VALUE;
-
-/** With custom properties. */
-export type PropertyName = Property | VariableName;
-
-export const PROPERTIES = Object.keys(IS_VALUE) as Property[];
+  paint: isPaint,
+  share: isShare,
+  words: isWords,
+};
 
 export function isProperty(name: string): name is Property {
-  return Object.hasOwn(IS_VALUE, name);
+  return ROW_OF.has(name);
 }
 
-export const INHERITED: ReadonlySet<Property> = new Set([
-  "visibility",
-  "fill",
-  "stroke",
-  "fill-opacity",
-  "color",
-]);
 /** Words that any property takes. */
 const WIDE = ["inherit", "initial", "unset", "revert", "revert-layer"] as const;
 export type Wide = (typeof WIDE)[number];
@@ -127,5 +77,7 @@ export function wideOf(text: string): Wide | null {
 export function isValue(property: Property, text: string): boolean {
   if (wideOf(text) !== null) return true;
   const variables = variablesIn(text);
-  return variables === "none" ? IS_VALUE[property](text) : variables === "valid";
+  if (variables !== "none") return variables === "valid";
+  const row = ROW_OF.get(property);
+  return row !== undefined && IS_VALUE[row.value](text, row);
 }
