@@ -1,5 +1,12 @@
-// Colours: sRGB code values, linear light, OKLab, OKLCH, HSV and HSL. The matrices equal those of the engine
-// (src/base/color_space.cpp).
+// Colours: sRGB code values, linear light, OKLab, OKLCH and HSV. The matrices of OKLab, in which documents
+// mix, equal those of the engine (src/base/color_space.cpp); culori has the later digits of CSS Color 4.
+import {
+  convertHsvToRgb,
+  convertLchToLab,
+  convertLrgbToRgb,
+  convertRgbToHsv,
+  convertRgbToLrgb,
+} from "culori/fn";
 
 /** contract: sRGB code values, each 0 to 1. */
 export interface Rgb {
@@ -41,23 +48,10 @@ const mapRgb = (color: Rgb, f: (channel: number) => number): Rgb => ({
 });
 
 /**
- * Returns linear light from one channel's code value. It is odd about 0, so colours outside of sRGB keep
- * their place.
+ * Light, each channel 0 to 1. It is odd about 0, so colours outside of sRGB keep their place.
  */
-export function linearFromCode(code: number): number {
-  const size = Math.abs(code);
-  return size <= 0.04045 ? code / 12.92 : Math.sign(code) * ((size + 0.055) / 1.055) ** 2.4;
-}
-
-export function codeFromLinear(linear: number): number {
-  const size = Math.abs(linear);
-  if (size <= 0.0031308) return linear * 12.92;
-  return Math.sign(linear) * (1.055 * size ** (1 / 2.4) - 0.055);
-}
-
-/** Light, each channel 0 to 1. */
-export const linearFromRgb = (color: Rgb): Rgb => mapRgb(color, linearFromCode);
-export const rgbFromLinear = (light: Rgb): Rgb => mapRgb(light, codeFromLinear);
+export const linearFromRgb = (color: Rgb): Rgb => convertRgbToLrgb(color);
+export const rgbFromLinear = (light: Rgb): Rgb => convertLrgbToRgb(light);
 
 export function oklabFromRgb(color: Rgb): Oklab {
   const { r, g, b } = linearFromRgb(color);
@@ -93,10 +87,7 @@ export function oklchFromOklab({ l, a, b }: Oklab): Oklch {
   return { l, c, h: c < GRAY ? 0 : turned((Math.atan2(b, a) * 180) / Math.PI) };
 }
 
-export function oklabFromOklch({ l, c, h }: Oklch): Oklab {
-  const angle = (h * Math.PI) / 180;
-  return { l, a: c * Math.cos(angle), b: c * Math.sin(angle) };
-}
+export const oklabFromOklch = (color: Oklch): Oklab => convertLchToLab(color);
 
 export const oklchFromRgb = (color: Rgb): Oklch => oklchFromOklab(oklabFromRgb(color));
 /** The result may be outside of sRGB; inGamut() moves it inside. */
@@ -136,41 +127,12 @@ export function inGamut(color: Oklch): Rgb {
 }
 
 /** Returns HSV. A grey has hue 0, black has saturation 0. */
-export function hsvFromRgb({ r, g, b }: Rgb): Hsv {
-  const v = Math.max(r, g, b);
-  const range = v - Math.min(r, g, b);
-  if (range <= 0) return { h: 0, s: 0, v };
-  const sector = v === r ? (g - b) / range : v === g ? 2 + (b - r) / range : 4 + (r - g) / range;
-  return { h: turned(60 * sector), s: range / v, v };
+export function hsvFromRgb(color: Rgb): Hsv {
+  const { h = 0, s, v } = convertRgbToHsv(color);
+  return { h, s, v };
 }
 
-export function rgbFromHsv({ h, s, v }: Hsv): Rgb {
-  const channel = (n: number) => {
-    const k = (n + turned(h) / 60) % 6;
-    return v - v * s * Math.max(0, Math.min(k, 4 - k, 1));
-  };
-  return { r: channel(5), g: channel(3), b: channel(1) };
-}
-
-/** CSS Color 4, section 7.1. `n`: 0 for red, 8 green, 4 blue. */
-function hslChannel(n: number, h: number, s: number, l: number): number {
-  const k = (n + turned(h) / 30) % 12;
-  return l - s * Math.min(l, 1 - l) * Math.max(-1, Math.min(k - 3, 9 - k, 1));
-}
-
-/** Hue in degrees, saturation and lightness 0 to 1. */
-export function rgbFromHsl(h: number, s: number, l: number): Rgb {
-  const channel = (n: number) => clamped(hslChannel(n, h, s, l));
-  return { r: channel(0), g: channel(8), b: channel(4) };
-}
-
-/** Hue in degrees, whiteness and blackness 0 to 1; a gray where they are 1 together. */
-export function rgbFromHwb(h: number, white: number, black: number): Rgb {
-  const sum = white + black;
-  if (sum >= 1) return { r: white / sum, g: white / sum, b: white / sum };
-  const channel = (n: number) => hslChannel(n, h, 1, 0.5) * (1 - sum) + white;
-  return { r: channel(0), g: channel(8), b: channel(4) };
-}
+export const rgbFromHsv = (color: Hsv): Rgb => clampedRgb(convertHsvToRgb(color));
 
 /** Between two colours, where the document mixes them. */
 export function mixed(a: Rgb, b: Rgb, t: number, space: "srgb" | "linear" | "oklab"): Rgb {

@@ -1,14 +1,14 @@
 // Colours as CSS Color 4 writes them; tests/color/colors.txt has what is read and what is not.
-import names from "../../../../src/formats/css/colors.json";
-import { rgbFromHsl, rgbFromHwb, type Rgb } from "../geometry/color.js";
 import {
-  labFromLch,
-  rgbFromXyz,
-  XYZ_FROM,
-  xyzFromLab,
-  xyzFromOklab,
-  type Triple,
-} from "../geometry/colorspaces.js";
+  convertHslToRgb,
+  convertHwbToRgb,
+  convertLabToXyz50,
+  convertLchToLab,
+  convertOklabToLrgb,
+} from "culori/fn";
+import names from "../../../../src/formats/css/colors.json";
+import { clampedRgb, type Oklab as Lab, type Rgb } from "../geometry/color.js";
+import { LIGHT_FROM, lightFromXyz50, rgbFromLight, type Triple } from "../geometry/colorspaces.js";
 import { solid, tokensOf, type Token } from "./css.js";
 
 export interface Color {
@@ -98,56 +98,70 @@ function argumentsOf(tokens: readonly Token[]): Arguments | null {
   return { values, alpha, hasCommas };
 }
 
-const fromRgb = ([r, g, b]: Values): Rgb => ({
-  r: share(r, 255),
-  g: share(g, 255),
-  b: share(b, 255),
-});
-const fromHsl = ([h, s, l]: Values) => rgbFromHsl(hue(h), share(s, 100), share(l, 100));
-const fromHwb = ([h, w, b]: Values) => rgbFromHwb(hue(h), share(w, 100), share(b, 100));
-const fromLab = ([l, a, b]: Values) =>
-  rgbFromXyz(xyzFromLab([100 * share(l, 100), component(a, 125), component(b, 125)]));
-const fromLch = ([l, c, h]: Values) =>
-  rgbFromXyz(xyzFromLab(labFromLch(100 * share(l, 100), chroma(c, 150), hue(h))));
-const fromOklab = ([l, a, b]: Values) =>
-  rgbFromXyz(xyzFromOklab([share(l, 1), component(a, 0.4), component(b, 0.4)]));
-const fromOklch = ([l, c, h]: Values) =>
-  rgbFromXyz(xyzFromOklab(labFromLch(share(l, 1), chroma(c, 0.4), hue(h))));
-
 interface ColorFunction {
-  readonly read: (values: Values) => Rgb;
+  /** Returns the numbers in the units of `rgb`; NaN where a value is none. */
+  readonly numbers: (values: Values) => Triple;
+  readonly rgb: (numbers: Triple) => Rgb;
   /** The kinds of values that it takes with commas. */
   readonly legacy?: (kinds: readonly string[]) => boolean;
 }
 
-const RGB: ColorFunction = { read: fromRgb, legacy: ([r, g, b]) => r === g && r === b };
+const fromLab = (lab: Lab) => rgbFromLight(lightFromXyz50(convertLabToXyz50(lab)));
+const fromOklab = (lab: Lab) => rgbFromLight(convertOklabToLrgb(lab), lab);
+
+const RGB: ColorFunction = {
+  numbers: ([r, g, b]) => [share(r, 255), share(g, 255), share(b, 255)],
+  rgb: ([r, g, b]) => ({ r, g, b }),
+  legacy: ([r, g, b]) => r === g && r === b,
+};
 const HSL: ColorFunction = {
-  read: fromHsl,
+  numbers: ([h, s, l]) => [hue(h), share(s, 100), share(l, 100)],
+  rgb: ([h, s, l]) => clampedRgb(convertHslToRgb({ h, s, l })),
   legacy: ([, s, l]) => s === "percentage" && l === "percentage",
+};
+const HWB: ColorFunction = {
+  numbers: HSL.numbers,
+  rgb: ([h, w, b]) => clampedRgb(convertHwbToRgb({ h, w, b })),
+};
+const LAB: ColorFunction = {
+  numbers: ([l, a, b]) => [100 * share(l, 100), component(a, 125), component(b, 125)],
+  rgb: ([l, a, b]) => fromLab({ l, a, b }),
+};
+const LCH: ColorFunction = {
+  numbers: ([l, c, h]) => [100 * share(l, 100), chroma(c, 150), hue(h)],
+  rgb: ([l, c, h]) => fromLab(convertLchToLab({ l, c, h })),
+};
+const OKLAB: ColorFunction = {
+  numbers: ([l, a, b]) => [share(l, 1), component(a, 0.4), component(b, 0.4)],
+  rgb: ([l, a, b]) => fromOklab({ l, a, b }),
+};
+const OKLCH: ColorFunction = {
+  numbers: ([l, c, h]) => [share(l, 1), chroma(c, 0.4), hue(h)],
+  rgb: ([l, c, h]) => fromOklab(convertLchToLab({ l, c, h })),
 };
 const FUNCTIONS: ReadonlyMap<string, ColorFunction> = new Map([
   ["rgb", RGB],
   ["rgba", RGB],
   ["hsl", HSL],
   ["hsla", HSL],
-  ["hwb", { read: fromHwb }],
-  ["lab", { read: fromLab }],
-  ["lch", { read: fromLch }],
-  ["oklab", { read: fromOklab }],
-  ["oklch", { read: fromOklch }],
+  ["hwb", HWB],
+  ["lab", LAB],
+  ["lch", LCH],
+  ["oklab", OKLAB],
+  ["oklch", OKLCH],
 ]);
 
 /** color(), whose components follow the name of a space. */
 function inSpace(name: string): ColorFunction | undefined {
-  const xyzFrom = XYZ_FROM.get(name);
-  if (!xyzFrom) return undefined;
-  const read = (values: Values) => {
-    const [r, g, b] = values.map((value) => component(value, 1));
-    if (name === "srgb" && [r, g, b].every((x) => x >= 0 && x <= 1)) return { r, g, b };
-    const components: Triple = [r, g, b];
-    return rgbFromXyz(xyzFrom(components));
+  const lightFrom = LIGHT_FROM.get(name);
+  if (!lightFrom) return undefined;
+  return {
+    numbers: ([a, b, c]) => [component(a, 1), component(b, 1), component(c, 1)],
+    rgb: (numbers) => {
+      const isPlain = name === "srgb" && numbers.every((x) => x >= 0 && x <= 1);
+      return isPlain ? RGB.rgb(numbers) : rgbFromLight(lightFrom(numbers));
+    },
   };
-  return { read };
 }
 
 function fromFunction(name: string, tokens: readonly Token[]): Color | null {
@@ -158,9 +172,9 @@ function fromFunction(name: string, tokens: readonly Token[]): Color | null {
   if (!found) return null;
   const { values, alpha, hasCommas } = found;
   if (hasCommas && !color.legacy?.(values.map(({ kind }) => kind))) return null;
-  const rgb = color.read(values);
+  const numbers = color.numbers(values);
   const opacity = alpha ? share(alpha, 1) : 1;
-  return Number.isNaN(rgb.r + rgb.g + rgb.b + opacity) ? null : { rgb, alpha: opacity };
+  return [...numbers, opacity].some(Number.isNaN) ? null : { rgb: color.rgb(numbers), alpha: opacity };
 }
 
 /** null where the text is no colour; currentColor is none. */
