@@ -15,6 +15,14 @@
 namespace sfumato::cli {
 namespace {
 
+constexpr ExitMeaning kExitMeanings[] = {
+    {kDone, "done"},
+    {kBadInput, "bad input: it cannot be read, understood or drawn; or lint --strict found a hint"},
+    {kBadUsage, "bad usage"},
+    {kResource, "a limit was reached, memory ran out, or an output cannot be written"},
+    {kInternal, "internal error; please report it"},
+    {kSignalled + SIGINT, "interrupted (128 plus the number of the signal)"}};
+
 /// Names of files may have any length, so messages are cut.
 constexpr std::size_t kMostMessageBytes = std::size_t{16} << 10;
 
@@ -56,6 +64,10 @@ std::string formatted(const SourcePlace& where, std::string_view severity,
 }
 
 }  // namespace
+
+std::span<const ExitMeaning> exit_meanings() {
+  return kExitMeanings;
+}
 
 int exit_code(const Status& status) {
   switch (status.code) {

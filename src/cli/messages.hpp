@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -8,15 +9,22 @@
 
 namespace sfumato::cli {
 
-/// The exit codes of the process (docs/cli.md).
+/// The exit codes of the process (docs/cli.md); exit_meanings() says what they mean.
 enum ExitCode : int {
   kDone = 0,
   kBadInput = 1,
   kBadUsage = 2,
-  kResource = 3,  ///< a limit, memory, or an output that cannot be written
+  kResource = 3,
   kInternal = 4,
   kSignalled = 128  ///< plus the signal's number: 130 for an interrupt
 };
+
+/// The meaning of an exit code, for the help.
+struct ExitMeaning {
+  int code;
+  const char* meaning;
+};
+std::span<const ExitMeaning> exit_meanings();
 
 /// Returns the exit code of a failure; `cancelled` gives kSignalled plus the number of the signal.
 int exit_code(const Status& status);

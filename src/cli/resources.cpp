@@ -55,21 +55,20 @@ void return_freed_memory() {
 
 }  // namespace
 
-void add_resources(CLI::App& app, options::Resources& resources) {
+void add_resources(CommandSyntax& command, options::Resources& resources) {
   keep_freed_memory();
   for (const options::Option<options::Resources>& option : options::resource_options()) {
-    add_option(app, option, resources);
+    add_option(command, option, resources);
   }
-  app.get_option("--max-memory")->each([](const std::string&) { return_freed_memory(); });
-  app.add_option_function<std::vector<std::string>>(
-         "--limit",
-         [&resources](const std::vector<std::string>& texts) {
-           set_limits(texts, resources.limits);
-         },
-         "Change a limit on the input, such as curves=300k; may be\nrepeated")
-      ->type_name("NAME=VALUE")
-      ->allow_extra_args(false)
-      ->group(heading(options::Group::resources));
+  command.get_option("--max-memory")->each([](const std::string&) { return_freed_memory(); });
+  CLI::Option* const limit = command.add_option_function<std::vector<std::string>>(
+      "--limit",
+      [&resources](const std::vector<std::string>& texts) { set_limits(texts, resources.limits); },
+      "Change a limit on the input, such as curves=300k; may be\nrepeated");
+  limit->type_name("NAME=VALUE")->allow_extra_args(false);
+  ValueForm form{.kind = "limit"};
+  for (const LimitName& known : limit_names()) form.choices.push_back(known.name);
+  command.describe(limit->group(heading(options::Group::resources)), std::move(form));
 }
 
 }  // namespace sfumato::cli

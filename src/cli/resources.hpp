@@ -2,11 +2,10 @@
 
 #include "options/settings.hpp"
 
-namespace CLI {
-class App;  // its header takes seconds to compile, so only files that add options include it
-}
-
 namespace sfumato::cli {
+
+class CommandSyntax;  // its header takes seconds to compile, so only files that add options include
+                      // it
 
 /// The resources of every command unless options change them.
 inline options::Resources default_resources() {
@@ -14,6 +13,6 @@ inline options::Resources default_resources() {
 }
 
 /// Adds --max-memory, --max-time and --limit.
-void add_resources(CLI::App& app, options::Resources& resources);
+void add_resources(CommandSyntax& command, options::Resources& resources);
 
 }  // namespace sfumato::cli

@@ -16,13 +16,6 @@ std::string word_list(const OptionInfo& option) {
   return list;
 }
 
-std::string expected_value(const OptionInfo& option) {
-  if (option.expected) return option.expected;
-  if (option.kind == ValueKind::word) return "one of " + word_list(option);
-  return "a whole number from " + std::to_string(option.wholes.lowest) + " to " +
-         std::to_string(option.wholes.highest);
-}
-
 bool is_within(const NumberRange& range, double number) {
   const bool is_high_enough = range.is_above ? number > range.lowest : number >= range.lowest;
   return is_high_enough && number <= range.highest;
@@ -114,6 +107,14 @@ std::optional<Value> parse_value(const OptionInfo& option, std::string_view text
   value.text = text;
   if (!read_value(option, text, value)) return std::nullopt;
   return value;
+}
+
+std::string expected_value(const OptionInfo& option) {
+  if (option.expected) return option.expected;
+  if (option.kind == ValueKind::word) return "one of " + word_list(option);
+  if (option.kind != ValueKind::whole) return {};
+  return "a whole number from " + std::to_string(option.wholes.lowest) + " to " +
+         std::to_string(option.wholes.highest);
 }
 
 std::string complaint_about_value(const OptionInfo& option, std::string_view text) {

@@ -110,6 +110,9 @@ std::string spelled(std::string_view text, bool for_command);
 /// Reads a value. Returns nothing if the text is not a value of the option.
 std::optional<Value> parse_value(const OptionInfo& option, std::string_view text);
 
+/// Returns the values of an option in words: "one of 8|16". Empty: a flag, or any text.
+std::string expected_value(const OptionInfo& option);
+
 /// Returns what is wrong with a text that parse_value() refused, and what was probably meant:
 /// "invalid value \"x\"; use one of 8|16".
 std::string complaint_about_value(const OptionInfo& option, std::string_view text);

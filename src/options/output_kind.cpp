@@ -1,6 +1,7 @@
 #include "options/output_kind.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "base/text/ascii.hpp"
 
@@ -19,6 +20,14 @@ constexpr KnownOutput kKnownFrames[] = {{"rgb24", OutputKind::rgb24},
                                         {"rgb48le", OutputKind::rgb48le},
                                         {"rgba64le", OutputKind::rgba64le}};
 
+constexpr auto kFormats = [] {
+  std::array<std::string_view, std::size(kKnownOutputs) + std::size(kKnownFrames)> formats;
+  const auto frames =
+      std::ranges::transform(kKnownOutputs, formats.begin(), &KnownOutput::extension).out;
+  std::ranges::transform(kKnownFrames, frames, &KnownOutput::extension);
+  return formats;
+}();
+
 std::optional<OutputKind> find(std::span<const KnownOutput> outputs, std::string_view extension) {
   const auto known = std::ranges::find(outputs, ascii_lower(extension), &KnownOutput::extension);
   if (known == outputs.end()) return std::nullopt;
@@ -33,6 +42,10 @@ std::span<const KnownOutput> known_outputs() {
 
 std::span<const KnownOutput> known_frames() {
   return kKnownFrames;
+}
+
+std::span<const std::string_view> known_formats() {
+  return kFormats;
 }
 
 std::optional<OutputKind> kind_of_extension(std::string_view extension) {

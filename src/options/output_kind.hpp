@@ -72,6 +72,9 @@ std::span<const KnownOutput> known_outputs();
 /// Returns the known extensions of raw frames: "rgb24".
 std::span<const KnownOutput> known_frames();
 
+/// Returns the known extensions of files, and after them those of raw frames.
+std::span<const std::string_view> known_formats();
+
 /// Returns the kind for an extension, in any case and without its dot: "png".
 std::optional<OutputKind> kind_of_extension(std::string_view extension);
 

@@ -6,14 +6,15 @@
 #include "cli/run_command.hpp"
 #include "support/places.hpp"
 
-/// docs/cli.md, the man page and the completions name exactly the command's options.
+/// docs/cli.md, the man page and the completions name exactly the command's options. `make check`
+/// also runs scripts/make-completions --check.
 namespace sfumato::test {
 namespace {
 
 using NameSet = std::set<std::string>;
 
 constexpr const char* kCommands[] = {"render", "solve",   "tiles", "info",  "convert", "trace",
-                                     "lint",   "compare", "init",  "watch", "edit"};
+                                     "lint",   "compare", "init",  "watch", "edit",    "help"};
 
 std::string file_text(const std::string& path) {
   const std::string text = read_whole(source_path(path));
@@ -171,6 +172,12 @@ TEST(CommandDocuments, bash_offers_what_fits) {
     return result.out;
   };
   EXPECT_EQ(offered({"co"}), "convert compare\n");
+  EXPECT_EQ(offered({"help", "tr"}), "trace\n");
+  EXPECT_EQ(offered({"help", "--"}), "--help --json\n");
+  EXPECT_EQ(offered({"tiles", "--format", "p"}), "png\n");
+  EXPECT_EQ(offered({"solve", "--method", ""}), "exact rays\n");
+  EXPECT_EQ(offered({"render", "--order", "=", "c"}), "cubic\n");
+  EXPECT_EQ(offered({"render", "--background", "sky"}), "skyblue\n");
   EXPECT_EQ(offered({"render", "--m"}),
             "--method --max-error --max-area --min-angle --mesh-overlay "
             "--max-memory --max-time\n");
@@ -178,6 +185,21 @@ TEST(CommandDocuments, bash_offers_what_fits) {
   EXPECT_EQ(offered({"render", "a.svg", "--order", "q"}), "quadratic\n");
   EXPECT_EQ(offered({"lint", "--s"}), "--strict\n");
   EXPECT_EQ(offered({"render", "--width", ""}), "\n");
+}
+
+TEST(CommandDocuments, bash_offers_files_that_fit) {
+  const TemporaryFolder folder;
+  for (const char* name : {"a.svg", "a.PNG", "a.txt"}) folder.add(name, "");
+  const auto offered = [&folder](const std::string& words) {
+    const std::string script = "cd \"$1\"; source " + source_path("completions/sfumato.bash") +
+                               "; COMP_WORDS=(sfumato " + words +
+                               "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _sfumato; "
+                               "echo \"${COMPREPLY[*]}\"";
+    return run_command({"/bin/bash", "-c", script, "bash", folder.path("")}).out;
+  };
+  EXPECT_EQ(offered("lint a"), "a.svg\n");
+  EXPECT_EQ(offered("trace a"), "a.PNG\n");
+  EXPECT_EQ(offered("tiles a.t"), "a.txt\n") << "no file fits, so all are offered";
 }
 
 TEST(CommandDocuments, zsh_completes_every_option) {
@@ -199,6 +221,21 @@ TEST(CommandDocuments, fish_completes_every_option) {
     EXPECT_EQ(named, options_of(command)) << command;
     expect_words(choices_of(command), document, " in the completion for fish");
   }
+}
+
+TEST(CommandDocuments, fish_offers_what_fits) {
+  if (run_command({"/bin/sh", "-c", "command -v fish"}).exit_code != 0) {
+    GTEST_SKIP() << "fish is not installed";
+  }
+  const auto offered = [](const std::string& line) {
+    const std::string script = "source " + source_path("completions/sfumato.fish") +
+                               "; complete -C '" + line + "' | string replace -r '\\t.*' ''";
+    return run_command({"/usr/bin/env", "fish", "--no-config", "-c", script}).out;
+  };
+  EXPECT_EQ(offered("sfumato co"), "compare\nconvert\n");
+  EXPECT_EQ(offered("sfumato render --or"), "--order\n");
+  EXPECT_EQ(offered("sfumato tiles --format "), "jpg\npng\nwebp\n");
+  EXPECT_EQ(offered("sfumato lint --limit tex"), "texels=\ntextures=\n");
 }
 
 }  // namespace

@@ -147,7 +147,7 @@ TEST(Usage, unknown_options_and_missing_operands_are_named) {
   EXPECT_TRUE(
       contains(command.err,
                "unknown command \"paint\"; use render, solve, tiles, info, convert, trace, lint, "
-               "compare, init, watch or edit"));
+               "compare, init, watch, edit or help"));
 }
 
 TEST(Usage, common_mistakes_say_what_to_do) {

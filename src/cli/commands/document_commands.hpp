@@ -6,8 +6,8 @@
 /// Options of the commands that read a document but do not draw it.
 namespace sfumato::cli {
 
-CLI::App* add_info(CLI::App& root, InfoArguments& arguments);
-CLI::App* add_convert(CLI::App& root, ConvertArguments& arguments);
-CLI::App* add_lint(CLI::App& root, LintArguments& arguments);
+void add_info(CommandSyntax& root, InfoArguments& arguments);
+void add_convert(CommandSyntax& root, ConvertArguments& arguments);
+void add_lint(CommandSyntax& root, LintArguments& arguments);
 
 }  // namespace sfumato::cli

@@ -9,70 +9,70 @@
 namespace sfumato::cli {
 namespace {
 
-constexpr const char* kInitFooter =
-    "Examples:\n"
-    "  sfumato init drawing.svg\n"
-    "  sfumato init sphere.svg --template sphere\n"
-    "  sfumato init drawing.svg --from icon.svg\n"
-    "  sfumato init - | sfumato render - -o picture.png";
+constexpr const char* kInitExamples[] = {
+    "sfumato init drawing.svg", "sfumato init sphere.svg --template sphere",
+    "sfumato init drawing.svg --from icon.svg", "sfumato init - | sfumato render - -o picture.png"};
 
-constexpr const char* kWatchFooter =
-    "Examples:\n"
-    "  sfumato watch drawing.svg\n"
-    "  sfumato watch drawing.svg --scale 2 -o drawing.png --port 8080\n"
-    "\n"
-    "Prints the address of the page. Only this machine can open it. Press Ctrl-C to stop.";
+constexpr const char* kWatchExamples[] = {
+    "sfumato watch drawing.svg", "sfumato watch drawing.svg --scale 2 -o drawing.png --port 8080"};
 
-constexpr const char* kEditFooter =
-    "Examples:\n"
-    "  sfumato edit drawing.svg\n"
-    "  sfumato edit drawing.svg --no-browser --port 8080\n"
-    "\n"
+constexpr const char* kWatchNotes =
+    "Prints the address of the page, which shows the picture again whenever the drawing or one\n"
+    "of its textures changes. Only this machine can open it. Press Ctrl-C to stop; an open page\n"
+    "continues if the command starts again with the same port.";
+
+constexpr const char* kEditExamples[] = {"sfumato edit drawing.svg",
+                                         "sfumato edit drawing.svg --no-browser --port 8080"};
+
+constexpr const char* kEditNotes =
     "Prints the address of the page. The address contains a secret: everyone who has it can read\n"
-    "and write the drawing, and nothing else. Save on the page writes the file. Press Ctrl-C to "
+    "and write the drawing, and nothing else. Save on the page writes the file. Press Ctrl-C to\n"
     "stop.";
 
-std::vector<std::string> template_names() {
-  std::vector<std::string> names;
-  for (const Template& known : templates()) names.emplace_back(known.name);
-  return names;
-}
-
-bool is_template(const std::string& text) {
-  return std::ranges::find(templates(), text, &Template::name) != templates().end();
-}
+constexpr const char* kInitUsages[] = {"OUT.svg [--template NAME | --from IN.svg] [OPTIONS]"};
+constexpr const char* kWatchUsages[] = {"IN [-o OUT] [OPTIONS]"};
+constexpr const char* kEditUsages[] = {"DRAWING [OPTIONS]"};
+constexpr std::string_view kSvgs[] = {"svg", "svgz"};
 
 /// Adds --port of a page.
-void add_port(CLI::App& app, int& port) {
-  add_value(app, "--port", {"a whole number from 0 to 65535", "N"},
-            "Serve the page on this port of 127.0.0.1; 0: any free port [0]",
-            whole_into(port, 0, 65535));
+void add_port(CommandSyntax& command, int& port) {
+  add_option(command,
+             {.key = "port",
+              .kind = options::ValueKind::whole,
+              .wholes = {0, 65535},
+              .value_name = "N",
+              .help = "Serve the page on this port of 127.0.0.1; 0: any free port [0]"},
+             [&port](const options::Value& value) { port = static_cast<int>(value.whole); });
 }
 
 }  // namespace
 
-CLI::App* add_init(CLI::App& root, InitArguments& arguments) {
-  CLI::App* app = root.add_subcommand("init", "Create a drawing to start from");
-  app->footer(kInitFooter);
-  app->add_option("OUT.svg", arguments.output, "The new drawing; '-': stdout")
-      ->required()
-      ->type_name("");
-  add_value(*app, "--template", one_of(template_names()), "Choose the template [shape]",
-            [&arguments](const std::string& text) {
-              arguments.template_name = text;
-              return is_template(text);
-            });
-  app->add_option(
-         "--from", arguments.input,
-         "Make curves from the fills, strokes and gradients of an\nordinary SVG instead; '-': "
-         "stdin")
-      ->type_name("IN.svg")
+void add_init(CommandSyntax& root, InitArguments& arguments) {
+  CommandSyntax& command = root.add_command({.name = "init",
+                                             .summary = "Create a drawing to start from",
+                                             .usages = kInitUsages,
+                                             .examples = kInitExamples});
+  command
+      .add_file("OUT.svg", arguments.output, "", "The new drawing; '-': stdout",
+                form_of_output(extensions_of({.only = OutputKind::svg})))
+      ->required();
+  add_option(command,
+             {.key = "template",
+              .kind = options::ValueKind::word,
+              .words = template_names(),
+              .help = "Choose the template [shape]"},
+             [&arguments](const options::Value& value) { arguments.template_name = value.text; });
+  command
+      .add_file(
+          "--from", arguments.input, "IN.svg",
+          "Make curves from the fills, strokes and gradients of an\nordinary SVG instead; '-': "
+          "stdin",
+          form_of_input(kSvgs))
       ->excludes("--template");
-  app->add_flag("--force", arguments.force, "Replace OUT.svg if it exists");
-  add_allowed_folders(*app, arguments);
-  app->add_flag("--quiet", arguments.quiet, "Print no warnings");
-  add_resources(*app, arguments.resources);
-  return app;
+  command.add_flag("--force", arguments.force, "Replace OUT.svg if it exists");
+  add_allowed_folders(command, arguments);
+  command.add_flag("--quiet", arguments.quiet, "Print no warnings");
+  add_resources(command, arguments.resources);
 }
 
 void settle(InitArguments& arguments) {
@@ -81,23 +81,25 @@ void settle(InitArguments& arguments) {
   if (!complaint.empty()) throw CLI::ValidationError("OUT.svg", complaint);
 }
 
-CLI::App* add_watch(CLI::App& root, WatchArguments& arguments, RenderChoices& choices) {
-  CLI::App* app =
-      root.add_subcommand("watch", "Show a drawing in the browser and update it on each save");
-  app->footer(kWatchFooter);
-  app->add_option("IN", arguments.input, "A drawing (SVG or Orzan XML)")->required()->type_name("");
-  add_output(*app, choices.output, {.takes_dash = false}, "OUT",
-             "Also write the picture at each change");
-  add_port(*app, arguments.port);
-  add_allowed_folders(*app, arguments);
-  add_place_options(*app, arguments.page.settings);
-  add_value(*app, "--threads",
-            {"a whole number from 1 to " + std::to_string(limits::kThreads), "N"},
-            "Use N threads [all cores]",
-            whole_into(arguments.page.settings.threads, 1, limits::kThreads));
-  app->add_flag("--quiet", arguments.quiet, "Print no warnings, only the address and errors");
-  add_resources(*app, arguments.resources);
-  return app;
+void add_watch(CommandSyntax& root, WatchArguments& arguments, RenderChoices& choices) {
+  CommandSyntax& command =
+      root.add_command({.name = "watch",
+                        .summary = "Show a drawing in the browser and update it on each save",
+                        .usages = kWatchUsages,
+                        .examples = kWatchExamples,
+                        .notes = kWatchNotes});
+  command
+      .add_file("IN", arguments.input, "", "A drawing (SVG or Orzan XML)", form_of_input(kDrawings))
+      ->required();
+  constexpr OutputNames kNames{.takes_dash = false};
+  add_output(command, choices.output, kNames, "OUT", "Also write the picture at each change");
+  add_port(command, arguments.port);
+  add_allowed_folders(command, arguments);
+  add_place_options(command, arguments.page.settings);
+  add_threads(command, arguments.page.settings)->description("Use N threads [all cores]");
+  command.add_flag("--quiet", arguments.quiet, "Print no warnings, only the address and errors")
+      ->group(heading(options::Group::running));
+  add_resources(command, arguments.resources);
 }
 
 void settle(WatchArguments& arguments, const RenderChoices& choices) {
@@ -118,17 +120,21 @@ void settle(WatchArguments& arguments, const RenderChoices& choices) {
   settle(page, shown);
 }
 
-CLI::App* add_edit(CLI::App& root, EditArguments& arguments) {
-  CLI::App* app = root.add_subcommand("edit", "Edit a drawing in the browser");
-  app->footer(kEditFooter);
-  app->add_option("DRAWING", arguments.input,
-                  "An SVG file (.svg, .svgz); created if it does not exist")
-      ->required()
-      ->type_name("");
-  app->add_flag("!--no-browser", arguments.opens_browser, "Print the address but open no browser");
-  add_port(*app, arguments.port);
-  add_allowed_folders(*app, arguments);
-  return app;
+void add_edit(CommandSyntax& root, EditArguments& arguments) {
+  CommandSyntax& command = root.add_command({.name = "edit",
+                                             .summary = "Edit a drawing in the browser",
+                                             .usages = kEditUsages,
+                                             .examples = kEditExamples,
+                                             .notes = kEditNotes});
+  command
+      .add_file("DRAWING", arguments.input, "",
+                "An SVG file (.svg, .svgz); created if it does not exist", form_of_output(kSvgs))
+      ->required();
+  command.add_flag_callback(
+      "--no-browser", [&arguments] { arguments.opens_browser = false; },
+      "Print the address but open no browser");
+  add_port(command, arguments.port);
+  add_allowed_folders(command, arguments);
 }
 
 void settle(const EditArguments& arguments) {

@@ -7,9 +7,9 @@
 /// Options of the commands that start a drawing.
 namespace sfumato::cli {
 
-CLI::App* add_init(CLI::App& root, InitArguments& arguments);
-CLI::App* add_watch(CLI::App& root, WatchArguments& arguments, RenderChoices& choices);
-CLI::App* add_edit(CLI::App& root, EditArguments& arguments);
+void add_init(CommandSyntax& root, InitArguments& arguments);
+void add_watch(CommandSyntax& root, WatchArguments& arguments, RenderChoices& choices);
+void add_edit(CommandSyntax& root, EditArguments& arguments);
 
 /// Throw CLI::ValidationError if options conflict.
 void settle(InitArguments& arguments);

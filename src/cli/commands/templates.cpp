@@ -1,5 +1,6 @@
 #include "cli/commands/templates.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace sfumato::cli {
@@ -121,10 +122,20 @@ constexpr std::string_view kLogo =
 constexpr std::array<Template, 5> kTemplates{
     {{"shape", kShape}, {"sky", kSky}, {"sphere", kSphere}, {"eye", kEye}, {"logo", kLogo}}};
 
+constexpr auto kTemplateNames = [] {
+  std::array<std::string_view, kTemplates.size()> names;
+  std::ranges::transform(kTemplates, names.begin(), &Template::name);
+  return names;
+}();
+
 }  // namespace
 
 std::span<const Template> templates() {
   return kTemplates;
+}
+
+std::span<const std::string_view> template_names() {
+  return kTemplateNames;
 }
 
 }  // namespace sfumato::cli

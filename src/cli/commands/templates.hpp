@@ -14,4 +14,7 @@ struct Template {
 /// Returns all templates; the first is the default. Those for docs/tutorial.md are its last steps.
 std::span<const Template> templates();
 
+/// Returns their names.
+std::span<const std::string_view> template_names();
+
 }  // namespace sfumato::cli

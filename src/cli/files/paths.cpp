@@ -25,20 +25,6 @@ std::string extension_of(const std::string& path) {
   return extension.empty() ? extension : extension.substr(1);
 }
 
-std::vector<std::string_view> extensions_of(const OutputNames& names) {
-  if (names.is_solved) return {kSolvedExtension};
-  std::vector<std::string_view> extensions;
-  for (const options::KnownOutput& known : options::known_outputs()) {
-    if (!names.only || known.kind == *names.only) extensions.push_back(known.extension);
-  }
-  if (names.takes_packed) extensions.push_back(kPackedExtension);
-  if (names.takes_frames) {
-    for (const options::KnownOutput& known : options::known_frames())
-      extensions.push_back(known.extension);
-  }
-  return extensions;
-}
-
 /// Returns "a file name that ends in .svg, or -".
 std::string expected_name(const OutputNames& names) {
   std::string text = "a file name that ends in ";
@@ -55,6 +41,20 @@ Status cannot_write(const std::string& path, const std::string& why) {
 
 }  // namespace
 
+std::vector<std::string_view> extensions_of(const OutputNames& names) {
+  if (names.is_solved) return {kSolvedExtension};
+  std::vector<std::string_view> extensions;
+  for (const options::KnownOutput& known : options::known_outputs()) {
+    if (!names.only || known.kind == *names.only) extensions.push_back(known.extension);
+  }
+  if (names.takes_packed) extensions.push_back(kPackedExtension);
+  if (names.takes_frames) {
+    for (const options::KnownOutput& known : options::known_frames())
+      extensions.push_back(known.extension);
+  }
+  return extensions;
+}
+
 std::optional<OutputKind> output_kind(const std::string& path) {
   return kind_of_format(extension_of(path));
 }
@@ -62,11 +62,6 @@ std::optional<OutputKind> output_kind(const std::string& path) {
 std::optional<OutputKind> kind_of_format(const std::string& extension) {
   const std::optional<OutputKind> kind = options::kind_of_extension(extension);
   return kind ? kind : options::frame_of_extension(extension);
-}
-
-std::vector<std::string> known_formats() {
-  const std::vector<std::string_view> extensions = extensions_of({.takes_frames = true});
-  return {extensions.begin(), extensions.end()};
 }
 
 bool is_packed_name(const std::string& path) {

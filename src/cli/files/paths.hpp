@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "options/output_kind.hpp"
@@ -19,9 +20,6 @@ std::optional<OutputKind> output_kind(const std::string& path);
 /// Returns the kind for an extension without its dot, in any case.
 std::optional<OutputKind> kind_of_format(const std::string& extension);
 
-/// Returns the extensions that kind_of_format knows.
-std::vector<std::string> known_formats();
-
 /// The allowed endings of output names.
 struct OutputNames {
   std::optional<OutputKind> only{};  ///< empty: any kind
@@ -36,6 +34,9 @@ bool is_packed_name(const std::string& path);
 
 /// The extension of solved pictures, without its dot.
 inline constexpr const char* kSolvedExtension = "sfp";
+
+/// Returns the extensions of these names, without their dots.
+std::vector<std::string_view> extensions_of(const OutputNames& names);
 
 /// Returns a message if the name of an output is not allowed, with the name that was probably
 /// meant. Empty: the name is allowed.

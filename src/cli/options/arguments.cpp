@@ -9,6 +9,7 @@
 #include "cli/commands/document_commands.hpp"
 #include "cli/commands/start_commands.hpp"
 #include "cli/files/file_uses.hpp"
+#include "cli/options/help_options.hpp"
 #include "cli/options/option_helpers.hpp"
 #include "cli/options/render_options.hpp"
 #include "cli/options/tiles_options.hpp"
@@ -19,47 +20,67 @@
 namespace sfumato::cli {
 namespace {
 
-constexpr const char* kDescription =
-    "Sfumato draws diffusion curves: Bezier curves with a colour on each side that spreads "
-    "smoothly.";
+constexpr const char* kRootExamples[] = {"sfumato init drawing.svg",
+                                         "sfumato edit drawing.svg",
+                                         "sfumato watch drawing.svg",
+                                         "sfumato render lady_bug.xml -o lady_bug.png",
+                                         "sfumato solve lady_bug.xml -o lady_bug.sfp",
+                                         "sfumato tiles lady_bug.sfp -o deep --scale 128",
+                                         "sfumato info lady_bug.xml",
+                                         "sfumato convert lady_bug.xml -o lady_bug.svg",
+                                         "sfumato trace photo.jpg -o drawing.svg",
+                                         "sfumato lint lady_bug.svg",
+                                         "sfumato compare before.png after.png -o difference.png"};
 
-constexpr const char* kRootFooter =
-    "Examples:\n"
-    "  sfumato init drawing.svg\n"
-    "  sfumato edit drawing.svg\n"
-    "  sfumato watch drawing.svg\n"
-    "  sfumato render lady_bug.xml -o lady_bug.png\n"
-    "  sfumato solve lady_bug.xml -o lady_bug.sfp\n"
-    "  sfumato tiles lady_bug.sfp -o deep --scale 128\n"
-    "  sfumato info lady_bug.xml\n"
-    "  sfumato convert lady_bug.xml -o lady_bug.svg\n"
-    "  sfumato trace photo.jpg -o drawing.svg\n"
-    "  sfumato lint lady_bug.svg\n"
-    "  sfumato compare before.png after.png -o difference.png\n"
+constexpr const char* kRootNotes =
+    "Run `sfumato help COMMAND` for the options of a command.\n"
     "\n"
-    "Run 'sfumato COMMAND --help' for the options of a command.\n"
-    "Exit codes: 0 done, 1 bad input, 2 bad usage, 3 limit or resource, 4 internal error (please\n"
-    "report it).";
+    "A drawing is an SVG with the attributes of the namespace urn:sfumato:1, plain or packed by\n"
+    "gzip, or the XML of Orzan et al. '-' is standard input, and as an output standard output.\n"
+    "Textures are read from the drawing's folder and its subfolders, or from the current folder\n"
+    "if the drawing comes from standard input; nothing is fetched.\n"
+    "\n"
+    "Messages are one line on standard error, with file, line and column if they are known.\n"
+    "Output files appear whole or not at all.";
 
-constexpr const char* kCompareFooter =
-    "Examples:\n"
-    "  sfumato compare exact.png fast.png\n"
-    "  sfumato compare exact.png fast.png -o difference.png --scale 32";
+constexpr const char* kRootUsages[] = {"COMMAND [ARGUMENTS]", "help [COMMAND]", "--version"};
 
-CLI::App* add_compare(CLI::App& root, CompareArguments& arguments) {
-  CLI::App* app = root.add_subcommand("compare", "Measure how much two PNG images differ");
-  app->footer(kCompareFooter);
-  app->add_option("A", arguments.first, "A PNG file; '-': stdin")->required()->type_name("");
-  app->add_option("B", arguments.second, "A PNG file; '-': stdin")->required()->type_name("");
-  add_output(*app, arguments.output, {.only = OutputKind::png}, "OUT.png",
+constexpr CommandTexts kRoot{
+    .name = "sfumato",
+    .summary =
+        "Sfumato draws diffusion curves: Bezier curves with a colour on each side that "
+        "spreads smoothly.",
+    .usages = kRootUsages,
+    .examples = kRootExamples,
+    .notes = kRootNotes};
+
+constexpr const char* kCompareExamples[] = {
+    "sfumato compare exact.png fast.png",
+    "sfumato compare exact.png fast.png -o difference.png --scale 32"};
+
+constexpr std::string_view kPng[] = {"png"};
+constexpr const char* kCompareUsages[] = {"A B [-o OUT.png [--scale NUMBER]] [OPTIONS]"};
+
+void add_compare(CommandSyntax& root, CompareArguments& arguments) {
+  CommandSyntax& command = root.add_command({.name = "compare",
+                                             .summary = "Measure how much two PNG images differ",
+                                             .usages = kCompareUsages,
+                                             .examples = kCompareExamples});
+  for (const auto& [name, picture] : {std::pair("A", &arguments.first), {"B", &arguments.second}}) {
+    command.add_file(name, *picture, "", "A PNG file; '-': stdin", form_of_input(kPng))->required();
+  }
+  add_output(command, arguments.output, {.only = OutputKind::png}, "OUT.png",
              "Write a picture of the differences");
-  add_value(*app, "--scale", {"a number above 0", "NUMBER"},
-            "Multiply the differences in the picture [128]",
-            into(arguments.scale, options::parse_positive))
-      ->needs(app->get_option("--output"));
-  app->add_flag("--json", arguments.json, "Print one JSON object");
-  add_resources(*app, arguments.resources);
-  return app;
+  add_option(command,
+             {.key = "scale",
+              .kind = options::ValueKind::number,
+              .expected = "a number above 0",
+              .value_name = "NUMBER",
+              .help = "Multiply the differences in the picture [128]"},
+             [&arguments](const options::Value& value) { arguments.scale = *value.number; })
+      ->needs(command.get_option("--output"));
+  command.add_flag("--json", arguments.json, "Print one JSON object");
+  add_resources(command, arguments.resources);
 }
 
 void settle(const CompareArguments& arguments) {
@@ -129,35 +150,55 @@ std::string unknown_option(const CLI::App& command) {
   return {};
 }
 
-std::string unknown_command(std::string_view given, const CLI::App& root) {
-  std::vector<std::string> names;
-  for (const CLI::App* command : root.get_subcommands({})) names.push_back(command->get_name());
-  const std::vector<std::string_view> candidates(names.begin(), names.end());
+/// Returns "render, solve or tiles".
+std::string one_of(std::span<const std::string_view> names) {
   std::string list;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    list += (i == 0 ? "" : i + 1 == names.size() ? " or " : ", ") + names[i];
+    list.append(i == 0 ? "" : i + 1 == names.size() ? " or " : ", ").append(names[i]);
   }
-  const std::string hint = given.starts_with("--") ? option_hint(root, given.substr(2))
-                                                   : text::did_you_mean(given, candidates);
-  return (given.starts_with("-") ? "unknown option \"" : "unknown command \"") +
-         std::string(given) + "\"; use " + list + hint;
+  return list;
 }
 
-NoCommand usage_error(const CLI::App& root, std::string what) {
+std::string unknown_command(std::string_view given, const CommandSyntax& root) {
+  std::vector<std::string_view> names;
+  for (const CommandSyntax* command : root.commands()) names.push_back(command->texts().name);
+  const std::string hint = given.starts_with("--") ? option_hint(root, given.substr(2))
+                                                   : text::did_you_mean(given, names);
+  return (given.starts_with("-") ? "unknown option \"" : "unknown command \"") +
+         std::string(given) + "\"; use " + one_of(names) + hint;
+}
+
+/// Returns what is wrong with an argument before the command, or nothing.
+std::string misplaced_argument(const CommandSyntax& root) {
+  const std::vector<std::string> remaining = root.remaining();
+  if (remaining.empty()) return {};
+  const std::string option = remaining.front().substr(0, remaining.front().find('='));
+  std::vector<std::string_view> owners;
+  for (const CommandSyntax* command : root.commands()) {
+    const bool has_option = option.starts_with('-') && command->get_option_no_throw(option);
+    if (has_option) owners.push_back(command->texts().name);
+  }
+  if (!owners.empty()) {
+    return "option " + text::quoted(option) + " before the command; use it after " + one_of(owners);
+  }
+  return root.get_subcommands().empty() ? unknown_command(remaining.front(), root) : std::string();
+}
+
+NoCommand usage_error(const CommandSyntax& root, std::string what) {
   std::string command = "sfumato";
   for (const CLI::App* chosen : root.get_subcommands()) {
     command += ' ' + chosen->get_name();
     if (std::string unknown = unknown_option(*chosen); !unknown.empty()) what = std::move(unknown);
   }
-  if (root.get_subcommands().empty() && root.remaining_size() > 0) {
-    what = unknown_command(root.remaining().front(), root);
+  if (std::string misplaced = misplaced_argument(root); !misplaced.empty()) {
+    what = std::move(misplaced);
   }
   return {"sfumato: error: " + shortened(what) + "\nTry '" + command + " --help'.\n", kBadUsage};
 }
 
 /// Returns what is wrong with a call for help: an unknown command, or -h with a number, which other
 /// programs take for a height. Empty: nothing is wrong.
-std::string wrong_beside_help(const CLI::App& root, std::span<const char* const> arguments) {
+std::string wrong_beside_help(const CommandSyntax& root, std::span<const char* const> arguments) {
   for (std::size_t i = 1; i < arguments.size(); ++i) {
     const std::string_view argument = arguments[i];
     if (root.get_subcommands().empty() && !argument.starts_with('-')) {
@@ -169,6 +210,17 @@ std::string wrong_beside_help(const CLI::App& root, std::span<const char* const>
   return {};
 }
 
+/// Returns the exit codes for the help of the program.
+std::string exit_code_list() {
+  std::string text = "\n\nExit codes:\n";
+  for (const ExitMeaning& exit : exit_meanings()) {
+    const std::string code = std::to_string(exit.code);
+    text += "  " + code + std::string(5 - code.size(), ' ') + exit.meaning + '\n';
+  }
+  text.pop_back();
+  return text;
+}
+
 /// Holds the commands and their arguments.
 class CommandLine {
  public:
@@ -178,8 +230,9 @@ class CommandLine {
  private:
   Command chosen();
   Command settled_start();
+  Command settled_help() const;
 
-  CLI::App root_{kDescription, "sfumato"};
+  CommandSyntax root_{kRoot};
   RenderArguments render_;
   RenderChoices render_choices_;
   SolveArguments solve_;
@@ -196,15 +249,14 @@ class CommandLine {
   EditArguments edit_;
   TraceArguments trace_;
   TraceChoices trace_choices_;
+  HelpArguments help_;
 };
 
 CommandLine::CommandLine() {
-  root_.footer(kRootFooter);
+  root_.footer(root_.get_footer() + exit_code_list());
   root_.set_help_flag("-h,--help", "Print this help");
   root_.set_version_flag("--version", "sfumato " SFUMATO_VERSION, "Print the version");
   root_.require_subcommand(0, 1);
-  root_.get_formatter()->column_width(28);
-  root_.get_formatter()->label("REQUIRED", "");
   add_render(root_, render_, render_choices_);
   add_solve(root_, solve_, solve_choices_);
   add_tiles(root_, tiles_, tiles_choices_);
@@ -216,6 +268,7 @@ CommandLine::CommandLine() {
   add_init(root_, init_);
   add_watch(root_, watch_, watch_choices_);
   add_edit(root_, edit_);
+  add_help(root_, help_);
 }
 
 Command CommandLine::chosen() {
@@ -249,7 +302,7 @@ Command CommandLine::chosen() {
   return settled_start();
 }
 
-/// Returns the chosen command if it starts a drawing: init, watch or edit.
+/// Returns the chosen command if it starts a drawing, or is help: init, watch or edit.
 Command CommandLine::settled_start() {
   if (root_.got_subcommand("init")) {
     settle(init_);
@@ -263,7 +316,20 @@ Command CommandLine::settled_start() {
     settle(edit_);
     return edit_;
   }
-  return NoCommand{root_.help(), kBadUsage};
+  return root_.got_subcommand("help") ? settled_help() : NoCommand{help_of(root_), kBadUsage};
+}
+
+Command CommandLine::settled_help() const {
+  if (help_.json) {
+    expect(help_.command.empty(), "--json",
+           "describes all commands; leave out \"" + help_.command + "\"");
+    return NoCommand{help_json(root_), kDone};
+  }
+  if (help_.command.empty()) return NoCommand{help_of(root_), kDone};
+  for (const CommandSyntax* command : root_.commands()) {
+    if (command->texts().name == help_.command) return NoCommand{help_of(*command), kDone};
+  }
+  return usage_error(root_, unknown_command(help_.command, root_));
 }
 
 Command CommandLine::parse(int argc, const char* const* argv) {

@@ -1,10 +1,12 @@
 #include "cli/options/option_helpers.hpp"
 
+#include <algorithm>
 #include <filesystem>
+#include <span>
 #include <string_view>
 #include <system_error>
 
-#include "formats/text/suggestion.hpp"
+#include "options/values.hpp"
 
 namespace sfumato::cli {
 namespace {
@@ -16,59 +18,80 @@ std::string complaint_about_folder(const std::string& path) {
   return "there is no folder \"" + path + "\"; use a folder that exists";
 }
 
-}  // namespace
-
-void expect(bool good, const char* option, const std::string& complaint) {
-  if (!good) throw CLI::ValidationError(option, complaint);
-}
-
-ValueText one_of(std::vector<std::string> words, std::string value_name) {
-  std::string list;
-  for (const std::string& word : words) list += (list.empty() ? "" : "|") + word;
-  if (value_name.empty()) value_name = list;
-  return {"one of " + list, std::move(value_name), std::move(words)};
-}
-
-std::string word_hint(const std::string& text, const std::vector<std::string>& words) {
-  const std::vector<std::string_view> candidates(words.begin(), words.end());
-  return text::did_you_mean(text, candidates);
-}
-
-std::optional<Shard> parse_shard(const std::string& text) {
+/// Reads the I/N of --shard.
+std::optional<Shard> parse_shard(std::string_view text) {
   constexpr std::uint64_t kMostShards = 1'000'000;
-  const std::size_t slash = text.find('/');
-  if (slash == std::string::npos) return std::nullopt;
-  const auto count = options::parse_whole(text.substr(slash + 1), 1, kMostShards);
+  const std::size_t slash = std::min(text.find('/'), text.size());
+  const auto count =
+      options::parse_whole(text.substr(std::min(slash + 1, text.size())), 1, kMostShards);
   if (!count) return std::nullopt;
   const auto index = options::parse_whole(text.substr(0, slash), 0, *count - 1);
   if (!index) return std::nullopt;
   return Shard{static_cast<int>(*index), static_cast<int>(*count)};
 }
 
-CLI::Option* add_output(CLI::App& app, std::string& output, const OutputNames& names,
+}  // namespace
+
+void expect(bool good, const char* option, const std::string& complaint) {
+  if (!good) throw CLI::ValidationError(option, complaint);
+}
+
+CLI::Option* add_shard(CommandSyntax& command, std::optional<Shard>& shard, const char* help) {
+  const options::OptionInfo info{.key = "shard",
+                                 .kind = options::ValueKind::text,
+                                 .expected = "I/N, with I from 0 to N - 1",
+                                 .value_name = "I/N",
+                                 .help = help};
+  return add_option(command, info, [&shard, info](const options::Value& value) {
+    shard = parse_shard(value.text);
+    expect(shard.has_value(), "--shard", options::complaint_about_value(info, value.text));
+  });
+}
+
+CLI::Option* add_output(CommandSyntax& command, std::string& output, const OutputNames& names,
                         const std::string& value_name, const std::string& help) {
   const auto read = [&output, names](const std::string& name) {
     const std::string complaint = complaint_about_output(name, names);
     if (!complaint.empty()) throw CLI::ValidationError("--output", complaint);
     output = name;
   };
-  return app.add_option_function<std::string>("-o,--output", read, help)->type_name(value_name);
+  CLI::Option* const added = command.add_option_function<std::string>("-o,--output", read, help);
+  return command.describe(added->type_name(value_name), form_of_output(extensions_of(names)));
 }
 
-void add_document(CLI::App& app, DocumentArguments& arguments) {
-  app.add_option("IN", arguments.input, "A drawing (SVG or Orzan XML); '-': stdin")
-      ->required()
-      ->type_name("");
-  add_allowed_folders(app, arguments);
+void add_output_folder(CommandSyntax& command, std::string& folder, const JobWords& words) {
+  const std::string help = std::string("Write each ") + words.output +
+                           " into this folder instead, named after\nits " + words.input +
+                           "; the folder is created if needed";
+  command.add_file("--out-dir", folder, "DIR", help, {.kind = "folder", .is_output = true})
+      ->excludes("--output");
 }
 
-void add_allowed_folders(CLI::App& app, DocumentArguments& arguments) {
-  app.add_option("--allow-files", arguments.allowed_folders,
-                 "Also read textures from this folder and its subfolders;\nmay be repeated "
-                 "[only the folder of IN]")
-      ->type_name("DIR")
+void add_document(CommandSyntax& command, DocumentArguments& arguments, bool takes_solved) {
+  const std::string solved = takes_solved ? " or a solved picture (.sfp);\n" : "; ";
+  std::span<const std::string_view> extensions = kDrawings;
+  if (takes_solved) extensions = kDrawingsAndSolved;
+  command
+      .add_file("IN", arguments.input, "", "A drawing (SVG or Orzan XML)" + solved + "'-': stdin",
+                form_of_input(extensions))
+      ->required();
+  add_allowed_folders(command, arguments);
+}
+
+void add_allowed_folders(CommandSyntax& command, DocumentArguments& arguments) {
+  command
+      .add_file("--allow-files", arguments.allowed_folders, "DIR",
+                "Also read textures from this folder and its subfolders;\nmay be repeated "
+                "[only the folder of IN]",
+                {.kind = "folder"})
       ->allow_extra_args(false)
       ->check(CLI::Validator(complaint_about_folder, ""));
+}
+
+void add_stats(CommandSyntax& command, std::string& stats, const char* help) {
+  constexpr std::string_view kJson[] = {"json"};
+  command.add_file("--stats", stats, "FILE.json", help, form_of_output(kJson))
+      ->group(heading(options::Group::running));
 }
 
 const char* heading(options::Group group) {
@@ -95,25 +118,25 @@ const char* heading(options::Group group) {
   return "Options";
 }
 
-CLI::Option* add_option(CLI::App& app, const options::OptionInfo& option,
+CLI::Option* add_option(CommandSyntax& command, const options::OptionInfo& option,
                         std::function<void(const options::Value&)> set) {
   const std::string label = std::string("--") + option.key;
   const std::string help = options::spelled(option.help, true);
   CLI::Option* added = nullptr;
   if (option.kind == options::ValueKind::flag) {
-    added = app.add_flag_callback(
+    added = command.add_flag_callback(
         label, [set] { set({}); }, help);
   } else {
-    const auto read = [set, &option, label](const std::string& text) {
+    const auto read = [set, option, label](const std::string& text) {
       const std::optional<options::Value> value = options::parse_value(option, text);
       if (!value) throw CLI::ValidationError(label, options::complaint_about_value(option, text));
       set(*value);
     };
-    added = app.add_option_function<std::string>(label, read, help)
+    added = command.add_option_function<std::string>(label, read, help)
                 ->type_name(options::value_name(option));
   }
-  if (option.excludes) added->excludes(app.get_option(std::string("--") + option.excludes));
-  return added->group(heading(option.group));
+  if (option.excludes) added->excludes(command.get_option(std::string("--") + option.excludes));
+  return command.describe(added->group(heading(option.group)), form_of(option));
 }
 
 }  // namespace sfumato::cli

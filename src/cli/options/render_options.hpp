@@ -17,18 +17,21 @@ struct RenderChoices : JobChoices {
 };
 
 /// Adds --viewport, --width, --height and --scale.
-void add_place_options(CLI::App& app, options::Settings& settings);
+void add_place_options(CommandSyntax& command, options::Settings& settings);
+
+/// Adds --threads.
+CLI::Option* add_threads(CommandSyntax& command, options::Settings& settings);
 
 /// Adds --gather, --threads, --stats and --quiet.
-void add_running_options(CLI::App& app, options::Settings& settings, JobArguments& jobs,
+void add_running_options(CommandSyntax& command, options::Settings& settings, JobArguments& jobs,
                          DocumentArguments& documents);
 
-CLI::App* add_render(CLI::App& root, RenderArguments& arguments, RenderChoices& choices);
+void add_render(CommandSyntax& root, RenderArguments& arguments, RenderChoices& choices);
 
 /// Returns the given options of `render` that affect how a drawing is solved.
 std::vector<std::string> given_drawing_options(const CLI::App& render);
 
-CLI::App* add_solve(CLI::App& root, SolveArguments& arguments, JobChoices& choices);
+void add_solve(CommandSyntax& root, SolveArguments& arguments, JobChoices& choices);
 
 /// Applies the choices; throws CLI::ValidationError if options conflict.
 void settle(SolveArguments& arguments, const JobChoices& choices);

@@ -5,12 +5,10 @@
 namespace sfumato::cli {
 namespace {
 
-constexpr const char* kSolveFooter =
-    "Examples:\n"
-    "  sfumato solve lady_bug.xml -o lady_bug.sfp\n"
-    "  sfumato solve lady_bug.xml -o fine.sfp --scale 8 --max-error 0.25\n"
-    "  sfumato solve *.svg --out-dir solved\n"
-    "  sfumato render lady_bug.sfp -o lady_bug.pdf";
+constexpr const char* kSolveExamples[] = {
+    "sfumato solve lady_bug.xml -o lady_bug.sfp",
+    "sfumato solve lady_bug.xml -o fine.sfp --scale 8 --max-error 0.25",
+    "sfumato solve *.svg --out-dir solved", "sfumato render lady_bug.sfp -o lady_bug.pdf"};
 
 /// The part of a group's heading that holds for this command.
 constexpr const char* kMeshHeading = "Mesh";
@@ -22,54 +20,60 @@ bool is_of_drawings(const options::OptionInfo& option) {
   return (option.calls & options::kSolve) != 0 && (option.calls & options::kExport) == 0;
 }
 
-void add_files(CLI::App& app, SolveArguments& arguments, JobChoices& choices) {
-  app.add_option("IN", choices.inputs,
-                 "A drawing (SVG or Orzan XML); '-': stdin; several with\n--out-dir")
-      ->required()
-      ->type_name("");
-  add_output(app, choices.output, {.is_solved = true}, "OUT.sfp",
-             "Write the solved picture; '-': stdout");
-  app.add_option(
-         "--out-dir", choices.output_folder,
-         "Write each picture into this folder instead, named after\nits drawing; the folder "
-         "is created if needed")
-      ->type_name("DIR")
-      ->excludes("--output");
-  add_allowed_folders(app, arguments);
+constexpr const char* kSolveNotes =
+    "`sfumato render` draws and exports solved pictures later, as often as needed and without\n"
+    "the drawing. The results have the same bytes.";
+
+constexpr const char* kSolveUsages[] = {"IN -o OUT.sfp [OPTIONS]", "IN... --out-dir DIR [OPTIONS]"};
+
+void add_files(CommandSyntax& command, SolveArguments& arguments, JobChoices& choices) {
+  command
+      .add_file("IN", choices.inputs, "",
+                "A drawing (SVG or Orzan XML); '-': stdin; several with\n--out-dir",
+                form_of_input(kDrawings))
+      ->required();
+  constexpr OutputNames kNames{.is_solved = true};
+  add_output(command, choices.output, kNames, "OUT.sfp", "Write the solved picture; '-': stdout");
+  add_output_folder(command, choices.output_folder, kSolveWords);
+  add_allowed_folders(command, arguments);
 }
 
 /// Adds the solver's options, with the defaults of an 8-bit image.
-void add_solver_options(CLI::App& app, options::Settings& settings) {
+void add_solver_options(CommandSyntax& command, options::Settings& settings) {
   for (const RenderOption& option : options::render_options()) {
     const bool is_of_films = option.info.group == options::Group::running;
     if ((option.info.calls & options::kSolve) == 0 || is_of_films) continue;
-    CLI::Option* const added = add_option(app, option, settings);
+    CLI::Option* const added = add_option(command, option, settings);
     const bool is_mesh =
         option.info.group == options::Group::mesh || option.info.group == options::Group::vector;
     if (is_mesh) added->group(kMeshHeading);
   }
-  app.get_option("--method")
+  CLI::Option* const method = command.get_option("--method");
+  method->type_name("exact|rays")
       ->description(
           "Choose how to solve: exact (closed form on a mesh) or rays\n(random rays on a mesh) "
           "[exact]");
-  app.get_option("--max-error")
+  command.describe(method, {.kind = "choice", .choices = {"exact", "rays"}});
+  command.get_option("--max-error")
       ->description(
           "Refine the mesh where it is wrong by more than E code\nvalues of 255; off: do not "
           "refine [1]");
-  app.get_option("--detail")
+  command.get_option("--detail")
       ->description("Make the mesh fine enough to enlarge the picture this\nmany times [1]");
 }
 
 }  // namespace
 
-CLI::App* add_solve(CLI::App& root, SolveArguments& arguments, JobChoices& choices) {
-  CLI::App* app = root.add_subcommand("solve", "Solve drawings, to render them later");
-  app->footer(kSolveFooter);
-  add_files(*app, arguments, choices);
-  add_solver_options(*app, arguments.settings);
-  add_running_options(*app, arguments.settings, arguments, arguments);
-  add_resources(*app, arguments.resources);
-  return app;
+void add_solve(CommandSyntax& root, SolveArguments& arguments, JobChoices& choices) {
+  CommandSyntax& command = root.add_command({.name = "solve",
+                                             .summary = "Solve drawings, to render them later",
+                                             .usages = kSolveUsages,
+                                             .examples = kSolveExamples,
+                                             .notes = kSolveNotes});
+  add_files(command, arguments, choices);
+  add_solver_options(command, arguments.settings);
+  add_running_options(command, arguments.settings, arguments, arguments);
+  add_resources(command, arguments.resources);
 }
 
 std::vector<std::string> given_drawing_options(const CLI::App& render) {

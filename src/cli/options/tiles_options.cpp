@@ -9,27 +9,31 @@
 #include "cli/files/file_uses.hpp"
 #include "options/settle.hpp"
 #include "options/tables.hpp"
-#include "options/values.hpp"
 #include "tiles/big_tiff.hpp"
 
 namespace sfumato::cli {
 namespace {
 
-constexpr const char* kTilesFooter =
-    "Examples:\n"
-    "  sfumato solve lady_bug.xml -o lady_bug.sfp --scale 128\n"
-    "  sfumato tiles lady_bug.sfp -o deep\n"
-    "  sfumato tiles lady_bug.sfp -o lady_bug.dzi --width 65536 --format webp\n"
-    "  sfumato tiles lady_bug.sfp -o deep --shard 3/16\n"
-    "  sfumato tiles lady_bug.sfp -o lady_bug.tif";
+constexpr const char* kTilesExamples[] = {
+    "sfumato solve lady_bug.xml -o lady_bug.sfp --scale 128", "sfumato tiles lady_bug.sfp -o deep",
+    "sfumato tiles lady_bug.sfp -o lady_bug.dzi --width 65536 --format webp",
+    "sfumato tiles lady_bug.sfp -o deep --shard 3/16",
+    "sfumato tiles lady_bug.sfp -o lady_bug.tif"};
 
 constexpr std::uint64_t kLargestTile = 4096;
 constexpr std::uint64_t kLargestOverlap = 64;
 
 /// The options that `tiles` shares with `render`.
-constexpr std::array<std::string_view, 9> kOptions{"width",      "height",   "scale",
-                                                   "background", "dither",   "no-dither",
-                                                   "quality",    "lossless", "no-antialias"};
+constexpr std::array<std::string_view, 10> kOptions{
+    "width",     "height",  "scale",    "background",   "dither",
+    "no-dither", "quality", "lossless", "no-antialias", "threads"};
+
+constexpr std::string_view kFormats[] = {"png", "webp", "jpg"};
+
+constexpr const char* kTilesUsages[] = {"IN.sfp -o OUT [OPTIONS]"};
+constexpr const char* kTilesNotes =
+    "Each level has the pixels that `sfumato render` draws at that size. The same call again\n"
+    "skips the tiles that exist.";
 
 bool has_extension(const std::string& path, std::string_view extension) {
   return ascii_lower(std::filesystem::path(path).extension().string()) == extension;
@@ -42,55 +46,74 @@ std::string description_in(const std::string& output, const std::string& input) 
   return (std::filesystem::path(output) / (name + ".dzi")).string();
 }
 
+void add_files(CommandSyntax& command, TilesArguments& arguments, TilesChoices& choices) {
+  constexpr std::string_view kSolved[] = {kSolvedExtension};
+  constexpr std::string_view kOutputs[] = {"dzi", "tif", "tiff"};
+  command
+      .add_file("IN.sfp", arguments.input, "", "A solved picture (see `sfumato solve`); '-': stdin",
+                form_of_input(kSolved))
+      ->required();
+  command
+      .add_file("-o,--output", arguments.output, "OUT",
+                "Write Deep Zoom tiles (OUT is a folder or NAME.dzi) or one\nBigTIFF with all "
+                "levels (NAME.tif)",
+                form_of_output(kOutputs))
+      ->required();
+  add_shard(command, choices.shard,
+            "Do only part I of N (from 0); a call that was cut off\ncontinues where it stopped "
+            "[0/1]");
+  add_option(command,
+             {.key = "format",
+              .kind = options::ValueKind::word,
+              .words = kFormats,
+              .help = "Set the format of the tiles [png]"},
+             [&choices](const options::Value& value) { choices.format = value.text; });
+  add_option(command,
+             {.key = "tile",
+              .kind = options::ValueKind::whole,
+              .wholes = {tiles::kTiffTileStep, kLargestTile},
+              .expected = "a whole number of pixels from 16 to 4096",
+              .value_name = "PIXELS",
+              .help = "Set the side of a tile [256]"},
+             [&choices](const options::Value& value) {
+               choices.tile_side = static_cast<int>(value.whole);
+             });
+  add_option(
+      command,
+      {.key = "overlap",
+       .kind = options::ValueKind::whole,
+       .wholes = {0, kLargestOverlap},
+       .expected = "a whole number of pixels from 0 to 64",
+       .value_name = "PIXELS",
+       .help = "Set how far tiles reach into their neighbours [0]"},
+      [&choices](const options::Value& value) { choices.overlap = static_cast<int>(value.whole); });
+}
+
 }  // namespace
 
-CLI::App* add_tiles(CLI::App& root, TilesArguments& arguments, TilesChoices& choices) {
-  CLI::App* app = root.add_subcommand("tiles", "Cut a solved picture into tiles for deep zoom");
-  app->footer(kTilesFooter);
-  app->add_option("IN.sfp", arguments.input, "A solved picture (see `sfumato solve`); '-': stdin")
-      ->required()
-      ->type_name("");
-  app->add_option("-o,--output", arguments.output,
-                  "Write Deep Zoom tiles (OUT is a folder or NAME.dzi) or one\nBigTIFF with all "
-                  "levels (NAME.tif)")
-      ->required()
-      ->type_name("OUT");
-  add_value(
-      *app, "--shard", kShardText,
-      "Do only part I of N (from 0); a call that was cut off\ncontinues where it stopped [0/1]",
-      into(choices.shard, parse_shard));
-  add_value(*app, "--format", one_of({"png", "webp", "jpg"}), "Set the format of the tiles [png]",
-            into(choices.format, [](const std::string& text) -> std::optional<std::string> {
-              if (text == "png" || text == "webp" || text == "jpg") return text;
-              return std::nullopt;
-            }));
-  add_value(*app, "--tile", {"a whole number of pixels from 16 to 4096", "PIXELS"},
-            "Set the side of a tile [256]", into(choices.tile_side, [](const std::string& text) {
-              return options::parse_whole(text, tiles::kTiffTileStep, kLargestTile);
-            }));
-  add_value(*app, "--overlap", {"a whole number of pixels from 0 to 64", "PIXELS"},
-            "Set how far tiles reach into their neighbours [0]",
-            into(choices.overlap, [](const std::string& text) {
-              return options::parse_whole(text, 0, kLargestOverlap);
-            }));
+void add_tiles(CommandSyntax& root, TilesArguments& arguments, TilesChoices& choices) {
+  CommandSyntax& command =
+      root.add_command({.name = "tiles",
+                        .summary = "Cut a solved picture into tiles for deep zoom",
+                        .usages = kTilesUsages,
+                        .examples = kTilesExamples,
+                        .notes = kTilesNotes});
+  add_files(command, arguments, choices);
   for (const options::Option<options::Settings>& option : options::render_options()) {
-    const bool is_taken = std::ranges::find(kOptions, option.info.key) != kOptions.end();
-    if (is_taken || option.info.key == std::string_view("threads")) {
-      add_option(*app, option, arguments.settings);
-    }
+    if (std::ranges::find(kOptions, option.info.key) == kOptions.end()) continue;
+    add_option(command, option, arguments.settings);
   }
-  app->get_option("--width")->description("Set the width of the largest level [the solved size]");
-  app->get_option("--height")->description("Set the height of the largest level [the solved size]");
-  app->get_option("--scale")->description(
+  command.get_option("--width")->description(
+      "Set the width of the largest level [the solved size]");
+  command.get_option("--height")
+      ->description("Set the height of the largest level [the solved size]");
+  command.get_option("--scale")->description(
       "Set the size as pixels per user unit instead [the solved\nsize]");
-  app->add_option("--stats", arguments.stats, "Write sizes and times as JSON; '-': stdout")
-      ->type_name("FILE.json")
+  add_stats(command, arguments.stats, "Write sizes and times as JSON; '-': stdout");
+  command.add_flag("--quiet", arguments.quiet, "Print no warnings and no progress bar")
       ->group(heading(options::Group::running));
-  app->add_flag("--quiet", arguments.quiet, "Print no warnings and no progress bar")
-      ->group(heading(options::Group::running));
-  add_resources(*app, arguments.resources);
-  app->get_option("--max-time")->description("Stop after this time [off]");
-  return app;
+  add_resources(command, arguments.resources);
+  command.get_option("--max-time")->description("Stop after this time [off]");
 }
 
 void settle(TilesArguments& arguments, const TilesChoices& choices) {

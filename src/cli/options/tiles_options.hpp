@@ -16,7 +16,7 @@ struct TilesChoices {
   std::optional<Shard> shard;
 };
 
-CLI::App* add_tiles(CLI::App& root, TilesArguments& arguments, TilesChoices& choices);
+void add_tiles(CommandSyntax& root, TilesArguments& arguments, TilesChoices& choices);
 
 /// Applies the choices; throws CLI::ValidationError if options conflict.
 void settle(TilesArguments& arguments, const TilesChoices& choices);

@@ -12,48 +12,51 @@
 namespace sfumato::cli {
 namespace {
 
-constexpr const char* kTraceFooter =
-    "Examples:\n"
-    "  sfumato trace photo.jpg -o drawing.svg\n"
-    "  sfumato trace photo.jpg -o drawing.svgz --points 5000\n"
-    "  sfumato trace painting.png -o painting.svg --psnr 32 --smooth 2\n"
-    "  sfumato trace *.jpg --out-dir drawings --detail 0.3\n"
-    "  sfumato trace photo.jpg -o recoloured.svg --colors-only drawing.svg\n"
-    "  sfumato trace photo.jpg -o fixed.svg --colors-only drawing.svg --only 0:4,0:7";
+constexpr const char* kTraceExamples[] = {
+    "sfumato trace photo.jpg -o drawing.svg",
+    "sfumato trace photo.jpg -o drawing.svgz --points 5000",
+    "sfumato trace painting.png -o painting.svg --psnr 32 --smooth 2",
+    "sfumato trace *.jpg --out-dir drawings --detail 0.3",
+    "sfumato trace photo.jpg -o recoloured.svg --colors-only drawing.svg",
+    "sfumato trace photo.jpg -o fixed.svg --colors-only drawing.svg --only 0:4,0:7"};
 
-void add_files(CLI::App& app, TraceArguments& arguments, TraceChoices& choices) {
-  app.add_option("IN", choices.inputs,
-                 "A photo or painting (PNG, JPEG or WebP); '-': stdin;\nseveral with "
-                 "--out-dir")
-      ->required()
-      ->type_name("");
-  add_output(app, choices.output, {.only = OutputKind::svg, .takes_packed = true}, "OUT.svg",
+constexpr const char* kTraceNotes =
+    "Curves follow the edges of the picture; their colours and blur are fitted so that the\n"
+    "drawing looks like the picture. The picture is turned upright, and its colours are\n"
+    "converted to sRGB. The last line on standard error summarises the drawing.";
+
+constexpr const char* kTraceUsages[] = {"IN -o OUT.svg [OPTIONS]", "IN... --out-dir DIR [OPTIONS]"};
+
+void add_files(CommandSyntax& command, TraceArguments& arguments, TraceChoices& choices) {
+  command
+      .add_file("IN", choices.inputs, "",
+                "A photo or painting (PNG, JPEG or WebP); '-': stdin;\nseveral with --out-dir",
+                form_of_input(kPhotos))
+      ->required();
+  constexpr OutputNames kNames{.only = OutputKind::svg, .takes_packed = true};
+  add_output(command, choices.output, kNames, "OUT.svg",
              "Write the drawing; .svgz: packed by gzip; '-': stdout");
-  app.add_option(
-         "--out-dir", choices.output_folder,
-         "Write each drawing into this folder instead, named after\nits picture; the folder "
-         "is created if needed")
-      ->type_name("DIR")
-      ->excludes("--output");
-  app.add_option(
-         "--colors-only", arguments.input,
-         "Make no new curves: give the curves of this drawing the\ncolours of the picture; '-': "
-         "stdin")
-      ->type_name("DRAWING");
-  add_allowed_folders(app, arguments);
+  add_output_folder(command, choices.output_folder, kTraceWords);
+  command.add_file("--colors-only", arguments.input, "DRAWING",
+                   "Recolour this drawing instead of making curves; '-':\nstdin",
+                   form_of_input(kDrawings));
+  add_allowed_folders(command, arguments);
 }
 
-void add_running_options(CLI::App& app, TraceArguments& arguments) {
-  const char* group = heading(options::Group::running);
-  add_value(app, "--threads", {"a whole number from 1 to " + std::to_string(limits::kThreads), "N"},
-            "Use N threads; the drawing does not depend on N [all cores]",
-            whole_into(arguments.threads, 1, limits::kThreads))
-      ->group(group);
-  app.add_option("--stats", arguments.stats, "Write sizes, times and PSNR as JSON; '-': stdout")
-      ->type_name("FILE.json")
-      ->group(group);
-  app.add_flag("--quiet", arguments.quiet, "Print no warnings, no progress bar and no summary")
-      ->group(group);
+void add_running_options(CommandSyntax& command, TraceArguments& arguments) {
+  add_option(command,
+             {.key = "threads",
+              .kind = options::ValueKind::whole,
+              .wholes = {1, limits::kThreads},
+              .value_name = "N",
+              .help = "Use N threads; the drawing does not depend on N [all cores]",
+              .group = options::Group::running},
+             [&arguments](const options::Value& value) {
+               arguments.threads = static_cast<int>(value.whole);
+             });
+  add_stats(command, arguments.stats, "Write sizes, times and PSNR as JSON; '-': stdout");
+  command.add_flag("--quiet", arguments.quiet, "Print no warnings, no progress bar and no summary")
+      ->group(heading(options::Group::running));
 }
 
 /// Refuses the options about making curves, which cannot be combined with --colors-only.
@@ -79,20 +82,24 @@ ColorFit settled_fit(const options::TraceSettings& settings) {
 
 }  // namespace
 
-CLI::App* add_trace(CLI::App& root, TraceArguments& arguments, TraceChoices& choices) {
-  CLI::App* app = root.add_subcommand("trace", "Trace a photo or painting into a drawing");
-  app->footer(kTraceFooter);
-  add_files(*app, arguments, choices);
+void add_trace(CommandSyntax& root, TraceArguments& arguments, TraceChoices& choices) {
+  CommandSyntax& command = root.add_command({.name = "trace",
+                                             .summary = "Trace a photo or painting into a drawing",
+                                             .usages = kTraceUsages,
+                                             .examples = kTraceExamples,
+                                             .notes = kTraceNotes});
+  add_files(command, arguments, choices);
   for (const options::Option<options::TraceSettings>& option : options::trace_options()) {
-    CLI::Option* const added = add_option(*app, option, choices.settings);
-    if ((option.info.calls & options::kTrace) == 0) added->needs(app->get_option("--colors-only"));
+    CLI::Option* const added = add_option(command, option, choices.settings);
+    if ((option.info.calls & options::kTrace) == 0) {
+      added->needs(command.get_option("--colors-only"));
+    }
   }
-  add_running_options(*app, arguments);
-  add_resources(*app, arguments.resources);
-  app->get_option("--max-time")
+  add_running_options(command, arguments);
+  add_resources(command, arguments.resources);
+  command.get_option("--max-time")
       ->description(
           "Begin no further round after this time, and stop a minute\nlater at the latest [60]");
-  return app;
 }
 
 void settle(const CLI::App& app, TraceArguments& arguments, const TraceChoices& choices) {

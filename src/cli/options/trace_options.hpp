@@ -11,7 +11,7 @@ struct TraceChoices : JobChoices {
   options::TraceSettings settings;
 };
 
-CLI::App* add_trace(CLI::App& root, TraceArguments& arguments, TraceChoices& choices);
+void add_trace(CommandSyntax& root, TraceArguments& arguments, TraceChoices& choices);
 
 /// Applies the choices; throws CLI::ValidationError if options conflict. app: the result of
 /// add_trace().

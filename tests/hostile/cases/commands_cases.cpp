@@ -22,7 +22,10 @@ void add_calls(Family& family) {
   family.add_call("unknown_command_long", kBadUsage, "sfumato: error: unknown command \"aaaa",
                   {repeated("a", 100'000)});
   family.add_call("command_of_bytes", kBadUsage, "; use render", {"\xff\x1b[2J"});
-  family.add_call("option_first", kBadUsage, "sfumato", {"--width", "9"});
+  family.add_call("option_first", kBadUsage, "before the command; use it after render",
+                  {"--width", "9"});
+  family.add_call("help_of_bytes", kBadUsage, "; use render", {"help", "\xff\x1b[2J"});
+  family.add_call("help_as_json", kDone, "", {"help", "--json"});
   for (const char* command : {"render", "info", "convert", "lint", "compare"}) {
     const std::string name = command;
     family.add_call(name + "_alone", kBadUsage, "sfumato " + name, {command});
