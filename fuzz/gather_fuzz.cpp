@@ -8,7 +8,7 @@
 
 #include "fuzz.hpp"
 #include "gather/gather.hpp"
-#include "gather/reference.hpp"
+#include "gather/gather_reference.hpp"
 #include "mesh/mesher.hpp"
 
 using namespace sfumato;

@@ -6,7 +6,8 @@
 #include <numbers>
 #include <random>
 
-#include "gather/reference.hpp"
+#include "gather/gather_reference.hpp"
+#include "gather/reference_weights.hpp"
 #include "gather/scenes.hpp"
 
 namespace sfumato::gather::test {

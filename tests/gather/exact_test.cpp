@@ -5,9 +5,10 @@
 #include <cstring>
 #include <numbers>
 
+#include "gather/gather_reference.hpp"
 #include "gather/kernels/kernel.hpp"
 #include "gather/kernels/kernel_entry.hpp"
-#include "gather/reference.hpp"
+#include "gather/reference_weights.hpp"
 #include "gather/scenes.hpp"
 #include "sfumato/base/native/thread_pool.hpp"
 

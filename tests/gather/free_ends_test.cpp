@@ -8,8 +8,8 @@
 #include <random>
 #include <span>
 
+#include "gather/gather_reference.hpp"
 #include "gather/kernels/end_terms.hpp"
-#include "gather/reference.hpp"
 #include "gather/scenes.hpp"
 #include "sfumato/base/native/thread_pool.hpp"
 

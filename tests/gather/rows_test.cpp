@@ -8,8 +8,8 @@
 
 #include "curves/flatten.hpp"
 #include "gather/ends/free_ends.hpp"
-#include "gather/reference.hpp"
-#include "gather/rows/rows_reference.hpp"
+#include "gather/gather_reference.hpp"
+#include "gather/rows_reference.hpp"
 #include "gather/scenes.hpp"
 #include "mesh/mesher.hpp"
 #include "sfumato/base/native/thread_pool.hpp"

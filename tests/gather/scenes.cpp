@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "gather/reference.hpp"
+#include "gather/gather_reference.hpp"
 #include "mesh/mesher.hpp"
 
 namespace sfumato::gather::test {

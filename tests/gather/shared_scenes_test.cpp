@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include "curves/flatten.hpp"
-#include "gather/reference.hpp"
+#include "gather/gather_reference.hpp"
 #include "gather/scenes.hpp"
 #include "mesh/mesher.hpp"
 #include "support/scenes.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gather/reference.hpp"
+#include "gather/reference_weights.hpp"
 #include "gather/rows/rows.hpp"
 #include "sfumato/base/vec2.hpp"
 

@@ -1,4 +1,4 @@
-#include "gather/rows/rows_reference.hpp"
+#include "gather/rows_reference.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -6,8 +6,8 @@
 #include "base/half_edge.hpp"
 #include "base/poll.hpp"
 #include "base/try.hpp"
+#include "gather/gather_reference.hpp"
 #include "gather/point_terms.hpp"
-#include "gather/reference.hpp"
 #include "gather/rows/row_sources.hpp"
 
 namespace sfumato::gather {
