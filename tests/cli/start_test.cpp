@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "cli/commands/templates.hpp"
+#include "cli/embedded.hpp"
 #include "cli/run_command.hpp"
 
 namespace sfumato::test {
@@ -8,9 +9,9 @@ namespace {
 
 TEST(Init, every_template_is_valid_and_lint_is_content) {
   const TemporaryFolder folder;
-  for (const cli::Template& known : cli::templates()) {
-    const std::string file = folder.path(std::string(known.name) + ".svg");
-    const CommandResult made = run_sfumato({"init", file, "--template", std::string(known.name)});
+  for (std::string_view known : cli::kTemplates) {
+    const std::string file = folder.path(std::string(known) + ".svg");
+    const CommandResult made = run_sfumato({"init", file, "--template", std::string(known)});
     EXPECT_EQ(made.exit_code, 0) << made.err;
     const CommandResult lint = run_sfumato({"lint", "--strict", file});
     EXPECT_EQ(lint.exit_code, 0) << lint.out << lint.err;
@@ -32,7 +33,7 @@ TEST(Init, replaces_a_file_only_when_asked) {
 TEST(Init, writes_to_stdout) {
   const CommandResult result = run_sfumato({"init", "-"});
   EXPECT_EQ(result.exit_code, 0);
-  EXPECT_EQ(result.out, cli::templates().front().document);
+  EXPECT_EQ(result.out, cli::embedded_file("shape.svg"));
 }
 
 TEST(Init, never_replaces_what_it_reads) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <concepts>
-#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -28,6 +27,13 @@ class JsonWriter {
   template <class Value>
   JsonWriter& member(std::string_view name, const Value& content) {
     return key(name).value(content);
+  }
+
+  /// Writes a key and an array of values.
+  JsonWriter& array(std::string_view name, const auto& values) {
+    key(name).begin_array();
+    for (const auto& each : values) value(each);
+    return end_array();
   }
 
   const std::string& text() const { return text_; }

@@ -6,6 +6,7 @@
 #include "base/text/ascii.hpp"
 #include "base/try.hpp"
 #include "cli/commands/commands.hpp"
+#include "cli/embedded.hpp"
 #include "cli/files/document_input.hpp"
 #include "cli/files/paths.hpp"
 #include "cli/interrupt.hpp"
@@ -20,14 +21,6 @@ namespace fs = std::filesystem;
 
 constexpr std::chrono::milliseconds kSignalNap{200};  ///< between polls of signals
 constexpr std::size_t kPageBytes = std::size_t{64} << 20;
-
-constexpr std::string_view kBlank =
-    R"svg(<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1"
-     viewBox="0 0 480 320" sf:version="1">
-  <g sf:diffuse="true">
-  </g>
-</svg>
-)svg";
 
 /// Returns the editor as one file: from an installation, else from where `make editor` puts it
 /// beside the command.
@@ -48,7 +41,8 @@ Status create(const std::string& path) {
     return make_error(StatusCode::io, "does not exist; use a new name that ends in .svg",
                       {path, 0, 0});
   }
-  return write_file(path, {reinterpret_cast<const std::uint8_t*>(kBlank.data()), kBlank.size()});
+  const std::string_view blank = embedded_file("blank.svg");
+  return write_file(path, {reinterpret_cast<const std::uint8_t*>(blank.data()), blank.size()});
 }
 
 /// Checks that the drawing can be read and written; creates it if it does not exist.

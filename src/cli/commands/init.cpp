@@ -3,7 +3,7 @@
 #include "base/try.hpp"
 #include "cli/command_context.hpp"
 #include "cli/commands/commands.hpp"
-#include "cli/commands/templates.hpp"
+#include "cli/embedded.hpp"
 #include "cli/files/document_input.hpp"
 #include "cli/files/file_uses.hpp"
 #include "cli/files/folder_loader.hpp"
@@ -46,16 +46,10 @@ Result<std::string> imported(Context& context, const InitArguments& arguments) {
   return with_title(context, std::move(svg), made.title);
 }
 
-std::string template_text(std::string_view name) {
-  for (const Template& known : templates()) {
-    if (known.name == name) return std::string(known.document);
-  }
-  return std::string(templates().front().document);
-}
-
 Status write_start(Context& context, const InitArguments& arguments) {
-  SFUMATO_TRY_ASSIGN(auto&& svg, arguments.input.empty() ? template_text(arguments.template_name)
-                                                         : imported(context, arguments));
+  SFUMATO_TRY_ASSIGN(auto&& svg, arguments.input.empty()
+                                     ? std::string(embedded_file(arguments.template_name + ".svg"))
+                                     : imported(context, arguments));
   if (context.cancelled()) return context.cancel_status();
   return write_file(arguments.output,
                     {reinterpret_cast<const std::uint8_t*>(svg.data()), svg.size()}, &context);

@@ -59,7 +59,7 @@ void add_init(CommandSyntax& root, InitArguments& arguments) {
   add_option(command,
              {.key = "template",
               .kind = options::ValueKind::word,
-              .words = template_names(),
+              .words = kTemplates,
               .help = "Choose the template [shape]"},
              [&arguments](const options::Value& value) { arguments.template_name = value.text; });
   command

@@ -1,20 +1,13 @@
 #pragma once
 
-#include <span>
+#include <array>
 #include <string_view>
 
 namespace sfumato::cli {
 
-/// A drawing to start from.
-struct Template {
-  std::string_view name;
-  std::string_view document;
-};
-
-/// Returns all templates; the first is the default. Those for docs/tutorial.md are its last steps.
-std::span<const Template> templates();
-
-/// Returns their names.
-std::span<const std::string_view> template_names();
+/// The drawings to start from: src/cli/templates/NAME.svg. The first is the default. Those for
+/// docs/tutorial.md are its last steps.
+inline constexpr std::array<std::string_view, 5> kTemplates{"shape", "sky", "sphere", "eye",
+                                                            "logo"};
 
 }  // namespace sfumato::cli

@@ -1,9 +1,7 @@
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <string>
-#include <string_view>
 
 #include "cli/options/arguments.hpp"
 #include "sfumato/base/context.hpp"

@@ -11,8 +11,8 @@
 
 #include "base/text/json.hpp"
 #include "base/try.hpp"
+#include "cli/embedded.hpp"
 #include "cli/servers/local_server.hpp"
-#include "cli/servers/watch_page.hpp"
 
 namespace sfumato::cli {
 namespace {
@@ -101,10 +101,11 @@ void WatchServer::Loop::answer_all() {
 void WatchServer::Loop::answer(evhttp_request* request) {
   const std::string_view path = path_of(request);
   if (path == "/" || path.empty()) {
-    return reply(request, HTTP_OK, "text/html; charset=utf-8", watch_page::kHtml);
+    return reply(request, HTTP_OK, "text/html; charset=utf-8", embedded_file("watch.html"));
   }
-  if (path == "/watch.css") return reply(request, HTTP_OK, "text/css", watch_page::kStyle);
-  if (path == "/watch.js") return reply(request, HTTP_OK, "text/javascript", watch_page::kScript);
+  if (path == "/watch.css") return reply(request, HTTP_OK, "text/css", embedded_file("watch.css"));
+  if (path == "/watch.js")
+    return reply(request, HTTP_OK, "text/javascript", embedded_file("watch.js"));
   if (path == "/state") return answer_state(request);
   const std::scoped_lock lock(mutex_);
   if (path == "/picture.png" && !state_.picture.empty()) {
@@ -141,9 +142,7 @@ std::string WatchServer::Loop::state_json() {
   json.begin_object().member("run", run_).member("version", version_).member("name", state_.name);
   json.member("picture", state_.picture.empty() ? 0 : state_.picture_version);
   json.key("failed").truth(state_.failed).member("seconds", state_.seconds);
-  json.key("messages").begin_array();
-  for (const std::string& message : state_.messages) json.value(message);
-  json.end_array().end_object();
+  json.array("messages", state_.messages).end_object();
   return json.text();
 }
 

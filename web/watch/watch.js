@@ -1,59 +1,4 @@
-#include "cli/servers/watch_page.hpp"
-
-namespace sfumato::cli::watch_page {
-
-const std::string_view kHtml = R"page(<!doctype html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<title>sfumato watch</title>
-<link rel="icon" href="data:,">
-<link rel="stylesheet" href="watch.css">
-</head>
-<body>
-<header>
-  <strong id="name"></strong>
-  <span id="status" role="status"></span>
-  <span class="tools">
-    <button id="smaller" title="Smaller (-)">−</button>
-    <button id="fit" title="Fit the window (0)">Fit</button>
-    <button id="real" title="One pixel of the picture is one of the screen (1)">1:1</button>
-    <button id="larger" title="Larger (+)">+</button>
-    <output id="zoom"></output>
-  </span>
-</header>
-<main id="stage" tabindex="0"><img id="picture" alt="The drawing"></main>
-<pre id="messages" role="log" aria-label="Messages" hidden></pre>
-<script src="watch.js"></script>
-</body>
-</html>
-)page";
-
-const std::string_view kStyle =
-    R"page(:root { color-scheme: light dark; --line: #8884; --bad: light-dark(#b3261e, #ff8a7a); }
-* { box-sizing: border-box; }
-body { margin: 0; height: 100vh; display: flex; flex-direction: column;
-  font: 14px/1.4 system-ui, sans-serif; }
-header { display: flex; flex-wrap: wrap; gap: .3em 1em; align-items: center; padding: .4em .8em;
-  border-bottom: 1px solid var(--line); }
-#name { overflow-wrap: anywhere; }
-#status { flex: 1 1 auto; opacity: .75; }
-.failed #status { color: var(--bad); opacity: 1; font-weight: 600; }
-.tools { display: flex; gap: .3em; align-items: center; margin-left: auto; }
-button { font: inherit; min-width: 2.2em; }
-#zoom { min-width: 4em; text-align: right; font-variant-numeric: tabular-nums; }
-#stage.fits { overflow: hidden; }
-#stage { flex: 1; overflow: auto; display: flex; min-height: 0; outline-offset: -2px; }
-#picture { margin: auto; flex: none; display: block;
-  background: repeating-conic-gradient(#bbb 0 25%, #eee 0 50%) 0 0 / 16px 16px; }
-#picture:not([src]) { visibility: hidden; }
-#messages { margin: 0; padding: .5em .8em; max-height: 35vh; overflow: auto; white-space: pre-wrap;
-  overflow-wrap: anywhere; border-top: 1px solid var(--line); font: 13px/1.45 monospace; }
-.failed #messages { border-top: 3px solid var(--bad); }
-)page";
-
-const std::string_view kScript = R"page('use strict';
+'use strict';
 const element = (id) => document.getElementById(id);
 const picture = element('picture');
 const stage = element('stage');
@@ -154,6 +99,3 @@ async function follow() {
   }
 }
 follow();
-)page";
-
-}  // namespace sfumato::cli::watch_page
