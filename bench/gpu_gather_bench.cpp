@@ -179,8 +179,8 @@ void upload(benchmark::State& state) {
   with_device(state, [](benchmark::State& s, const gpu::Device& device) {
     const gather::Scene& scene = points_of(s, static_cast<int>(s.range(0)), 0)->drawing->scene;
     for (auto _ : s) {
-      const gpu::WalkTables tables(device.gl(), scene);
-      device.gl().Finish();
+      const gpu::WalkTables tables(scene);
+      glFinish();
     }
     s.SetBytesProcessed(s.iterations() *
                         static_cast<std::int64_t>(gpu::WalkTables::bytes_of(scene)));

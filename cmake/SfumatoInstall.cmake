@@ -22,7 +22,7 @@ target_include_directories(sfumato_library INTERFACE
   $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
   $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 target_link_libraries(sfumato_library PUBLIC TBB::tbb
-  PRIVATE pugixml::pugixml PkgConfig::SPNG PkgConfig::WEBP PkgConfig::LCMS ZLIB::ZLIB JPEG::JPEG
+  PRIVATE pugixml::pugixml PkgConfig::SPNG PkgConfig::WEBP PkgConfig::LCMS PkgConfig::EPOXY ZLIB::ZLIB JPEG::JPEG
   ${CMAKE_DL_LIBS})
 # The value of SFUMATO_ABI in sfumato.h.
 set(sfumato_abi 1)
@@ -34,11 +34,13 @@ function(sfumato_shared name)
   set_target_properties(${name} PROPERTIES OUTPUT_NAME sfumato LINKER_LANGUAGE CXX
     VERSION ${sfumato_abi}.${PROJECT_VERSION} SOVERSION ${sfumato_abi} LINK_DEPENDS ${exports})
   foreach(folder ${library_folders})
-    # Callers supply pixels, so the reader of photos and its libraries are not needed.
-    target_sources(${name} PRIVATE $<FILTER:$<TARGET_OBJECTS:sfumato_${folder}>,EXCLUDE,/codecs/photo/>)
+    # Callers supply pixels and the CPU draws, so the reader of photos, the GPU's code and their libraries
+    # are not needed.
+    target_sources(${name} PRIVATE
+      $<FILTER:$<TARGET_OBJECTS:sfumato_${folder}>,EXCLUDE,/codecs/photo/|/sfumato_gpu>)
   endforeach()
   target_link_libraries(${name} PRIVATE TBB::tbb pugixml::pugixml PkgConfig::SPNG PkgConfig::WEBP
-    ZLIB::ZLIB JPEG::JPEG ${CMAKE_DL_LIBS})
+    ZLIB::ZLIB JPEG::JPEG)
   target_link_options(${name} PRIVATE -Wl,--version-script=${exports} -Wl,--gc-sections
     -Wl,--as-needed -Wl,--exclude-libs,ALL)
   if(SFUMATO_SANITIZE)

@@ -16,12 +16,12 @@ class Sfumato < Formula
   depends_on "ninja" => :build
   depends_on "pkgconf" => :build
   depends_on "jpeg-turbo"
+  depends_on "libepoxy"
   depends_on "libevent"
   depends_on "libspng"
   depends_on "libtiff"
   depends_on :linux
   depends_on "little-cms2"
-  depends_on "mesa"
   depends_on "pugixml"
   depends_on "tbb"
   depends_on "webp"

@@ -22,7 +22,6 @@ class Device {
   Device(const Device&) = delete;
   Device& operator=(const Device&) = delete;
 
-  const Gl& gl() const { return gl_; }
   /// Returns the driver's name for the device ("llvmpipe (LLVM 15.0.6, 256 bits)").
   const std::string& name() const { return name_; }
   /// Returns the largest width and height of textures and of render targets.
@@ -41,7 +40,6 @@ class Device {
   Status read_limits();
 
   std::unique_ptr<Egl> egl_;
-  Gl gl_;
   std::string name_;
   int largest_side_ = 0;
   bool blends_floats_ = false;

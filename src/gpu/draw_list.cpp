@@ -141,9 +141,8 @@ Status DrawList::Builder::add(const LocalStroke& stroke) {
   item.index = static_cast<std::uint32_t>(list_.strokes_.size());
   item.rect = raster::pixels_in(prepared.bounds_px, image_);
   if (segments.empty() || item.rect.empty()) return ok_status();
-  Status status =
-      segment_memory_.make_room(context_, segment_values_, segments.size() * 4 * kSegmentTexels);
-  if (!status) return status;
+  SFUMATO_TRY(
+      segment_memory_.make_room(context_, segment_values_, segments.size() * 4 * kSegmentTexels));
   const Vec2 middle{0.5 * (item.rect.x0 + item.rect.x1), 0.5 * (item.rect.y0 + item.rect.y1)};
   const Vec2 origin = inverse(prepared.image_from_frame)(middle);
   DrawStroke placed;
@@ -224,9 +223,7 @@ Result<DrawList> DrawList::create(Context& context, const Device& device, const 
                                   bool with_overlay) {
   DrawList list;
   list.picture_ = &picture;
-  const Status status =
-      Builder(context, device, image_from_artboard, image, with_overlay, &list).build();
-  if (!status) return status;
+  SFUMATO_TRY(Builder(context, device, image_from_artboard, image, with_overlay, &list).build());
   return list;
 }
 

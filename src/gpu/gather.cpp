@@ -1,6 +1,5 @@
 #include "sfumato/gpu/gather.hpp"
 
-#include <memory>
 #include <utility>
 
 #include "base/no_throw.hpp"

@@ -39,16 +39,15 @@ Affine moved_by(Vec2 p) {
 Painter::Painter(Context& context, const Device& device, const DrawList& list,
                  const PaintSettings& settings)
     : context_(context),
-      gl_(device.gl()),
       device_(device),
       list_(list),
       settings_(settings),
-      vertex_array_(make_vertex_array(gl_)),
-      paint_views_(make_buffer(gl_)) {
-  gl_.BindVertexArray(vertex_array_.name());
-  gl_.Enable(GL_SCISSOR_TEST);
-  gl_.BindBuffer(GL_UNIFORM_BUFFER, paint_views_.name());
-  gl_.BindBufferBase(GL_UNIFORM_BUFFER, kPaintViewBinding, paint_views_.name());
+      vertex_array_(make_vertex_array()),
+      paint_views_(make_buffer()) {
+  glBindVertexArray(vertex_array_.name());
+  glEnable(GL_SCISSOR_TEST);
+  glBindBuffer(GL_UNIFORM_BUFFER, paint_views_.name());
+  glBindBufferBase(GL_UNIFORM_BUFFER, kPaintViewBinding, paint_views_.name());
 }
 
 Result<Painter> Painter::create(Context& context, const Device& device, const DrawList& list,
@@ -71,7 +70,7 @@ Status Painter::make_patch_programs() {
       if (variant & kWithPaints) defines.push_back("WITH_PAINTS");
       if (kind == kWithAreas) defines.push_back("WITH_AREAS");
       if (kind == kWithStrips) defines.push_back("WITH_STRIPS");
-      SFUMATO_TRY_ASSIGN(auto&& program, Program::create(gl_, "patch.vert", "patch.frag", defines));
+      SFUMATO_TRY_ASSIGN(auto&& program, Program::create("patch.vert", "patch.frag", defines));
       slot.emplace(std::move(program));
     }
   }
@@ -83,7 +82,7 @@ Status Painter::make_programs() {
   const auto make = [&](Program* slot, std::string_view vertex, std::string_view fragment,
                         const std::vector<std::string_view>& defines) {
     if (!status) return;
-    Result<Program> program = Program::create(gl_, vertex, fragment, defines);
+    Result<Program> program = Program::create(vertex, fragment, defines);
     if (program) *slot = std::move(*program);
     status = program.status();
   };
@@ -163,9 +162,9 @@ void Painter::bind_paints(const Program& program, const DrawItem& item) const {
         views[at++] = static_cast<float>(x);
     }
   }
-  gl_.BufferData(GL_UNIFORM_BUFFER, sizeof(views), views.data(), GL_DYNAMIC_DRAW);
-  gl_.UniformBlockBinding(program.name(), gl_.GetUniformBlockIndex(program.name(), "PaintViews"),
-                          kPaintViewBinding);
+  glBufferData(GL_UNIFORM_BUFFER, sizeof(views), views.data(), GL_DYNAMIC_DRAW);
+  glUniformBlockBinding(program.name(), glGetUniformBlockIndex(program.name(), "PaintViews"),
+                        kPaintViewBinding);
   const LayerTables& tables = list_.layer(item.index);
   const auto weight_of = [](const FieldTables& field) {
     return field.weight ? field.weight->name() : 0;
@@ -216,7 +215,7 @@ void Painter::draw_patches(const DrawItem& item, unsigned kind) const {
   const std::uint32_t vertices = kind == kWithStrips  ? 6 * tables.soft_edge_count
                                  : kind == kWithAreas ? 6 * layer.triangle_count()
                                                       : 3 * layer.triangle_count();
-  gl_.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(vertices));
+  glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(vertices));
 }
 
 void Painter::bind_strips(const Program& program, const DrawItem& item) const {
@@ -232,18 +231,18 @@ void Painter::mark_pixels(const DrawItem& item) const {
   programs_.mark_edges.use();
   bind_layer(programs_.mark_edges, item);
   programs_.mark_edges.bind("edge_slot", 2, tables.edge_slot.name());
-  gl_.DrawArraysInstanced(GL_TRIANGLES, 0, 6, static_cast<GLsizei>(tables.curve_edge_count));
+  glDrawArraysInstanced(GL_TRIANGLES, 0, 6, static_cast<GLsizei>(tables.curve_edge_count));
   programs_.mark_small.use();
   bind_layer(programs_.mark_small, item);
   programs_.mark_small.set("first_triangle", 0);
   programs_.mark_small.bind("is_bent", 12, tables.is_bent.name());
   const std::uint32_t triangles = list_.picture().layers[item.index].triangle_count();
-  gl_.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(6 * triangles));
+  glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(6 * triangles));
   if (tables.soft_edge_count == 0) return;
   programs_.mark_strips.use();
   bind_layer(programs_.mark_strips, item);
   bind_strips(programs_.mark_strips, item);
-  gl_.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(6 * tables.soft_edge_count));
+  glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(6 * tables.soft_edge_count));
 }
 
 /// Marks the pixels that the layer's curves cut, and sums up their content there; alpha is negative
@@ -251,22 +250,22 @@ void Painter::mark_pixels(const DrawItem& item) const {
 void Painter::paint_edges(const DrawItem& item, const PixelRect& rect) const {
   sums_.begin(rect);
   sums_.clear(0, 0, 0, -1);
-  gl_.Enable(GL_STENCIL_TEST);
-  gl_.StencilFunc(GL_ALWAYS, 1, 1);
-  gl_.StencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+  glEnable(GL_STENCIL_TEST);
+  glStencilFunc(GL_ALWAYS, 1, 1);
+  glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
   mark_pixels(item);
-  gl_.StencilFunc(GL_EQUAL, 1, 1);
-  gl_.StencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
-  gl_.Enable(GL_BLEND);
-  gl_.BlendFunc(GL_ONE, GL_ONE);
+  glStencilFunc(GL_EQUAL, 1, 1);
+  glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE);
   draw_patches(item, kWithAreas);
   if (list_.layer(item.index).soft_edge_count > 0) draw_patches(item, kWithStrips);
-  gl_.Disable(GL_BLEND);
-  gl_.Disable(GL_STENCIL_TEST);
+  glDisable(GL_BLEND);
+  glDisable(GL_STENCIL_TEST);
 }
 
 void Painter::paint_instance(const DrawItem& item, const PixelRect& rect) {
-  gl_.Disable(GL_BLEND);
+  glDisable(GL_BLEND);
   if (settings_.antialias) paint_edges(item, rect);
   layer_.begin(rect);
   layer_.clear();
@@ -290,16 +289,16 @@ void Painter::composite(GLuint source, bool is_layer, const DrawItem& item, cons
   }
   if (is_normal) {
     level.begin(rect);
-    gl_.Enable(GL_BLEND);
-    gl_.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
     return;
   }
   program.bind("backdrop", 2, level.texture());
   program.set("blend_mode", static_cast<int>(item.blend));
-  gl_.Disable(GL_BLEND);
+  glDisable(GL_BLEND);
   spare_.begin(rect);
-  gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
   spare_.copy_to(level, rect);
 }
 
@@ -308,8 +307,8 @@ void Painter::paint_stroke(const DrawItem& item, const PixelRect& rect) const {
   const Affine pixel_from_frame = tile_from_image() * stroke.image_from_segments;
   sums_.begin(rect);
   sums_.clear();
-  gl_.Enable(GL_BLEND);
-  gl_.BlendFunc(GL_ONE, GL_ONE);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE);
   const Program& program = programs_.stroke;
   program.use();
   program.bind("stroke_segment", 0, list_.segments().name());
@@ -320,14 +319,14 @@ void Painter::paint_stroke(const DrawItem& item, const PixelRect& rect) const {
               static_cast<double>(settings_.tile_height));
   program.set("smallest_radius", stroke.frame.smallest_radius);
   program.set("two_sided", stroke.frame.two_sided ? 1 : 0);
-  gl_.DrawArraysInstanced(GL_TRIANGLES, 0, 6, kSegmentInstances * stroke.segment_count);
+  glDrawArraysInstanced(GL_TRIANGLES, 0, 6, kSegmentInstances * stroke.segment_count);
   levels_[level_].begin(rect);
-  gl_.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   programs_.stroke_resolve.use();
   programs_.stroke_resolve.bind("sums", 0, sums_.texture());
   programs_.stroke_resolve.set("interpolation", static_cast<int>(stroke.frame.interpolation));
   programs_.stroke_resolve.set("alpha", stroke.frame.alpha);
-  gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
 void Painter::paint_item(const DrawItem& item) {
@@ -352,9 +351,9 @@ void Painter::paint_overlay() const {
   ink_.begin(whole);
   ink_.clear();
   if (!settings_.overlay) return;
-  gl_.Enable(GL_BLEND);
-  gl_.BlendFunc(GL_ONE, GL_ONE);
-  gl_.BlendEquation(GL_MAX);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE);
+  glBlendEquation(GL_MAX);
   const Program& program = programs_.overlay;
   program.use();
   program.set("line_scale", 1.0f);
@@ -365,23 +364,23 @@ void Painter::paint_overlay() const {
     bind_layer(program, item);
     program.bind("edge_is_curve", 2, tables.edge_is_curve->name());
     const std::uint32_t triangles = list_.picture().layers[item.index].triangle_count();
-    gl_.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(18 * triangles));
+    glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(18 * triangles));
   }
-  gl_.BlendEquation(GL_FUNC_ADD);
+  glBlendEquation(GL_FUNC_ADD);
 }
 
 void Painter::read(float* rgba) const {
   const int width = tile_.x1 - tile_.x0, height = tile_.y1 - tile_.y0;
-  gl_.Disable(GL_BLEND);
+  glDisable(GL_BLEND);
   result_.begin({0, 0, width, height});
   programs_.present.use();
   programs_.present.bind("picture", 0, levels_.front().texture());
   programs_.present.bind("ink", 1, ink_.texture());
   programs_.present.set("turned", 0);
   programs_.present.set("premultiplied", 0);
-  gl_.DrawArrays(GL_TRIANGLES, 0, 3);
-  gl_.PixelStorei(GL_PACK_ALIGNMENT, 1);
-  gl_.ReadPixels(0, 0, width, height, GL_RGBA, GL_FLOAT, rgba);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(0, 0, width, height, GL_RGBA, GL_FLOAT, rgba);
 }
 
 Status Painter::paint(const PixelRect& tile, float* rgba) {
@@ -397,7 +396,7 @@ Status Painter::paint(const PixelRect& tile, float* rgba) {
   }
   paint_overlay();
   read(rgba);
-  const GLenum error = gl_.GetError();
+  const GLenum error = glGetError();
   if (error == GL_NO_ERROR) return ok_status();
   if (error == GL_OUT_OF_MEMORY)
     return make_error(StatusCode::out_of_memory, "out of memory on the GPU");

@@ -69,7 +69,6 @@ class Painter {
   PixelRect in_tile(const PixelRect& rect) const;
 
   Context& context_;
-  const Gl& gl_;
   const Device& device_;
   const DrawList& list_;
   PaintSettings settings_;

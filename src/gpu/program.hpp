@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "gpu/gl.hpp"
@@ -17,17 +18,17 @@ class Program {
 
   /// Compiles a program. Names like "patch.vert"; defines like "WITH_PAINTS". Errors: internal,
   /// with the compiler's message.
-  static Result<Program> create(const Gl& gl, std::string_view vertex, std::string_view fragment,
+  static Result<Program> create(std::string_view vertex, std::string_view fragment,
                                 const std::vector<std::string_view>& defines);
 
   /// Compiles a compute shader from its complete text. Errors: internal, as above.
-  static Result<Program> create_compute(const Gl& gl, const std::string& text);
+  static Result<Program> create_compute(const std::string& text);
 
   /// Makes this the current program, to which the setters below apply.
-  void use() const { gl_->UseProgram(object_.name()); }
+  void use() const { glUseProgram(object_.name()); }
   GLuint name() const { return object_.name(); }
 
-  /// Returns a file of web/viewer/shaders, or point_walk.glsl.
+  /// Returns a file of web/viewer/shaders, point_walk.glsl, or a file of src/gpu.
   static std::string_view text_of(std::string_view name);
 
   void set(const char* uniform, int value) const;
@@ -42,10 +43,9 @@ class Program {
   void bind(const char* sampler, int unit, GLuint texture) const;
 
  private:
-  explicit Program(const Gl& gl);
+  explicit Program(GlObject object) : object_(std::move(object)) {}
   Status link(std::string_view name) const;
 
-  const Gl* gl_ = nullptr;
   GlObject object_;
 };
 

@@ -1,8 +1,6 @@
 #include "sfumato/gpu/render.hpp"
 
 #include <algorithm>
-#include <memory>
-#include <utility>
 #include <vector>
 
 #include "base/no_throw.hpp"

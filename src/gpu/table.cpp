@@ -1,7 +1,6 @@
 #include "gpu/table.hpp"
 
 #include <string>
-#include <utility>
 
 #include "base/try.hpp"
 
@@ -18,25 +17,23 @@ Result<Table> Table::create(Context& context, const Device& device, const TableF
                           " entries; the device's textures hold " + std::to_string(most));
   }
   SFUMATO_TRY(table.charge_.add(context, rows * kTableWidth * format.texel_bytes(), purpose));
-  const Gl& gl = device.gl();
-  table.gl_ = &gl;
   table.format_ = format;
   table.texels_ = texels;
-  table.texture_ = make_texture(gl);
-  gl.BindTexture(GL_TEXTURE_2D, table.name());
-  gl.TexStorage2D(GL_TEXTURE_2D, 1, format.internal, kTableWidth, static_cast<GLsizei>(rows));
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  table.texture_ = make_texture();
+  glBindTexture(GL_TEXTURE_2D, table.name());
+  glTexStorage2D(GL_TEXTURE_2D, 1, format.internal, kTableWidth, static_cast<GLsizei>(rows));
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   return table;
 }
 
 void Table::upload(std::size_t first, std::size_t count, const void* channels) const {
-  gl_->BindTexture(GL_TEXTURE_2D, texture_.name());
-  gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glBindTexture(GL_TEXTURE_2D, texture_.name());
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   const std::size_t rows = count / kTableWidth, rest = count % kTableWidth;
   const auto put = [&](std::size_t row, std::size_t width, std::size_t height, const void* data) {
-    gl_->TexSubImage2D(GL_TEXTURE_2D, 0, 0, static_cast<GLint>(row), static_cast<GLsizei>(width),
-                       static_cast<GLsizei>(height), format_.format, format_.type, data);
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, static_cast<GLint>(row), static_cast<GLsizei>(width),
+                    static_cast<GLsizei>(height), format_.format, format_.type, data);
   };
   const std::size_t row = first / kTableWidth;
   if (rows > 0) put(row, kTableWidth, rows, channels);

@@ -57,7 +57,6 @@ class Table {
   GLuint name() const { return texture_.name(); }
 
  private:
-  const Gl* gl_ = nullptr;
   TableFormat format_{};
   std::size_t texels_ = 0;
   GlObject texture_;

@@ -33,7 +33,6 @@ class Target {
  private:
   Status attach(const Device& device, GLenum format, bool with_stencil);
 
-  const Gl* gl_ = nullptr;
   int width_ = 0, height_ = 0;
   GlObject texture_, stencil_, framebuffer_;
   ScopedCharge charge_;

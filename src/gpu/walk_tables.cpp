@@ -18,19 +18,19 @@ std::size_t WalkTables::bytes_of(const gather::Scene& scene) {
          bytes_in(scene.triangle);
 }
 
-WalkTables::WalkTables(const Gl& gl, const gather::Scene& scene)
+WalkTables::WalkTables(const gather::Scene& scene)
     : scene_identity_(scene.identity),
       bytes_(bytes_of(scene)),
       has_blends_(!scene.blend.empty()),
-      buffer_(make_buffer(gl)) {
-  gl.BindBuffer(GL_SHADER_STORAGE_BUFFER, buffer());
-  gl.BufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(bytes_), nullptr, GL_STATIC_DRAW);
+      buffer_(make_buffer()) {
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, buffer());
+  glBufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(bytes_), nullptr, GL_STATIC_DRAW);
   std::size_t at = 0;
   const auto put = [&](const auto& table) {
     const auto begin = static_cast<GLint>(at / kTexelBytes);
     const std::size_t bytes = bytes_in(table);
-    gl.BufferSubData(GL_SHADER_STORAGE_BUFFER, static_cast<GLintptr>(at),
-                     static_cast<GLsizeiptr>(bytes), table.data());
+    glBufferSubData(GL_SHADER_STORAGE_BUFFER, static_cast<GLintptr>(at),
+                    static_cast<GLsizeiptr>(bytes), table.data());
     at += bytes;
     return begin;
   };

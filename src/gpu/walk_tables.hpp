@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 
 #include "gather/scene/scene.hpp"
 #include "gpu/device.hpp"
@@ -15,7 +14,7 @@ class WalkTables {
   /// Returns the bytes of a scene.
   static std::size_t bytes_of(const gather::Scene& scene);
 
-  WalkTables(const Gl& gl, const gather::Scene& scene);
+  explicit WalkTables(const gather::Scene& scene);
 
   const std::shared_ptr<const char>& scene_identity() const { return scene_identity_; }
   std::size_t bytes() const { return bytes_; }

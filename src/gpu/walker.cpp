@@ -37,14 +37,14 @@ Walker::Walker(std::unique_ptr<Device> device, const WalkShape& shape)
     : device_(std::move(device)),
       shape_(shape),
       batch_(kFirstBatch),
-      point_buffer_(make_buffer(device_->gl())),
-      result_buffer_(make_buffer(device_->gl())) {}
+      point_buffer_(make_buffer()),
+      result_buffer_(make_buffer()) {}
 
 Status Walker::read_limits(const WalkLimits& limits) {
   GLint blocks = 0;
   GLint64 bytes = 0;
-  device_->gl().GetIntegerv(GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, &blocks);
-  device_->gl().GetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &bytes);
+  glGetIntegerv(GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, &blocks);
+  glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &bytes);
   if (std::min(blocks, limits.blocks) < kWalkBlocks) {
     return make_error(StatusCode::unavailable,
                       "no GPU can be used: " + device_->name() + " has too few storage blocks");
@@ -70,7 +70,7 @@ const WalkTables& Walker::tables_of(const gather::Scene& scene) {
     std::rotate(found, found + 1, tables_.end());
   } else {
     if (tables_.size() == kScenes) tables_.erase(tables_.begin());
-    tables_.emplace_back(device_->gl(), scene);
+    tables_.emplace_back(scene);
   }
   return tables_.back();
 }
@@ -94,8 +94,7 @@ Status Walker::sum(Context& context, const gather::Scene& scene,
   program->set("numbers_of_point", static_cast<int>(stride));
   program->set("negligible_share", gather::kPointNegligible);
   program->set("step_limit", kStepLimit);
-  device_->gl().BindBufferBase(GL_SHADER_STORAGE_BUFFER, GLuint(WalkBlock::tables),
-                               tables.buffer());
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, GLuint(WalkBlock::tables), tables.buffer());
   for (std::size_t i = 0; i < point.size();) {
     if (context.cancelled()) return context.cancel_status();
     const std::size_t most = std::min(batch_, largest_block_ / point_bytes);
@@ -118,25 +117,24 @@ void Walker::learn_from(double seconds, std::size_t points) {
 
 Status Walker::run(const Program& program, std::span<const gather::WalkPoint> point,
                    std::span<float> sums) {
-  const Gl& gl = device_->gl();
   const auto bind = [&](WalkBlock block, const GlObject& buffer, std::size_t bytes,
                         const void* data, GLenum usage) {
-    gl.BindBuffer(GL_SHADER_STORAGE_BUFFER, buffer.name());
-    gl.BufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(bytes), data, usage);
-    gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, GLuint(block), buffer.name());
+    glBindBuffer(GL_SHADER_STORAGE_BUFFER, buffer.name());
+    glBufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(bytes), data, usage);
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, GLuint(block), buffer.name());
   };
   bind(WalkBlock::points, point_buffer_, point.size_bytes(), point.data(), GL_STREAM_DRAW);
   bind(WalkBlock::results, result_buffer_, sums.size_bytes(), nullptr, GL_STREAM_READ);
   program.set("point_count", static_cast<int>(point.size()));
   const auto group = static_cast<std::size_t>(shape_.local_size);
-  gl.DispatchCompute(static_cast<GLuint>((point.size() + group - 1) / group), 1, 1);
-  gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  const void* const results = gl.MapBufferRange(
+  glDispatchCompute(static_cast<GLuint>((point.size() + group - 1) / group), 1, 1);
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  const void* const results = glMapBufferRange(
       GL_SHADER_STORAGE_BUFFER, 0, static_cast<GLsizeiptr>(sums.size_bytes()), GL_MAP_READ_BIT);
   if (!results) return lost(*device_);
   std::memcpy(sums.data(), results, sums.size_bytes());
-  const bool is_whole = gl.UnmapBuffer(GL_SHADER_STORAGE_BUFFER) == GL_TRUE;
-  return is_whole && gl.GetError() == GL_NO_ERROR ? ok_status() : lost(*device_);
+  const bool is_whole = glUnmapBuffer(GL_SHADER_STORAGE_BUFFER) == GL_TRUE;
+  return is_whole && glGetError() == GL_NO_ERROR ? ok_status() : lost(*device_);
 }
 
 }  // namespace sfumato::gpu

@@ -14,7 +14,7 @@ void expect_program(std::string_view vertex, std::string_view fragment,
                     const std::vector<std::string_view>& defines) {
   const auto device = Device::create();
   ASSERT_TRUE(device.ok()) << to_string(device.status());
-  const Result<Program> program = Program::create((*device)->gl(), vertex, fragment, defines);
+  const Result<Program> program = Program::create(vertex, fragment, defines);
   EXPECT_TRUE(program.ok()) << to_string(program.status());
   EXPECT_EQ((*device)->gl().GetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
@@ -45,8 +45,7 @@ TEST(Shaders, every_program_and_variant_links) {
 TEST(Shaders, a_shader_that_is_not_there_is_an_error_in_words) {
   SFUMATO_NEEDS_GPU();
   const auto device = Device::create();
-  const Result<Program> program =
-      Program::create((*device)->gl(), "patch.vert", "no_such.frag", {});
+  const Result<Program> program = Program::create("patch.vert", "no_such.frag", {});
   ASSERT_FALSE(program.ok());
   EXPECT_EQ(program.status().code, StatusCode::internal);
   EXPECT_NE(program.status().message.find("no_such.frag"), std::string::npos);
