@@ -157,16 +157,45 @@ function(sfumato_read_folders folders)
   set(${folders} ${found} PARENT_SCOPE)
 endfunction()
 
+# sfumato_isa_copies(LIST): replaces each NAME_isa.cpp of a list by NAME_base.cpp, NAME_avx2.cpp and
+# NAME_avx512.cpp, which include it and have the options of these instruction sets. Processors other than x86
+# have NAME_base.cpp alone.
+function(sfumato_isa_copies list)
+  set(isas base)
+  if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+    list(APPEND isas avx2 avx512)
+  endif()
+  set(avx2_options -mavx2)
+  set(avx512_options -mavx512f -mavx512dq -mavx512bw -mavx512vl -mprefer-vector-width=512)
+  foreach(source ${${list}})
+    file(RELATIVE_PATH path ${CMAKE_CURRENT_SOURCE_DIR} ${source})
+    if(path MATCHES "^(.*)_isa\\.cpp$")
+      set(name ${CMAKE_MATCH_1})
+      list(REMOVE_ITEM ${list} ${source})
+      foreach(isa ${isas})
+        set(copy ${CMAKE_CURRENT_BINARY_DIR}/isa/${name}_${isa}.cpp)
+        file(CONFIGURE OUTPUT ${copy} CONTENT "#include \"${name}_isa.cpp\"\n")
+        if(${isa}_options)
+          set_source_files_properties(${copy} PROPERTIES COMPILE_OPTIONS "${${isa}_options}"
+                                      SKIP_PRECOMPILE_HEADERS ON)
+        endif()
+        list(APPEND ${list} ${copy})
+      endforeach()
+    endif()
+  endforeach()
+  set(${list} ${${list}} PARENT_SCOPE)
+endfunction()
+
 # sfumato_folder(NAME): builds library sfumato_NAME from every .cpp in folder NAME except main.cpp, with the
 # uses and options of sfumato_read_folders(). Files that match the pattern sfumato_NAME_together, if it is set,
-# are compiled as one. Files that end in _avx2.cpp and _avx512.cpp are compiled for these instruction sets.
+# are compiled as one. NAME_isa.cpp is compiled for each instruction set.
 function(sfumato_folder name)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
   list(FILTER sources EXCLUDE REGEX "/main\\.cpp$")
   if(SFUMATO_WASM)
     # WebAssembly has no operating system and no other instruction set. The host decodes pictures and
     # unpacks gzip.
-    list(FILTER sources EXCLUDE REGEX "/native/(atomic_file|file|folder|posix)|_avx(2|512)\\.cpp$")
+    list(FILTER sources EXCLUDE REGEX "/native/(atomic_file|file|folder|posix)")
     list(FILTER sources EXCLUDE REGEX "/codecs/(png/png_decode|jpeg/|webp/|photo/|image_file|gunzip)")
     # NAME_wasm.cpp replaces NAME.cpp.
     foreach(source ${sources})
@@ -183,6 +212,7 @@ function(sfumato_folder name)
   else()
     list(FILTER sources EXCLUDE REGEX "_tsan\\.cpp$")
   endif()
+  sfumato_isa_copies(sources)
   if(sfumato_${name}_together)
     with_users_first(sources ${sfumato_${name}_together})
   endif()
@@ -214,16 +244,4 @@ function(sfumato_folder name)
   foreach(folder ${sfumato_${name}_uses})
     target_link_libraries(sfumato_${name} PUBLIC sfumato_${folder})
   endforeach()
-  if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
-    foreach(source ${sources})
-      if(source MATCHES "_avx2\\.cpp$")
-        set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS "-mavx2"
-                                    SKIP_PRECOMPILE_HEADERS ON)
-      elseif(source MATCHES "_avx512\\.cpp$")
-        set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS
-          "-mavx512f;-mavx512dq;-mavx512bw;-mavx512vl;-mprefer-vector-width=512"
-          SKIP_PRECOMPILE_HEADERS ON)
-      endif()
-    endforeach()
-  endif()
 endfunction()

@@ -11,13 +11,16 @@
 #endif
 
 /// The namespace of code that is compiled once for each instruction set, so that the linker never
-/// mixes the copies.
+/// mixes the copies; and the lanes of its registers.
 #if defined(__AVX512F__)
 #define SFUMATO_ISA isa_avx512
+#define SFUMATO_ISA_LANES 16
 #elif defined(__AVX2__)
 #define SFUMATO_ISA isa_avx2
+#define SFUMATO_ISA_LANES 8
 #else
 #define SFUMATO_ISA isa_base
+#define SFUMATO_ISA_LANES 4
 #endif
 
 /// One register of W lanes, on which base/lanes.hpp is built. This is the only place of the project

@@ -226,7 +226,7 @@ TEST(ExactGather, one_lane_at_a_time_gives_the_bits_of_the_packet) {
   const PacketStack stack{slots.data(), kPacketStackLeast};
   PacketResult one{}, four{};
   ASSERT_TRUE(gather_packets<1>(scene, {&input, &one, 1}, stack));
-  ASSERT_TRUE(gather_packets_sse2(scene, {&input, &four, 1}, stack));
+  ASSERT_TRUE(packet_kernel(SimdLevel::sse2)(scene, {&input, &four, 1}, stack));
   EXPECT_EQ(std::memcmp(&one, &four, sizeof(one)), 0);
   EXPECT_GT(one.weight[0], 0);
 }

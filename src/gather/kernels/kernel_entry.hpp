@@ -1,7 +1,7 @@
 #pragma once
 
+#include "base/simd_level.hpp"
 #include "gather/kernels/scene_layout.hpp"
-#include "sfumato/base/context.hpp"
 
 namespace sfumato::gather {
 
@@ -10,18 +10,14 @@ namespace sfumato::gather {
 using PacketKernel = bool(const SceneView& scene, const PacketBatch& batch,
                           const PacketStack& stack);
 
-PacketKernel gather_packets_sse2;  ///< 4 lanes to a register; also for processors other than x86
-#if defined(__x86_64__)
-PacketKernel gather_packets_avx2;
-PacketKernel gather_packets_avx512;
-#endif
+/// Returns the kernel of one instruction set (kernel_isa.cpp).
+PacketKernel* packet_kernel(LaneCount<4>);
+PacketKernel* packet_kernel(LaneCount<8>);
+PacketKernel* packet_kernel(LaneCount<16>);
 
-inline PacketKernel* packet_kernel([[maybe_unused]] SimdLevel level) {
-#if defined(__x86_64__)
-  if (level == SimdLevel::avx512) return gather_packets_avx512;
-  if (level == SimdLevel::avx2) return gather_packets_avx2;
-#endif
-  return gather_packets_sse2;
+/// Returns the kernel of a level, which must not be above detected_simd_level().
+inline PacketKernel* packet_kernel(SimdLevel level) {
+  return pick_by_level(level, [](auto lanes) { return packet_kernel(lanes); });
 }
 
 }  // namespace sfumato::gather

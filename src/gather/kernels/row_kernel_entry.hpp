@@ -1,27 +1,24 @@
 #pragma once
 
+#include "base/simd_level.hpp"
 #include "gather/kernels/row_layout.hpp"
-#include "sfumato/base/context.hpp"
 
 namespace sfumato::gather {
 
-/// Finds the edges that the points of one packet see: row_kernel.hpp compiled for one instruction
-/// set. Returns false where the stack is too small; the taker has then received only a part.
+/// Finds the edges that the points of one packet see: row_kernel_isa.cpp compiled for one
+/// instruction set. Returns false where the stack is too small; the taker has then received only a
+/// part.
 using RowKernel = bool(const SceneView& scene, const PacketInput& packet, const RowTaker& taker,
                        const PacketStack& stack);
 
-RowKernel find_rows_sse2;  ///< 4 lanes to a register; also for processors other than x86
-#if defined(__x86_64__)
-RowKernel find_rows_avx2;
-RowKernel find_rows_avx512;
-#endif
+/// Returns the kernel of one instruction set (row_kernel_isa.cpp).
+RowKernel* row_kernel(LaneCount<4>);
+RowKernel* row_kernel(LaneCount<8>);
+RowKernel* row_kernel(LaneCount<16>);
 
-inline RowKernel* row_kernel([[maybe_unused]] SimdLevel level) {
-#if defined(__x86_64__)
-  if (level == SimdLevel::avx512) return find_rows_avx512;
-  if (level == SimdLevel::avx2) return find_rows_avx2;
-#endif
-  return find_rows_sse2;
+/// Returns the kernel of a level, which must not be above detected_simd_level().
+inline RowKernel* row_kernel(SimdLevel level) {
+  return pick_by_level(level, [](auto lanes) { return row_kernel(lanes); });
 }
 
 }  // namespace sfumato::gather

@@ -1,12 +1,11 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <span>
 
+#include "base/simd_level.hpp"
 #include "curves/stroke_segments.hpp"
 #include "sfumato/base/color_space.hpp"
-#include "sfumato/base/context.hpp"
 #include "sfumato/base/vec2.hpp"
 
 namespace sfumato::raster {
@@ -44,13 +43,14 @@ struct StrokeKernels {
   void (*finish)(const StrokeFrame& frame, StrokeSums& sums);
 };
 
-extern const StrokeKernels kStrokeKernelsBase;
-#if defined(__x86_64__)
-extern const StrokeKernels kStrokeKernelsAvx2;
-extern const StrokeKernels kStrokeKernelsAvx512;
-#endif
+/// Returns the kernels of one instruction set (local_stroke_isa.cpp).
+const StrokeKernels& stroke_kernels(LaneCount<4>);
+const StrokeKernels& stroke_kernels(LaneCount<8>);
+const StrokeKernels& stroke_kernels(LaneCount<16>);
 
 /// Returns the kernels of a level, which must not be above detected_simd_level().
-const StrokeKernels& stroke_kernels(SimdLevel level);
+inline const StrokeKernels& stroke_kernels(SimdLevel level) {
+  return *pick_by_level(level, [](auto lanes) { return &stroke_kernels(lanes); });
+}
 
 }  // namespace sfumato::raster

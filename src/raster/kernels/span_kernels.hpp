@@ -1,9 +1,9 @@
 #pragma once
 
+#include "base/simd_level.hpp"
 #include "raster/kernels/pixel_mask.hpp"
 #include "raster/kernels/placed_triangles.hpp"
 #include "raster/kernels/tile.hpp"
-#include "sfumato/base/context.hpp"
 #include "sfumato/base/image.hpp"
 
 namespace sfumato::raster {
@@ -57,13 +57,14 @@ struct SpanKernels {
   void (*write_pixels)(const Tile& tile, const ImageTarget& target);
 };
 
-extern const SpanKernels kSpanKernelsBase;
-#if defined(__x86_64__)
-extern const SpanKernels kSpanKernelsAvx2;
-extern const SpanKernels kSpanKernelsAvx512;
-#endif
+/// Returns the kernels of one instruction set (span_isa.cpp).
+const SpanKernels& span_kernels(LaneCount<4>);
+const SpanKernels& span_kernels(LaneCount<8>);
+const SpanKernels& span_kernels(LaneCount<16>);
 
 /// Returns the kernels of a level, which must not be above detected_simd_level().
-const SpanKernels& span_kernels(SimdLevel level);
+inline const SpanKernels& span_kernels(SimdLevel level) {
+  return *pick_by_level(level, [](auto lanes) { return &span_kernels(lanes); });
+}
 
 }  // namespace sfumato::raster

@@ -26,13 +26,4 @@ int TextureAxis::texel(int i) const {
   return std::min(static_cast<int>(reduced(i + 0.5)), count - 1);
 }
 
-const TextureKernels& texture_kernels(SimdLevel level) {
-#if defined(__x86_64__)
-  if (level == SimdLevel::avx512) return kTextureKernelsAvx512;
-  if (level == SimdLevel::avx2) return kTextureKernelsAvx2;
-#endif
-  static_cast<void>(level);
-  return kTextureKernelsBase;
-}
-
 }  // namespace sfumato::raster

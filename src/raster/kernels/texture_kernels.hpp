@@ -3,9 +3,9 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "base/simd_level.hpp"
 #include "raster/kernels/image_shader_row.hpp"
 #include "sfumato/base/affine.hpp"
-#include "sfumato/base/context.hpp"
 
 namespace sfumato::raster {
 
@@ -73,13 +73,14 @@ struct TextureKernels {
                  const ShaderRow& out);
 };
 
-extern const TextureKernels kTextureKernelsBase;
-#if defined(__x86_64__)
-extern const TextureKernels kTextureKernelsAvx2;
-extern const TextureKernels kTextureKernelsAvx512;
-#endif
+/// Returns the kernels of one instruction set (texture_isa.cpp).
+const TextureKernels& texture_kernels(LaneCount<4>);
+const TextureKernels& texture_kernels(LaneCount<8>);
+const TextureKernels& texture_kernels(LaneCount<16>);
 
 /// Returns the kernels of a level, which must not be above detected_simd_level().
-const TextureKernels& texture_kernels(SimdLevel level);
+inline const TextureKernels& texture_kernels(SimdLevel level) {
+  return *pick_by_level(level, [](auto lanes) { return &texture_kernels(lanes); });
+}
 
 }  // namespace sfumato::raster

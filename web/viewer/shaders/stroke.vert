@@ -1,5 +1,5 @@
 // The nodes of a local curve's segments, sixteen instances per segment, each a quad as large as the
-// node's reach. It follows curves::StrokeSegment and raster/kernels/local_stroke_kernel.hpp.
+// node's reach. It follows curves::StrokeSegment and raster/kernels/local_stroke_isa.cpp.
 uniform sampler2D stroke_segment;
 uniform int first_segment;
 uniform vec3 pixel_from_frame[2];

@@ -1,5 +1,3 @@
-#pragma once
-
 #include "base/lanes.hpp"
 #include "curves/front_share.hpp"
 #include "raster/kernels/color_space_kernel.hpp"
@@ -248,3 +246,13 @@ void finish_stroke(const StrokeFrame& frame, StrokeSums& sums) {
 }
 
 }  // namespace sfumato::raster::inline SFUMATO_ISA
+
+namespace sfumato::raster {
+
+const StrokeKernels& stroke_kernels(LaneCount<SFUMATO_ISA_LANES>) {
+  static constexpr StrokeKernels kKernels{add_stroke_segments<SFUMATO_ISA_LANES>,
+                                          finish_stroke<SFUMATO_ISA_LANES>};
+  return kKernels;
+}
+
+}  // namespace sfumato::raster

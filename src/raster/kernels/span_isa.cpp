@@ -1,8 +1,9 @@
-#pragma once
-
+#include "raster/kernels/blend_kernel.hpp"
 #include "raster/kernels/patch_polynomial.hpp"
 #include "raster/kernels/pixel_mask.hpp"
 #include "raster/kernels/placed_triangles.hpp"
+#include "raster/kernels/quantize_kernel.hpp"
+#include "raster/kernels/span_kernels.hpp"
 
 /// Interior pixels: the patch's value at pixel centres. Compiled for every instruction set.
 namespace sfumato::raster::inline SFUMATO_ISA {
@@ -175,3 +176,17 @@ void draw_weights(const LayerView& layer, const FieldView& field, int first_chan
 }
 
 }  // namespace sfumato::raster::inline SFUMATO_ISA
+
+namespace sfumato::raster {
+
+const SpanKernels& span_kernels(LaneCount<SFUMATO_ISA_LANES>) {
+  constexpr int kLanes = SFUMATO_ISA_LANES;
+  static constexpr SpanKernels kKernels{place_triangles,        box_of_triangles,
+                                        draw_triangles<kLanes>, draw_color_opacity<kLanes>,
+                                        draw_weights<kLanes>,   finish_shading<kLanes>,
+                                        blend<kLanes>,          unpremultiply<kLanes>,
+                                        write_pixels<kLanes>};
+  return kKernels;
+}
+
+}  // namespace sfumato::raster

@@ -1,7 +1,6 @@
-#pragma once
-
 #include "gather/kernels/edge_views.hpp"
 #include "gather/kernels/packet_walk.hpp"
+#include "gather/kernels/row_kernel_entry.hpp"
 #include "gather/kernels/row_layout.hpp"
 
 /// The exact gather of packets for rows: it reports the edges that the points see, instead of a sum
@@ -77,3 +76,11 @@ bool find_rows(const SceneView& scene, const PacketInput& packet, const RowTaker
 }
 
 }  // namespace sfumato::gather::inline SFUMATO_ISA
+
+namespace sfumato::gather {
+
+RowKernel* row_kernel(LaneCount<SFUMATO_ISA_LANES>) {
+  return find_rows<SFUMATO_ISA_LANES>;
+}
+
+}  // namespace sfumato::gather

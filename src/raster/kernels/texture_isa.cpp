@@ -1,5 +1,3 @@
-#pragma once
-
 #include "base/lanes.hpp"
 #include "raster/kernels/texture_kernels.hpp"
 
@@ -245,3 +243,13 @@ void minify_texture(const TextureSource& source, const TextureTent& tent, const 
 }
 
 }  // namespace sfumato::raster::inline SFUMATO_ISA
+
+namespace sfumato::raster {
+
+const TextureKernels& texture_kernels(LaneCount<SFUMATO_ISA_LANES>) {
+  static constexpr TextureKernels kKernels{magnify_texture<SFUMATO_ISA_LANES>,
+                                           minify_texture<SFUMATO_ISA_LANES>};
+  return kKernels;
+}
+
+}  // namespace sfumato::raster
