@@ -1,7 +1,6 @@
 #include "base/charge.hpp"
 
 #include <algorithm>
-#include <utility>
 
 #include "base/try.hpp"
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <utility>
-
 #include "base/no_throw.hpp"
 #include "base/try.hpp"
 #include "sfumato/base/context.hpp"

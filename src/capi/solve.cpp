@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <limits>
 #include <span>
-#include <string>
 #include <utility>
 
 #include "base/charge.hpp"

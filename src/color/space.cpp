@@ -71,8 +71,4 @@ Triple linear_srgb_from_xyz(const Triple& xyz) {
   return kSrgbFromXyz * xyz;
 }
 
-Triple srgb_from_xyz(const Triple& xyz) {
-  return each(linear_srgb_from_xyz(xyz), srgb_from_linear);
-}
-
 }  // namespace sfumato::color

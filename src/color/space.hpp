@@ -37,9 +37,6 @@ Triple oklab_from_xyz(const Triple& xyz);
 /// Converts LCH to Lab, or OKLCH to OKLab.
 Triple lab_from_lch(double lightness, double chroma, double hue_degrees);
 
-/// Returns sRGB code values, outside 0 to 1 for colours outside sRGB.
-Triple srgb_from_xyz(const Triple& xyz);
-
 /// Returns linear light of sRGB's primaries for XYZ (D65).
 Triple linear_srgb_from_xyz(const Triple& xyz);
 

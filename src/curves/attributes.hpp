@@ -99,6 +99,12 @@ Result<SegmentAttributes> sample_stop_places(const Context& context, const FlatC
                                              std::span<const Curve> curves, StopAttribute attribute,
                                              TableMemory& memory);
 
+/// Returns whether a side has a colour or an opacity, its own or an image's.
+template <class Value>
+bool has_value(const SideShader<Value>& shader) {
+  return shader.kind == ShaderKind::curve_domain || shader.kind == ShaderKind::image_domain;
+}
+
 /// Returns whether a side of the curve is not open to opacity.
 bool bears_opacity(const Curve& curve);
 

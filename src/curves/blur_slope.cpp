@@ -1,8 +1,8 @@
 #include "curves/blur_slope.hpp"
 
 #include <algorithm>
-#include <cmath>
 
+#include "curves/attributes.hpp"
 #include "curves/front_share.hpp"
 #include "curves/stop_parameters.hpp"
 
@@ -16,11 +16,6 @@ float channel(float value, int) {
 }
 float channel(const Rgb& color, int i) {
   return i == 0 ? color.r : i == 1 ? color.g : color.b;
-}
-
-template <class Value>
-bool has_value(const SideShader<Value>& side) {
-  return side.kind == ShaderKind::curve_domain || side.kind == ShaderKind::image_domain;
 }
 
 /// Returns the largest difference between values of the two sides: 1 where an image decides.

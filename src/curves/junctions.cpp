@@ -8,7 +8,6 @@
 
 #include "base/poll.hpp"
 #include "base/spatial_order.hpp"
-#include "base/table_memory.hpp"
 #include "base/try.hpp"
 #include "curves/bezier.hpp"
 #include "sfumato/base/box.hpp"

@@ -1,8 +1,6 @@
 #include "curves/polyline_builder.hpp"
 
 #include <algorithm>
-#include <string>
-#include <utility>
 
 #include "base/limit_error.hpp"
 

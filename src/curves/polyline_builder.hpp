@@ -1,8 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-
 #include "base/poll.hpp"
 #include "base/table_memory.hpp"
 #include "curves/flatten.hpp"

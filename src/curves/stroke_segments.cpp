@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <utility>
 
+#include "base/boxes.hpp"
 #include "base/limit_error.hpp"
-#include "base/table_memory.hpp"
 #include "base/try.hpp"
 #include "curves/bezier.hpp"
 #include "curves/stop_parameters.hpp"
@@ -278,10 +277,7 @@ class SegmentMaker {
     segment.left = left_cursor_.values(stretch);
     segment.right = right_cursor_.values(stretch);
     out_.segment.push_back(segment);
-    const Box& image = options_.image;
-    out_.reach.push_back(
-        {{std::max(reach.min.x, image.min.x), std::max(reach.min.y, image.min.y)},
-         {std::min(reach.max.x, image.max.x), std::min(reach.max.y, image.max.y)}});
+    out_.reach.push_back(intersection(reach, options_.image));
     return ok_status();
   }
 

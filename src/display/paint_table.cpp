@@ -5,7 +5,6 @@
 #include <utility>
 #include <variant>
 
-#include "base/table_memory.hpp"
 #include "base/try.hpp"
 #include "raster/shaders/gradient.hpp"
 #include "raster/shaders/texture_pyramid.hpp"

@@ -1,10 +1,8 @@
 #include "document/rules.hpp"
 
 #include <cmath>
-#include <utility>
 
 #include "base/limit_error.hpp"
-#include "base/try.hpp"
 #include "sfumato/base/limits.hpp"
 
 namespace sfumato::rules {

@@ -1,8 +1,5 @@
 #include "export/picture_copy.hpp"
 
-#include <utility>
-
-#include "base/table_memory.hpp"
 #include "base/try.hpp"
 
 namespace sfumato::outputs {

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "base/charge.hpp"
 #include "base/poll.hpp"
 #include "base/try.hpp"
 #include "export/picture_copy.hpp"

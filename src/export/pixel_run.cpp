@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
-#include "base/charge.hpp"
+#include "base/boxes.hpp"
 #include "base/try.hpp"
 #include "export/picture_copy.hpp"
 #include "export/pixel_part.hpp"
@@ -14,15 +13,6 @@
 namespace sfumato::outputs {
 namespace {
 
-Box mapped(const Affine& map, const Box& box) {
-  Box result;
-  if (box.empty()) return result;
-  for (const Vec2 corner : {box.min, box.max, Vec2{box.min.x, box.max.y}, {box.max.x, box.min.y}}) {
-    result.extend(map(corner));
-  }
-  return result;
-}
-
 Box reach(const LocalStroke& stroke) {
   Box box;
   for (const Vec2 p : stroke.curve.control_points) box.extend(p);
@@ -30,18 +20,14 @@ Box reach(const LocalStroke& stroke) {
   for (const auto& stop : stroke.curve.influence_radius.stops) {
     radius = std::max(radius, stop.value);
   }
-  return mapped(stroke.artboard_from_stroke, box.grown_by(radius));
+  box = box.grown_by(radius);
+  return box.empty() ? box : mapped_box(stroke.artboard_from_stroke, box);
 }
 
 Box reach(const PatchInstance& instance, const PatchLayer& layer) {
   Box box;
   for (const Vec2 p : layer.vertex_position) box.extend(p);
-  return mapped(instance.artboard_from_layer, box);
-}
-
-Box intersected(const Box& a, const Box& b) {
-  return {{std::max(a.min.x, b.min.x), std::max(a.min.y, b.min.y)},
-          {std::min(a.max.x, b.max.x), std::min(a.max.y, b.max.y)}};
+  return box.empty() ? box : mapped_box(instance.artboard_from_layer, box);
 }
 
 /// The items [first, last) alone, and where they can be seen.
@@ -131,7 +117,7 @@ Result<PixelRun> paint_run(Context& context, const Picture& picture, std::size_t
     SFUMATO_TRY(part.add(picture.stack[i]));
   }
   // Strokes thinner than a pixel reach as far as one of a pixel does.
-  const Box seen = intersected(part.box().grown_by(2 / pixels_per_unit), picture.viewport);
+  const Box seen = intersection(part.box().grown_by(2 / pixels_per_unit), picture.viewport);
   PixelRun result;
   if (!(seen.width() > 0 && seen.height() > 0)) return result;
   const Vec2 origin = picture.viewport.min;

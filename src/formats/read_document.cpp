@@ -1,8 +1,6 @@
 #include "sfumato/formats/read_document.hpp"
 
 #include <algorithm>
-#include <optional>
-#include <utility>
 
 #include "base/public_verb.hpp"
 #include "base/table_memory.hpp"

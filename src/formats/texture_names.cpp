@@ -1,7 +1,5 @@
 #include "formats/texture_names.hpp"
 
-#include <optional>
-
 #include "base/poll.hpp"
 #include "base/public_verb.hpp"
 #include "base/table_memory.hpp"

@@ -1,7 +1,6 @@
 #include "gather/gather.hpp"
 
 #include <algorithm>
-#include <memory>
 #include <numeric>
 #include <optional>
 #include <utility>

@@ -1,7 +1,6 @@
 #include "import/boundary_check.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <utility>
 

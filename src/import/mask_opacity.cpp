@@ -9,7 +9,6 @@
 #include "base/poll.hpp"
 #include "base/try.hpp"
 #include "formats/svg/paint/texel_grid.hpp"
-#include "formats/svg/paint/tile_queue.hpp"
 #include "sfumato/base/color_space.hpp"
 
 namespace sfumato::svg_import {

@@ -1,7 +1,6 @@
 #include "import/stroke_outline.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <set>

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "lint/layer_under_test.hpp"
 #include "sfumato/base/status.hpp"
 

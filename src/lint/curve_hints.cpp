@@ -139,7 +139,9 @@ bool is_blurred(const ScalarStops& radius) {
 }
 
 void check_side(LayerUnderTest& test, std::uint32_t index, CurveSide which, const Side& side) {
-  if (!is_blurred(side.blur_radius) || has_value(side.color) || has_value(side.opacity)) return;
+  if (!is_blurred(side.blur_radius) || curves::has_value(side.color) ||
+      curves::has_value(side.opacity))
+    return;
   test.add(
           HintKind::blur_without_shader, index,
           "it has a blur radius but no colour or opacity to blur; add a colour, or remove the blur")

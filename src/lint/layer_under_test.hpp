@@ -4,15 +4,13 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/boxes.hpp"
+#include "curves/attributes.hpp"
 #include "sfumato/document/document.hpp"
 #include "sfumato/lint/hint.hpp"
 #include "solve/layers/prepare_layer.hpp"
 
 namespace sfumato::lint_detail {
-
-inline double longer_side(const Box& box) {
-  return std::max(box.width(), box.height());
-}
 
 /// Returns the size of a pixel, in artboard units, if the artboard is 512 pixels long. Curves are
 /// flattened and meshed for this resolution, and hints compare small lengths with it.
@@ -42,11 +40,6 @@ struct LayerUnderTest {
     return hint;
   }
 };
-
-template <class Value>
-bool has_value(const SideShader<Value>& shader) {
-  return shader.kind == ShaderKind::curve_domain || shader.kind == ShaderKind::image_domain;
-}
 
 /// Returns whether the side affects rays of colour or opacity.
 inline bool bears_anything(const Side& side) {

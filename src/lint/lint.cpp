@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 
+#include "base/boxes.hpp"
 #include "base/poll.hpp"
 #include "base/public_verb.hpp"
 #include "base/text/number_text.hpp"
@@ -11,7 +12,6 @@
 #include "lint/coverage.hpp"
 #include "lint/curve_hints.hpp"
 #include "lint/stroke_hints.hpp"
-#include "solve/layers/layer_view.hpp"
 
 namespace sfumato {
 namespace {
@@ -51,8 +51,8 @@ Box bounds_of(std::span<const Curve> curves) {
 
 bool is_one_sided(const Curve& curve) {
   const bool is_closed = curve.control_points.front() == curve.control_points.back();
-  const bool left = lint_detail::has_value(curve.left.color);
-  const bool right = lint_detail::has_value(curve.right.color);
+  const bool left = curves::has_value(curve.left.color);
+  const bool right = curves::has_value(curve.right.color);
   const SideShader<Rgb>& other = left ? curve.right.color : curve.left.color;
   return is_closed && left != right && other.kind == ShaderKind::open;
 }
@@ -73,8 +73,8 @@ bool may_flood(const Layer& layer, const Box& sight) {
          std::ranges::all_of(layer.curves, [&](const Curve& curve) {
            if (curve.left.opacity.kind != ShaderKind::open) return false;
            if (curve.right.opacity.kind != ShaderKind::open) return false;
-           const bool has_color = lint_detail::has_value(curve.left.color) ||
-                                  lint_detail::has_value(curve.right.color);
+           const bool has_color =
+               curves::has_value(curve.left.color) || curves::has_value(curve.right.color);
            const Box box = bounds_of({&curve, 1});
            const bool is_within = largest.contains(box.min) && largest.contains(box.max);
            return is_one_sided(curve) || !has_color || is_within;
@@ -167,8 +167,8 @@ void Linter::check_attributes(std::uint32_t layer) {
   bool has_color = false, has_opacity = false;
   for (const Curve& curve : document_.layers[layer].curves) {
     for (const Side* side : {&curve.left, &curve.right}) {
-      has_color |= lint_detail::has_value(side->color);
-      has_opacity |= lint_detail::has_value(side->opacity);
+      has_color |= curves::has_value(side->color);
+      has_opacity |= curves::has_value(side->opacity);
     }
   }
   if (!has_opacity || has_color) return;
@@ -185,8 +185,8 @@ Status Linter::check_instances(LayerUnderTest& test) {
     const auto* instance = std::get_if<LayerInstance>(&document_.stack[i]);
     if (!instance || instance->layer != test.layer || instance->opacity == 0) continue;
     const bool is_above = i > 0;  // a layer over the background alone is the ground of the picture
-    const bool is_outside = !overlap(solve::bounds_of_mapped(instance->artboard_from_layer, bounds),
-                                     document_.artboard);
+    const bool is_outside =
+        !overlap(mapped_box(instance->artboard_from_layer, bounds), document_.artboard);
     const bool floods = !is_above && may_flood(document_.layers[test.layer], test.sight.viewport);
     const bool may_leak =
         (is_above || floods) && !leak_told && instance->blend == BlendMode::normal;
@@ -253,7 +253,7 @@ void Linter::check_shader(std::uint32_t i) {
   const auto& texture = std::get<Texture>(shader.paint);
   const double texel = std::sqrt(std::abs(texture.layer_from_texture.determinant())) *
                        shader_scale_[i];  // artboard units
-  const double pixel = lint_detail::longer_side(document_.artboard) / kLargestPicturePx;
+  const double pixel = longer_side(document_.artboard) / kLargestPicturePx;
   if (shader_scale_[i] == 0 || texel * kTexelsPerPixel > pixel) return;
   add_to_shader(HintKind::large_texture, i,
                 "each pixel of a picture of 4096 pixels shows " +

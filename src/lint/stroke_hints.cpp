@@ -5,10 +5,10 @@
 #include <string>
 #include <utility>
 
+#include "base/boxes.hpp"
 #include "base/text/number_text.hpp"
 #include "curves/stroke_segments.hpp"
 #include "lint/layer_under_test.hpp"
-#include "solve/layers/layer_view.hpp"
 
 namespace sfumato::lint_detail {
 namespace {
@@ -91,8 +91,7 @@ class StrokeCheck {
     Box box;
     for (const Vec2 p : curve_.control_points) box.extend(p);
     const Box grown = box.grown_by(margin);
-    return overlap(solve::bounds_of_mapped(stroke_.artboard_from_stroke, grown),
-                   document_.artboard);
+    return overlap(mapped_box(stroke_.artboard_from_stroke, grown), document_.artboard);
   }
 
   void check_place() {

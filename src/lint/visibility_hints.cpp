@@ -32,11 +32,6 @@ bool bears_color(const Curve& curve) {
   return curve.left.color.kind != ShaderKind::open || curve.right.color.kind != ShaderKind::open;
 }
 
-bool bears_opacity(const Curve& curve) {
-  return curve.left.opacity.kind != ShaderKind::open ||
-         curve.right.opacity.kind != ShaderKind::open;
-}
-
 /// Marks curves that a later curve hides: it has the same points and an attribute in common.
 Result<std::vector<bool>> check_duplicates(LayerUnderTest& test) {
   const std::vector<Curve>& curves = test.curves();
@@ -54,7 +49,7 @@ Result<std::vector<bool>> check_duplicates(LayerUnderTest& test) {
     const bool same = curve.control_points == other.control_points;
     if (!same && !is_reversed(curve.control_points, other.control_points)) continue;
     const bool both_color = bears_color(curve) && bears_color(other);
-    const bool both_opacity = bears_opacity(curve) && bears_opacity(other);
+    const bool both_opacity = curves::bears_opacity(curve) && curves::bears_opacity(other);
     if (!both_color && !both_opacity) continue;
     hidden[earlier] = true;
     test.add(HintKind::duplicate, i,
@@ -185,8 +180,9 @@ Status check_visibility(LayerUnderTest& test) {
     if (hidden[i]) continue;
     for (const CurveSide which : {CurveSide::left, CurveSide::right}) {
       const Side& side = which == CurveSide::left ? curves[i].left : curves[i].right;
-      if (has_value(side.color) && !color.meets(i, which)) add_unseen(test, i, which, "colour");
-      if (has_value(side.opacity) && !opacity->meets(i, which)) {
+      if (curves::has_value(side.color) && !color.meets(i, which))
+        add_unseen(test, i, which, "colour");
+      if (curves::has_value(side.opacity) && !opacity->meets(i, which)) {
         add_unseen(test, i, which, "opacity");
       }
     }

@@ -1,7 +1,5 @@
 #include "mesh/lattice.hpp"
 
-#include <cmath>
-
 #include "base/try.hpp"
 #include "sfumato/base/box.hpp"
 #include "sfumato/base/limits.hpp"

@@ -1,17 +1,12 @@
 #include "mesh/mesher.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
-#include <limits>
 #include <numeric>
-#include <span>
-#include <string>
 #include <utility>
 
 #include "base/limit_error.hpp"
 #include "base/poll.hpp"
-#include "base/table_memory.hpp"
 #include "base/try.hpp"
 #include "mesh/arrangement.hpp"
 #include "mesh/insertion_order.hpp"

@@ -4,7 +4,6 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <string>
 
 #include "base/limit_error.hpp"
 #include "base/poll.hpp"

@@ -1,14 +1,10 @@
 #pragma once
 
 #include <concepts>
-#include <cstddef>
-#include <cstdint>
 #include <initializer_list>
 #include <optional>
-#include <string>
 #include <type_traits>
 #include <variant>
-#include <vector>
 
 #include "sfumato/picture/picture.hpp"
 #include "sfumato/picture/picture_file.hpp"
@@ -39,23 +35,25 @@ void pass(Archive& archive, Number auto& number) {
   archive.number(number);
 }
 
+/// Passes parts one after another.
+template <class Archive>
+void pass_all(Archive& archive, auto&... part) {
+  (pass(archive, part), ...);
+}
+
 template <class Archive>
 void pass(Archive& archive, Is<Vec2> auto& v) {
-  pass(archive, v.x);
-  pass(archive, v.y);
+  pass_all(archive, v.x, v.y);
 }
 
 template <class Archive>
 void pass(Archive& archive, Is<Box> auto& box) {
-  pass(archive, box.min);
-  pass(archive, box.max);
+  pass_all(archive, box.min, box.max);
 }
 
 template <class Archive>
 void pass(Archive& archive, Is<Rgb> auto& color) {
-  pass(archive, color.r);
-  pass(archive, color.g);
-  pass(archive, color.b);
+  pass_all(archive, color.r, color.g, color.b);
 }
 
 template <class Archive>
@@ -75,8 +73,7 @@ void pass_items(Archive& archive, Items& items) {
 
 template <class Archive, class Value>
 void pass_stop(Archive& archive, Value& stop) {
-  pass(archive, stop.offset);
-  pass(archive, stop.value);
+  pass_all(archive, stop.offset, stop.value);
 }
 template <class Archive>
 void pass(Archive& archive, Is<Stop<Rgb>> auto& stop) {
@@ -96,23 +93,17 @@ void pass(Archive& archive, List& list) {
 
 template <class Archive>
 void pass(Archive& archive, Is<GradientStop> auto& stop) {
-  pass(archive, stop.offset);
-  pass(archive, stop.color);
-  pass(archive, stop.alpha);
+  pass_all(archive, stop.offset, stop.color, stop.alpha);
 }
 
 template <class Archive>
 void pass(Archive& archive, Is<LinearGradient> auto& gradient) {
-  pass(archive, gradient.start);
-  pass(archive, gradient.end);
+  pass_all(archive, gradient.start, gradient.end);
 }
 
 template <class Archive>
 void pass(Archive& archive, Is<RadialGradient> auto& gradient) {
-  pass(archive, gradient.center);
-  pass(archive, gradient.focus);
-  pass(archive, gradient.radius);
-  pass(archive, gradient.focal_radius);
+  pass_all(archive, gradient.center, gradient.focus, gradient.radius, gradient.focal_radius);
 }
 
 template <class Archive, class Variant>
@@ -124,15 +115,13 @@ void pass_variant(Archive& archive, Variant& variant) {
 template <class Archive>
 void pass(Archive& archive, Is<GradientFill> auto& fill) {
   pass_variant(archive, fill.shape);
-  pass(archive, fill.spread);
-  pass(archive, fill.layer_from_gradient);
+  pass_all(archive, fill.spread, fill.layer_from_gradient);
   pass_items(archive, fill.stops);
 }
 
 template <class Archive>
 void pass(Archive& archive, Is<Texture> auto& texture) {
-  pass(archive, texture.width);
-  pass(archive, texture.height);
+  pass_all(archive, texture.width, texture.height);
   archive.table(texture.rgba);
   pass(archive, texture.layer_from_texture);
   archive.flag(texture.repeats);
@@ -156,31 +145,22 @@ void pass(Archive& archive, Is<PatchField> auto& field) {
 
 template <class Archive>
 void pass(Archive& archive, Is<SoftEdge> auto& edge) {
-  pass(archive, edge.front);
-  pass(archive, edge.back);
-  pass(archive, edge.reach[0]);
-  pass(archive, edge.reach[1]);
-  pass(archive, edge.contrast);
+  pass_all(archive, edge.front, edge.back, edge.reach[0], edge.reach[1], edge.contrast);
 }
 
 template <class Archive>
 void pass(Archive& archive, Is<PatchLayer> auto& layer) {
-  pass(archive, layer.frame);
-  pass(archive, layer.order);
+  pass_all(archive, layer.frame, layer.order);
   archive.table(layer.vertex_position);
   archive.table(layer.triangle_vertex);
   archive.table(layer.edge_is_curve);
   pass_items(archive, layer.soft_edge);
-  pass(archive, layer.color);
-  pass(archive, layer.opacity);
+  pass_all(archive, layer.color, layer.opacity);
 }
 
 template <class Archive>
 void pass(Archive& archive, Is<PatchInstance> auto& instance) {
-  pass(archive, instance.layer);
-  pass(archive, instance.artboard_from_layer);
-  pass(archive, instance.opacity);
-  pass(archive, instance.blend);
+  pass_all(archive, instance.layer, instance.artboard_from_layer, instance.opacity, instance.blend);
 }
 
 template <class Archive>
@@ -188,18 +168,13 @@ void pass(Archive& archive, Is<LocalStroke> auto& stroke) {
   auto& curve = stroke.curve;
   archive.text(curve.id);
   archive.table(curve.control_points);
-  pass(archive, curve.left_color);
-  pass(archive, curve.right_color);
-  pass(archive, curve.blur_radius);
-  pass(archive, curve.influence_radius);
-  pass(archive, curve.alpha);
-  pass(archive, stroke.artboard_from_stroke);
+  pass_all(archive, curve.left_color, curve.right_color, curve.blur_radius, curve.influence_radius,
+           curve.alpha, stroke.artboard_from_stroke);
 }
 
 template <class Archive>
 void pass(Archive& archive, Is<GroupBegin> auto& group) {
-  pass(archive, group.opacity);
-  pass(archive, group.blend);
+  pass_all(archive, group.opacity, group.blend);
 }
 
 template <class Archive>
@@ -212,9 +187,7 @@ void pass(Archive& archive, Is<PictureItem> auto& item) {
 
 template <class Archive>
 void pass(Archive& archive, Is<PictureOrigin> auto& origin) {
-  pass(archive, origin.own_scale);
-  pass(archive, origin.pixels_per_unit);
-  pass(archive, origin.max_error);
+  pass_all(archive, origin.own_scale, origin.pixels_per_unit, origin.max_error);
 }
 
 template <class Archive>
@@ -230,9 +203,7 @@ void pass_background(Archive& archive, Is<std::optional<Rgb>> auto& background) 
 
 template <class Archive>
 void pass(Archive& archive, Is<Picture> auto& picture) {
-  pass(archive, picture.artboard);
-  pass(archive, picture.viewport);
-  pass(archive, picture.interpolation);
+  pass_all(archive, picture.artboard, picture.viewport, picture.interpolation);
   pass_background(archive, picture.background);
   pass_items(archive, picture.shaders);
   pass_items(archive, picture.layers);

@@ -1,6 +1,5 @@
 #include "tiles/deep_zoom.hpp"
 
-#include <algorithm>
 #include <atomic>
 #include <filesystem>
 #include <system_error>

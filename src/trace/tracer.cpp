@@ -4,7 +4,6 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <span>
 #include <utility>
 
 #include "base/try.hpp"

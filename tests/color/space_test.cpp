@@ -12,6 +12,12 @@
 namespace sfumato::color {
 namespace {
 
+/// Returns sRGB code values, outside 0 to 1 for colours outside sRGB.
+Triple srgb_from_xyz(const Triple& xyz) {
+  const Triple linear = linear_srgb_from_xyz(xyz);
+  return {srgb_from_linear(linear.x), srgb_from_linear(linear.y), srgb_from_linear(linear.z)};
+}
+
 void expect_near(const Triple& value, const Triple& expected, double tolerance) {
   EXPECT_NEAR(value.x, expected.x, tolerance);
   EXPECT_NEAR(value.y, expected.y, tolerance);

@@ -9,7 +9,6 @@
 #include <cerrno>
 #include <optional>
 #include <utility>
-#include <vector>
 
 #include "base/native/atomic_file.hpp"
 #include "base/native/posix.hpp"

@@ -1,7 +1,6 @@
 #include "sfumato/lint/lint.hpp"
 
 #include <utility>
-#include <vector>
 
 #include "base/try.hpp"
 #include "capi/bytes.hpp"

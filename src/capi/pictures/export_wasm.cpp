@@ -1,6 +1,5 @@
 // WebAssembly has no codecs to write files. The browser makes files from the pixels of
 // sfumato_raster(), and pages from the viewer's payload.
-#include <string>
 
 #include "capi/context.hpp"
 #include "capi/pictures/file_format.hpp"

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <variant>
 
+#include "curves/attributes.hpp"
 #include "curves/bezier.hpp"
 
 namespace sfumato::cli {
@@ -41,18 +42,14 @@ bool is_blurred(const Side& side) {
                      [](const Stop<float>& stop) { return stop.value > 0; });
 }
 
-template <class Value>
-bool has_value(const SideShader<Value>& shader) {
-  return shader.kind == ShaderKind::curve_domain || shader.kind == ShaderKind::image_domain;
-}
-
 bool has_barrier(const Side& side) {
   return side.color.kind == ShaderKind::barrier || side.opacity.kind == ShaderKind::barrier;
 }
 
 void count_kind(const Curve& curve, DocumentFacts& facts) {
-  const bool color = has_value(curve.left.color) || has_value(curve.right.color);
-  const bool opacity = has_value(curve.left.opacity) || has_value(curve.right.opacity);
+  const bool color = curves::has_value(curve.left.color) || curves::has_value(curve.right.color);
+  const bool opacity =
+      curves::has_value(curve.left.opacity) || curves::has_value(curve.right.opacity);
   if (color || opacity) {
     ++(color && opacity ? facts.both_curves : color ? facts.color_curves : facts.opacity_curves);
   } else {

@@ -13,12 +13,10 @@
 #include <memory>
 #include <string>
 #include <string_view>
-#include <utility>
 
 #include "base/charge.hpp"
 #include "base/table_memory.hpp"
 #include "base/try.hpp"
-#include "codecs/image_file.hpp"
 #include "codecs/photo/photo_exif.hpp"
 #include "sfumato/base/function_ref.hpp"
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <cstring>
 #include <optional>
 #include <string_view>
@@ -78,10 +77,6 @@ void PhotoReader::warn(std::string message) {
 
 PhotoPixels PhotoReader::pixels() const {
   return {channels_, channel_count(image_.format), bytes_per_channel(image_.format)};
-}
-
-bool is_inks(PhotoChannels channels) {
-  return channels == PhotoChannels::cmyk || channels == PhotoChannels::cmyk_inverted;
 }
 
 Status PhotoReader::decode_png() {
@@ -219,7 +214,7 @@ Result<SizedPhoto> PhotoReader::read() {
   SFUMATO_TRY(decode());
   SFUMATO_TRY(hold_what_was_read());
   SFUMATO_TRY_ASSIGN(auto&& conversion, this->conversion());
-  if (is_inks(channels_)) {
+  if (is_cmyk(channels_)) {
     SFUMATO_TRY(convert_inks(conversion ? &*conversion : nullptr));
   } else if (conversion && !conversion->is_identity()) {
     SFUMATO_TRY(convert(*conversion));

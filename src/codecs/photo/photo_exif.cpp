@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "base/charge.hpp"
-#include "base/poll.hpp"
 #include "base/table_memory.hpp"
 #include "base/try.hpp"
 

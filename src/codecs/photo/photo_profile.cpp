@@ -37,10 +37,6 @@ std::uint32_t number_at(std::span<const std::uint8_t> profile, std::size_t at) {
          std::uint32_t{profile[at + 2]} << 8 | profile[at + 3];
 }
 
-bool is_cmyk(PhotoChannels channels) {
-  return channels == PhotoChannels::cmyk || channels == PhotoChannels::cmyk_inverted;
-}
-
 const char* name_of(PhotoChannels channels) {
   return is_cmyk(channels) ? "CMYK" : channels == PhotoChannels::gray ? "gray" : "RGB";
 }

@@ -22,6 +22,10 @@ enum class PhotoChannels : std::uint8_t {
   cmyk_inverted,  ///< inks; 255 is no ink
 };
 
+inline bool is_cmyk(PhotoChannels channels) {
+  return channels == PhotoChannels::cmyk || channels == PhotoChannels::cmyk_inverted;
+}
+
 /// The layout of pixels in memory.
 struct PhotoPixels {
   PhotoChannels channels = PhotoChannels::rgb;

@@ -5,10 +5,8 @@
 #include <algorithm>
 #include <cstring>
 #include <memory>
-#include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "base/limit_error.hpp"
 #include "base/poll.hpp"

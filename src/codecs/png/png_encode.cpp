@@ -4,7 +4,6 @@
 #include <array>
 #include <cstring>
 #include <initializer_list>
-#include <string>
 #include <utility>
 
 #include "base/parallel.hpp"

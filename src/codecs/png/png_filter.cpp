@@ -1,7 +1,6 @@
 #include "codecs/png/png_filter.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 #include <iterator>
 
 namespace sfumato::codecs {

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <utility>
 
 #include "base/poll.hpp"
 #include "base/try.hpp"
@@ -90,9 +89,8 @@ Status RowShrinker::finish(const Context& context, bool has_alpha, TableMemory& 
                            Image& out) {
   out = {small_width_, small_height_, has_alpha ? PixelFormat::rgba16 : PixelFormat::rgb16, {}};
   const std::size_t channels = has_alpha ? 4 : 3;
-  Status status =
-      memory.resize(context, out.bytes, out.row_bytes() * static_cast<std::size_t>(small_height_));
-  if (!status) return status;
+  SFUMATO_TRY(
+      memory.resize(context, out.bytes, out.row_bytes() * static_cast<std::size_t>(small_height_)));
   RarePoll<65536> poll(context);
   for (std::size_t i = 0; i < sum_.size() / 4; ++i) {
     if (poll.cancelled()) return context.cancel_status();

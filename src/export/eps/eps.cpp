@@ -4,7 +4,6 @@
 #include <cmath>
 #include <span>
 #include <string_view>
-#include <utility>
 #include <variant>
 
 #include "base/output_buffer.hpp"
@@ -205,9 +204,8 @@ Status check(const Context& context, const Picture& picture, const EpsOptions& o
   if (!(options.page_width_pt.value_or(1) > 0) || !is_positive(options.dpi) ||
       !is_positive(options.max_error))
     return make_error(StatusCode::bad_input, "the options of an EPS must be positive numbers");
-  Status page =
-      check_page(picture.viewport, points_per_unit(options.page_width_pt, picture.viewport));
-  if (!page) return page;
+  SFUMATO_TRY(
+      check_page(picture.viewport, points_per_unit(options.page_width_pt, picture.viewport)));
   return picture::check_picture(context, picture);
 }
 

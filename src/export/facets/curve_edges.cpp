@@ -4,7 +4,6 @@
 #include <tuple>
 
 #include "base/poll.hpp"
-#include "base/table_memory.hpp"
 #include "base/try.hpp"
 #include "export/poll_interval.hpp"
 

@@ -7,7 +7,6 @@
 #include "base/half_edge.hpp"
 #include "base/parallel.hpp"
 #include "base/poll.hpp"
-#include "base/table_memory.hpp"
 #include "base/try.hpp"
 #include "export/poll_interval.hpp"
 #include "picture/patch.hpp"

@@ -7,7 +7,6 @@
 #include "base/half_edge.hpp"
 #include "base/parallel.hpp"
 #include "base/poll.hpp"
-#include "base/table_memory.hpp"
 #include "base/try.hpp"
 #include "export/facets/facet_cuts.hpp"
 #include "export/facets/facet_patch.hpp"
@@ -233,9 +232,8 @@ Result<FacetMesh> make_facets(Context& context, const PatchLayer& layer, Interpo
   SFUMATO_TRY_ASSIGN(auto&& cuts,
                      find_cuts(context, layer, space, source, max_error, smallest_side));
   FacetMesh mesh;
-  Status status =
-      FacetBuilder(layer, space, source, max_error, smallest_side, cuts).build(context, &mesh);
-  if (!status) return status;
+  SFUMATO_TRY(
+      FacetBuilder(layer, space, source, max_error, smallest_side, cuts).build(context, &mesh));
   return mesh;
 }
 

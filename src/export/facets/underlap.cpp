@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "base/poll.hpp"
-#include "base/table_memory.hpp"
 #include "base/try.hpp"
 #include "export/facets/end_loops.hpp"
 #include "export/poll_interval.hpp"

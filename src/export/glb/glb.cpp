@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
-#include <utility>
 
 #include "base/public_verb.hpp"
 #include "base/try.hpp"
@@ -19,14 +17,11 @@ namespace {
 
 using outputs::GlbFile;
 using outputs::GlbMesh;
+using outputs::is_positive;
 
 constexpr double kUnitsPerInch = 96;
 /// Sides that patches are not cut below, in the largest instance and in sizes of the picture.
 constexpr double kSmallestPatchSide = 1.0 / 1024;
-
-bool is_positive(double value) {
-  return value > 0 && std::isfinite(value);
-}
 
 Status check(const Context& context, const Picture& picture, const GlbOptions& options) {
   if (!is_positive(options.dpi) || !is_positive(options.size) || !is_positive(options.max_error)) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 #include "base/output_buffer.hpp"
@@ -42,12 +41,6 @@ Affine aligning_rotation(const Affine& m) {
   const double p = m.a * m.a + m.b * m.b, q = m.c * m.c + m.d * m.d;
   const double angle = 0.5 * std::atan2(2 * (m.a * m.c + m.b * m.d), p - q);
   return {std::cos(angle), std::sin(angle), -std::sin(angle), std::cos(angle), 0, 0};
-}
-
-void write_matrix(JsonWriter& json, const Matrix& matrix) {
-  json.key("matrix").begin_array();
-  for (const double entry : matrix) json.value(entry);
-  json.end_array();
 }
 
 void append_word(OutputBuffer& bytes, std::size_t value) {
@@ -153,6 +146,19 @@ Status GlbFile::settle(const JsonWriter& json) {
   return memory_.settle(context_, capacity_bytes(json.text()), json_bytes_);
 }
 
+/// Writes a member: an array with an element for each item.
+template <class Item, class Write>
+Status GlbFile::write_each(JsonWriter& json, std::string_view key, const std::vector<Item>& items,
+                           const Write& write) {
+  json.key(key).begin_array();
+  for (const Item& item : items) {
+    write(item);
+    SFUMATO_TRY(settle(json));
+  }
+  json.end_array();
+  return settle(json);
+}
+
 /// Root: node 0; node i of ours is i + 1.
 Status GlbFile::write_scene(JsonWriter& json, double metres_per_unit) {
   json.member("scene", 0).key("scenes").begin_array().begin_object();
@@ -166,9 +172,7 @@ Status GlbFile::write_scene(JsonWriter& json, double metres_per_unit) {
     }
     json.end_array();
   }
-  json.key("scale").begin_array();
-  for (int k = 0; k < 3; ++k) json.value(metres_per_unit);
-  json.end_array().end_object();
+  json.array("scale", std::array{metres_per_unit, metres_per_unit, metres_per_unit}).end_object();
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     json.begin_object();
     if (nodes_[i].mesh >= 0) {
@@ -176,7 +180,7 @@ Status GlbFile::write_scene(JsonWriter& json, double metres_per_unit) {
     } else {
       json.key("children").begin_array().value(i + 2).end_array();
     }
-    if (nodes_[i].matrix != matrix_of({}, 0)) write_matrix(json, nodes_[i].matrix);
+    if (nodes_[i].matrix != matrix_of({}, 0)) json.array("matrix", nodes_[i].matrix);
     json.end_object();
     SFUMATO_TRY(settle(json));
   }
@@ -185,14 +189,10 @@ Status GlbFile::write_scene(JsonWriter& json, double metres_per_unit) {
 }
 
 Status GlbFile::write_materials(JsonWriter& json) {
-  json.key("materials").begin_array();
-  for (const Material& material : materials_) {
+  return write_each(json, "materials", materials_, [&](const Material& material) {
     json.begin_object().key("pbrMetallicRoughness").begin_object();
-    if (material.opacity != 1) {
-      json.key("baseColorFactor").begin_array();
-      for (const double factor : {1.0, 1.0, 1.0, material.opacity}) json.value(factor);
-      json.end_array();
-    }
+    if (material.opacity != 1)
+      json.array("baseColorFactor", std::array<double, 4>{1, 1, 1, material.opacity});
     if (material.image >= 0) {
       json.key("baseColorTexture").begin_object().member("index", material.image).end_object();
     }
@@ -201,15 +201,11 @@ Status GlbFile::write_materials(JsonWriter& json) {
     json.key("doubleSided").truth(true);
     json.key("extensions").begin_object().key("KHR_materials_unlit").begin_object().end_object();
     json.end_object().end_object();
-    SFUMATO_TRY(settle(json));
-  }
-  json.end_array();
-  return settle(json);
+  });
 }
 
 Status GlbFile::write_meshes(JsonWriter& json) {
-  json.key("meshes").begin_array();
-  for (const Mesh& mesh : meshes_) {
+  return write_each(json, "meshes", meshes_, [&](const Mesh& mesh) {
     const Geometry& geometry = geometries_[mesh.geometry];
     const std::uint32_t first = geometry.first_accessor;
     json.begin_object().key("primitives").begin_array().begin_object();
@@ -218,15 +214,11 @@ Status GlbFile::write_meshes(JsonWriter& json) {
     if (geometry.has_texture) json.member("TEXCOORD_0", first + (geometry.has_color ? 3 : 2));
     json.end_object().member("indices", first).member("material", mesh.material);
     json.end_object().end_array().end_object();
-    SFUMATO_TRY(settle(json));
-  }
-  json.end_array();
-  return settle(json);
+  });
 }
 
 Status GlbFile::write_accessors(JsonWriter& json) {
-  json.key("accessors").begin_array();
-  for (const Geometry& geometry : geometries_) {
+  return write_each(json, "accessors", geometries_, [&](const Geometry& geometry) {
     std::uint32_t view = geometry.first_view;
     const auto begin = [&](int component, const char* type, std::uint32_t count) {
       json.begin_object().member("bufferView", view++).member("componentType", component);
@@ -235,12 +227,8 @@ Status GlbFile::write_accessors(JsonWriter& json) {
     begin(kUnsignedInt, "SCALAR", geometry.indices);
     json.end_object();
     begin(kFloat, "VEC3", geometry.vertices);
-    for (const std::size_t first : {0u, 3u}) {
-      json.key(first == 0 ? "min" : "max").begin_array();
-      for (std::size_t k = 0; k < 3; ++k) json.value(double{geometry.bounds[first + k]});
-      json.end_array();
-    }
-    json.end_object();
+    const std::span bounds(geometry.bounds);
+    json.array("min", bounds.first<3>()).array("max", bounds.last<3>()).end_object();
     if (geometry.has_color) {
       begin(kUnsignedShort, "VEC4", geometry.vertices);
       json.key("normalized").truth(true).end_object();
@@ -249,43 +237,31 @@ Status GlbFile::write_accessors(JsonWriter& json) {
       begin(kFloat, "VEC2", geometry.vertices);
       json.end_object();
     }
-    SFUMATO_TRY(settle(json));
-  }
-  json.end_array();
-  return settle(json);
+  });
 }
 
 Status GlbFile::write_buffers(JsonWriter& json) {
   json.key("buffers").begin_array().begin_object();
   json.member("byteLength", part_bytes_).end_object().end_array();
-  json.key("bufferViews").begin_array();
-  for (const View& view : views_) {
+  return write_each(json, "bufferViews", views_, [&](const View& view) {
     json.begin_object().member("buffer", 0).member("byteOffset", view.offset);
     json.member("byteLength", view.bytes);
     if (view.target != 0) json.member("target", view.target);
     json.end_object();
-    SFUMATO_TRY(settle(json));
-  }
-  json.end_array();
-  return settle(json);
+  });
 }
 
 Status GlbFile::write_images(JsonWriter& json) {
   json.key("samplers").begin_array().begin_object();
   json.member("magFilter", kLinear).member("minFilter", kLinearMipmapLinear);
   json.member("wrapS", kClampToEdge).member("wrapT", kClampToEdge).end_object().end_array();
-  json.key("images").begin_array();
-  for (const std::uint32_t view : image_view_) {
+  SFUMATO_TRY(write_each(json, "images", image_view_, [&](std::uint32_t view) {
     json.begin_object().member("bufferView", view).member("mimeType", "image/png").end_object();
-    SFUMATO_TRY(settle(json));
-  }
-  json.end_array().key("textures").begin_array();
-  for (std::size_t i = 0; i < image_view_.size(); ++i) {
-    json.begin_object().member("sampler", 0).member("source", i).end_object();
-    SFUMATO_TRY(settle(json));
-  }
-  json.end_array();
-  return settle(json);
+  }));
+  std::size_t image = 0;
+  return write_each(json, "textures", image_view_, [&](std::uint32_t) {
+    json.begin_object().member("sampler", 0).member("source", image++).end_object();
+  });
 }
 
 Result<std::vector<std::uint8_t>> GlbFile::finish(double metres_per_unit) {

@@ -84,6 +84,9 @@ class GlbFile {
   Status write_accessors(JsonWriter& json);
   Status write_images(JsonWriter& json);
   Status settle(const JsonWriter& json);
+  template <class Item, class Write>
+  Status write_each(JsonWriter& json, std::string_view key, const std::vector<Item>& items,
+                    const Write& write);
   Result<std::vector<std::uint8_t>> join(std::string_view json);
 
   Context& context_;

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <functional>
 #include <numeric>
-#include <optional>
-#include <string_view>
 #include <tuple>
 #include <utility>
 #include <variant>
@@ -256,9 +254,8 @@ Status check(const Context& context, const Picture& picture, const PdfOptions& o
                       "the resolution and the error must be positive numbers");
   if (options.flatten > PdfFlatten::never)
     return make_error(StatusCode::bad_input, "an unknown way to flatten a PDF");
-  Status page =
-      check_page(picture.viewport, points_per_unit(options.page_width_pt, picture.viewport));
-  if (!page) return page;
+  SFUMATO_TRY(
+      check_page(picture.viewport, points_per_unit(options.page_width_pt, picture.viewport)));
   return picture::check_picture(context, picture);
 }
 

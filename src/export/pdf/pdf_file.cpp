@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "base/text/ascii.hpp"
 #include "base/text/number_text.hpp"

@@ -1,7 +1,6 @@
 #include "export/pdf/pdf_layer.hpp"
 
 #include <cmath>
-#include <string_view>
 #include <utility>
 
 #include "base/poll.hpp"

@@ -1,7 +1,5 @@
 #include "export/pdf/pdf_paint.hpp"
 
-#include <utility>
-
 #include "base/poll.hpp"
 #include "base/table_memory.hpp"
 #include "base/try.hpp"

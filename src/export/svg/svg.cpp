@@ -239,9 +239,7 @@ Status VectorWriter::write_layers() {
   outputs::SvgIds ids;
   for (std::size_t i = 0; i < layers_.size(); ++i) {
     if (layers_[i].color.facet_vertex.empty()) continue;
-    Status status =
-        outputs::append_layer(context_, layers_[i], "L" + std::to_string(i), ids, text_);
-    if (!status) return status;
+    SFUMATO_TRY(outputs::append_layer(context_, layers_[i], "L" + std::to_string(i), ids, text_));
     layers_[i] = {};
   }
   text_ += "</defs>\n";

@@ -1,7 +1,6 @@
 #include "export/svg/svg_mesh.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "base/poll.hpp"

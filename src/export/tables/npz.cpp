@@ -1,8 +1,6 @@
-#include <array>
 #include <bit>
 #include <span>
 #include <string>
-#include <utility>
 
 #include "base/output_buffer.hpp"
 #include "base/public_verb.hpp"

@@ -1,6 +1,5 @@
 #include "export/tables/table_list.hpp"
 
-#include <algorithm>
 #include <array>
 #include <limits>
 #include <variant>

@@ -1,6 +1,5 @@
 #include "gather/ends/free_ends_search.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>

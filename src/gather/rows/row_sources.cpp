@@ -1,10 +1,7 @@
 #include "gather/rows/row_sources.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <span>
-#include <utility>
-#include <vector>
 
 #include "base/poll.hpp"
 #include "base/try.hpp"

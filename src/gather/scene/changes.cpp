@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/poll.hpp"
 #include "base/try.hpp"
 #include "gather/kernels/end_tree.hpp"
 #include "gather/rows/weight_class.hpp"

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "base/poll.hpp"
-#include "base/table_memory.hpp"
 #include "base/try.hpp"
 
 namespace sfumato::gather {

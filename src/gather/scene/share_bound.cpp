@@ -1,7 +1,6 @@
 #include "gather/scene/share_bound.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <numbers>
 
 #include "base/try.hpp"

@@ -4,18 +4,12 @@
 #include <cstddef>
 #include <span>
 
+#include "base/half_edge.hpp"
 #include "base/poll.hpp"
 #include "base/try.hpp"
 
 namespace sfumato::gather {
 namespace {
-
-std::uint32_t next(std::uint32_t h) {
-  return h % 3 == 2 ? h - 2 : h + 1;
-}
-std::uint32_t previous(std::uint32_t h) {
-  return h % 3 == 0 ? h + 2 : h - 1;
-}
 
 /// Returns a positive number where c lies to the left of the line from a to b. Differences of
 /// single-precision coordinates are exact or nearly so.
@@ -74,7 +68,7 @@ class ViewerSearch {
     const SceneTriangle& t = scene_.triangle[h / 3];
     return {t.x[h % 3], t.y[h % 3]};
   }
-  Vec2 target(std::uint32_t h) const { return origin(next(h)); }
+  Vec2 target(std::uint32_t h) const { return origin(next_half_edge(h)); }
   std::int32_t twin(std::uint32_t h) const { return scene_.triangle[h / 3].twin[h % 3]; }
 
   /// Returns whether a point beyond sees through it.
@@ -88,7 +82,7 @@ class ViewerSearch {
   void start_from(std::uint32_t source) {
     sees_[source / 3] = 1;
     const Vec2 left_end = origin(source), right_end = target(source);
-    for (const std::uint32_t h : {next(source), previous(source)}) {
+    for (const std::uint32_t h : {next_half_edge(source), previous_half_edge(source)}) {
       if (!is_passed(h)) continue;
       waiting_.push_back({h, {left_end, origin(h)}, {right_end, target(h)}});
     }
@@ -99,7 +93,7 @@ class ViewerSearch {
   bool follow(PortalWindow& window) {
     const auto entered = static_cast<std::uint32_t>(twin(window.portal));
     sees_[entered / 3] = 1;
-    const std::uint32_t left = previous(entered), right = next(entered);
+    const std::uint32_t left = previous_half_edge(entered), right = next_half_edge(entered);
     const Vec2 apex = origin(left);
     const bool reaches_left = side_of(window.left.pivot, window.left.corner, apex) <= 0;
     const bool reaches_right = side_of(window.right.pivot, window.right.corner, apex) >= 0;

@@ -1,6 +1,5 @@
 #include "raster/coverage/clip.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 

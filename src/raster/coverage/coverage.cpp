@@ -5,7 +5,6 @@
 #include <cmath>
 #include <optional>
 
-#include "raster/coverage/clip.hpp"
 #include "raster/coverage/split_triangle.hpp"
 
 namespace sfumato::raster {

@@ -1,8 +1,6 @@
 #include "solve/fields/field_solver.hpp"
 
 #include <algorithm>
-#include <atomic>
-#include <cmath>
 #include <cstring>
 #include <numeric>
 #include <utility>
@@ -10,7 +8,6 @@
 #include "base/parallel.hpp"
 #include "base/poll.hpp"
 #include "base/try.hpp"
-#include "picture/patch.hpp"
 #include "solve/fields/layout_order.hpp"
 
 namespace sfumato::solve {

@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/parallel.hpp"
 #include "base/poll.hpp"
-#include "base/try.hpp"
 #include "picture/patch.hpp"
 #include "solve/fields/fan.hpp"
 

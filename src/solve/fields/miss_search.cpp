@@ -1,6 +1,5 @@
 #include "solve/fields/miss_search.hpp"
 
-#include <algorithm>
 #include <atomic>
 #include <cmath>
 

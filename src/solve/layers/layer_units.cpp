@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/boxes.hpp"
 #include "sfumato/base/limits.hpp"
 #include "solve/layers/rough.hpp"
 
@@ -56,9 +57,7 @@ const Tolerance& tolerance_of(const DiffuseOptions& options) {
   return options.max_error > 0 ? kTolerance : kPaperTolerance;
 }
 
-double longer_side(const Box& box) {
-  return std::max(box.width(), box.height());
-}
+}  // namespace
 
 Box within_coordinates(const Box& box) {
   const auto clamped = [](Vec2 p) {
@@ -67,8 +66,6 @@ Box within_coordinates(const Box& box) {
   };
   return {clamped(box.min), clamped(box.max)};
 }
-
-}  // namespace
 
 LayerUnits::LayerUnits(const Box& artboard, const LayerSight& sight, const DiffuseOptions& options)
     : sight_(sight), options_(options), artboard_side_(longer_side(artboard) / sight.scale) {

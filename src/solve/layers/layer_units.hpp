@@ -8,6 +8,9 @@
 
 namespace sfumato::solve {
 
+/// Returns the box clamped to the range of coordinates.
+Box within_coordinates(const Box& box);
+
 /// Lengths and areas of the artboard, converted to a layer's frame.
 class LayerUnits {
  public:

@@ -5,18 +5,15 @@
 #include <string>
 #include <utility>
 
-#include "base/charge.hpp"
+#include "base/boxes.hpp"
 #include "base/largest_scale.hpp"
 #include "base/parallel.hpp"
 #include "base/poll.hpp"
 #include "base/stopwatch.hpp"
-#include "base/table_memory.hpp"
 #include "base/try.hpp"
-#include "curves/flatten.hpp"
 #include "sfumato/base/limits.hpp"
 #include "solve/fields/field_mesh.hpp"
 #include "solve/layers/layer_units.hpp"
-#include "solve/layers/layer_view.hpp"
 
 namespace sfumato::solve {
 namespace {
@@ -107,7 +104,7 @@ Status check_sight(const LayerSight& sight, const Layer& layer) {
 
 void add_instance(const LayerInstance& instance, const Box& viewport, LayerSight& sight) {
   const Affine& map = instance.artboard_from_layer;
-  const LayerView view{bounds_of_mapped(inverse(map), viewport), largest_scale(map)};
+  const LayerView view{mapped_box(inverse(map), viewport), largest_scale(map)};
   sight.viewport = united(sight.viewport, view.window);
   if (!(view.scale > 0)) return;
   sight.scale = sight.views.empty() ? view.scale : std::max(sight.scale, view.scale);

@@ -1,7 +1,6 @@
 #include "solve/layers/soft_edges.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 
 #include "base/half_edge.hpp"

@@ -6,13 +6,11 @@
 
 #include "base/charge.hpp"
 #include "base/poll.hpp"
-#include "base/table_memory.hpp"
 #include "base/try.hpp"
 #include "gather/ends/free_ends.hpp"
 #include "gather/scene/scene.hpp"
 #include "mesh/mesher.hpp"
 #include "solve/layers/layer_units.hpp"
-#include "solve/layers/prepare_layer.hpp"
 
 namespace sfumato::solve {
 namespace {

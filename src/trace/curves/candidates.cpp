@@ -149,9 +149,8 @@ Result<std::vector<TracedCurve>> find_candidates(Context& context, std::span<con
                                                  TableMemory& memory) {
   TableMemory edge_memory("the edges of a picture");
   Plane taken;
-  Status status =
-      mark_present(context, channels[0].width, channels[0].height, present, edge_memory, taken);
-  if (!status) return status;
+  SFUMATO_TRY(
+      mark_present(context, channels[0].width, channels[0].height, present, edge_memory, taken));
   SFUMATO_TRY_ASSIGN(const EdgeMap& edges, find_edges(context, channels, options, taken));
   SFUMATO_TRY_ASSIGN(const std::vector<Chain>& chains, link_chains(context, edges, edge_memory));
   return curves_along(context, chains, tolerance, memory);

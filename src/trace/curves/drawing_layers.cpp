@@ -7,8 +7,9 @@
 #include "base/largest_scale.hpp"
 #include "base/poll.hpp"
 #include "base/try.hpp"
+#include "curves/attributes.hpp"
 #include "mesh/mesher.hpp"
-#include "sfumato/base/limits.hpp"
+#include "solve/layers/layer_units.hpp"
 #include "trace/curves/drawing_stops.hpp"
 
 namespace sfumato::tracing {
@@ -47,21 +48,13 @@ Sight sight_of(const Document& drawing, std::uint32_t layer, const LaidPicture& 
   return sight;
 }
 
-Box within_coordinates(const Box& box) {
-  const auto clamped = [](Vec2 p) {
-    return Vec2{std::clamp(p.x, -limits::kCoordinate, limits::kCoordinate),
-                std::clamp(p.y, -limits::kCoordinate, limits::kCoordinate)};
-  };
-  return {clamped(box.min), clamped(box.max)};
-}
-
 Status mesh_layer(Context& context, const Sight& sight, const LaidPicture& picture,
                   DrawnLayer& layer) {
   mesh::MeshOptions meshing;
   const double longer = std::max(picture.width, picture.height);
   meshing.unit_size = std::min(longer / kNominalSidePx, 1.0) / sight.px_per_unit;
   const Box shown = united(sight.box, layer.opacity_box);
-  meshing.frame = within_coordinates(shown.grown_by(2 * meshing.unit_size));
+  meshing.frame = solve::within_coordinates(shown.grown_by(2 * meshing.unit_size));
   SFUMATO_TRY_ASSIGN(auto&& mesher, mesh::Mesher::build(context, layer.flat, meshing));
   SFUMATO_TRY_ASSIGN(layer.mesh, mesher.visibility_mesh(context));
   layer.frame = meshing.frame;
@@ -83,7 +76,7 @@ Status prepare_opacities(Context& context, const std::vector<Curve>& curves, Dra
 Box box_of_opacity(const std::vector<Curve>& curves) {
   Box box;
   for (const Curve& curve : curves) {
-    if (!bears_opacity(curve)) continue;
+    if (!curves::bears_opacity(curve)) continue;
     Box around;
     for (const Vec2 p : curve.control_points) around.extend(p);
     box = united(box, around.grown_by(double{largest_radius(curve)}));

@@ -44,9 +44,4 @@ inline float largest_radius(const Curve& curve) {
   return largest;
 }
 
-inline bool bears_opacity(const Curve& curve) {
-  return curve.left.opacity.kind != ShaderKind::open ||
-         curve.right.opacity.kind != ShaderKind::open;
-}
-
 }  // namespace sfumato::tracing

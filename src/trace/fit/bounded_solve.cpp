@@ -1,10 +1,8 @@
 #include "trace/fit/bounded_solve.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <optional>
-#include <utility>
 
 #include "base/try.hpp"
 

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"

@@ -1,7 +1,6 @@
 #include "trace/fit/stop_fit.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>

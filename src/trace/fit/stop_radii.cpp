@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <utility>
 
 #include "base/try.hpp"
+#include "curves/attributes.hpp"
 #include "trace/curves/drawing.hpp"
 #include "trace/curves/drawing_stops.hpp"
 #include "trace/fit/bounded_solve.hpp"
@@ -38,7 +38,7 @@ Status StopFit::list_moving_curves() {
   std::size_t at = 0;
   for (std::size_t i = 0; i < layers_.size(); ++i) {
     for (const Curve& curve : drawing_.layers[i].curves) {
-      const bool moves = layers_[i] && is_chosen_[at] && !bears_opacity(curve);
+      const bool moves = layers_[i] && is_chosen_[at] && !curves::bears_opacity(curve);
       radius_px_[at] =
           moves ? largest_radius(curve) * static_cast<float>(layers_[i]->px_per_unit) : 0.0f;
       ++at;

@@ -1,7 +1,5 @@
 #include "trace/image/local_range.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 
 #include "base/parallel.hpp"

@@ -1,7 +1,6 @@
 #include "trace/image/sample_pixels.hpp"
 
 #include <algorithm>
-#include <cstddef>
 #include <utility>
 
 #include "base/poll.hpp"

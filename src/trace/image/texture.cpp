@@ -1,7 +1,6 @@
 #include "trace/image/texture.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <string>

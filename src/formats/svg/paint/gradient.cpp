@@ -1,7 +1,6 @@
 #include "formats/svg/paint/gradient.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <string_view>
 
 #include "base/text/number.hpp"

@@ -1,9 +1,7 @@
 #include "formats/svg/paint/paints.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
-#include <utility>
 
 #include "base/limit_error.hpp"
 #include "base/try.hpp"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/boxes.hpp"
 #include "base/try.hpp"
 #include "formats/svg/paint/image_place.hpp"
 #include "formats/svg/paint/paint_attributes.hpp"
@@ -9,11 +10,6 @@
 
 namespace sfumato::svg {
 namespace {
-
-Box common_box(const Box& a, const Box& b) {
-  return {{std::max(a.min.x, b.min.x), std::max(a.min.y, b.min.y)},
-          {std::min(a.max.x, b.max.x), std::min(a.max.y, b.max.y)}};
-}
 
 bool has_area(const Box& box) {
   return box.width() > 0 && box.height() > 0;
@@ -36,7 +32,7 @@ Result<PlainImage> read_plain_image(Input& input, TextureFiles& files, const Sty
                        "the place of the <image> cannot be computed; use sizes and "
                        "transforms of usual size");
   }
-  image.visible = common_box(box, {user_from_texture(texels.min), user_from_texture(texels.max)});
+  image.visible = intersection(box, {user_from_texture(texels.min), user_from_texture(texels.max)});
   return image;
 }
 

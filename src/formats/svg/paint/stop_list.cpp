@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <string>
 
 #include "base/text/number.hpp"
 #include "base/text/number_text.hpp"

@@ -1,7 +1,6 @@
 #include "formats/svg/paint/texture_files.hpp"
 
 #include <algorithm>
-#include <string>
 #include <utility>
 
 #include "base/text/ascii.hpp"

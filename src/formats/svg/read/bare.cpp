@@ -7,7 +7,6 @@
 
 #include "base/text/ascii.hpp"
 #include "formats/css/declarations.hpp"
-#include "formats/svg/style/vocabulary.hpp"
 #include "formats/text/suggestion.hpp"
 
 namespace sfumato::svg {

@@ -1,7 +1,6 @@
 #include "formats/svg/read/compositing.hpp"
 
 #include <algorithm>
-#include <string_view>
 
 #include "document/blend_names.hpp"
 #include "formats/css/value.hpp"

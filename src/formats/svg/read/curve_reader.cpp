@@ -7,6 +7,7 @@
 
 #include "base/poll.hpp"
 #include "base/try.hpp"
+#include "document/rules.hpp"
 #include "formats/svg/read/curve_attributes.hpp"
 #include "formats/svg/shapes/shapes.hpp"
 #include "sfumato/base/limits.hpp"
@@ -83,10 +84,6 @@ void warn_of_end(Input& input, Element shape, bool beyond_end) {
              "a stop of " + tag(shape) + " lies beyond the last segment; it is moved to the end");
 }
 
-bool is_coordinate(Vec2 p) {
-  return std::abs(p.x) <= limits::kCoordinate && std::abs(p.y) <= limits::kCoordinate;
-}
-
 /// Maps points into a table that is as long as they are.
 Status map_points(Input& input, Element shape, const Affine& map, std::span<const Vec2> points,
                   std::vector<Vec2>& mapped) {
@@ -95,7 +92,7 @@ Status map_points(Input& input, Element shape, const Affine& map, std::span<cons
   RarePoll<16384> poll(input.context());
   for (const Vec2& point : points) {
     if (poll.cancelled()) return input.context().cancel_status();
-    if (is_coordinate(mapped.emplace_back(map(point)))) continue;
+    if (rules::is_coordinate(mapped.emplace_back(map(point)))) continue;
     return input.error(shape, tag(shape) + " reaches farther than " +
                                   std::to_string(static_cast<long>(limits::kCoordinate)) +
                                   " from the origin; keep coordinates within that");

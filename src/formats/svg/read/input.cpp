@@ -2,11 +2,8 @@
 
 #include <algorithm>
 #include <cstring>
-#include <functional>
-#include <utility>
 
 #include "base/limit_error.hpp"
-#include "base/table_memory.hpp"
 #include "base/text/ascii.hpp"
 #include "base/try.hpp"
 #include "formats/svg/read/namespaces.hpp"

@@ -1,7 +1,6 @@
 #include "formats/svg/read/plain_reader.hpp"
 
 #include <cmath>
-#include <optional>
 #include <utility>
 
 #include "base/try.hpp"
@@ -10,7 +9,6 @@
 #include "formats/svg/shapes/element_transform.hpp"
 #include "formats/svg/shapes/shapes.hpp"
 #include "formats/svg/style/conditional.hpp"
-#include "formats/svg/style/vocabulary.hpp"
 
 namespace sfumato::svg {
 

@@ -4,8 +4,6 @@
 #include <array>
 #include <set>
 #include <string>
-#include <string_view>
-#include <utility>
 
 #include "base/text/ascii.hpp"
 #include "base/try.hpp"
@@ -15,7 +13,6 @@
 #include "formats/svg/read/bare.hpp"
 #include "formats/svg/shapes/element_transform.hpp"
 #include "formats/svg/shapes/shapes.hpp"
-#include "formats/svg/shapes/view_box.hpp"
 #include "formats/svg/style/vocabulary.hpp"
 #include "formats/text/suggestion.hpp"
 #include "sfumato/base/limits.hpp"
@@ -452,9 +449,7 @@ Result<StackReader::OpenGroup> StackReader::open_group(Element element, const Pl
     return group;
   }
   if (group.compositing.is_plain()) return group;
-  Status status =
-      push_item(element, GroupBegin{group.compositing.opacity, group.compositing.blend});
-  if (!status) return status;
+  SFUMATO_TRY(push_item(element, GroupBegin{group.compositing.opacity, group.compositing.blend}));
   group.is_open = true;
   group_height_ = 0;
   return group;

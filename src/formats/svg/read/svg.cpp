@@ -21,8 +21,6 @@
 #include "formats/svg/read/plain_svg.hpp"
 #include "formats/svg/read/stack_reader.hpp"
 #include "formats/svg/shapes/element_transform.hpp"
-#include "formats/svg/shapes/shapes.hpp"
-#include "formats/svg/shapes/view_box.hpp"
 #include "formats/svg/style/color.hpp"
 #include "formats/text/suggestion.hpp"
 #include "sfumato/base/limits.hpp"

@@ -8,19 +8,19 @@
 
 #include "base/text/ascii.hpp"
 #include "base/try.hpp"
+#include "document/rules.hpp"
 #include "formats/css/value.hpp"
 #include "formats/svg/shapes/clip_shape.hpp"
 #include "formats/svg/shapes/element_transform.hpp"
 #include "formats/svg/shapes/shapes.hpp"
 #include "formats/svg/style/conditional.hpp"
 #include "formats/svg/style/vocabulary.hpp"
-#include "sfumato/base/limits.hpp"
 
 namespace sfumato::svg {
 namespace {
 
 bool is_in_range(Vec2 p) {
-  return std::abs(p.x) <= limits::kCoordinate && std::abs(p.y) <= limits::kCoordinate;
+  return rules::is_coordinate(p);
 }
 
 /// Returns the outline of a box, control points in steps of a third.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/angle.hpp"
+#include "base/boxes.hpp"
 #include "base/table_memory.hpp"
 #include "base/try.hpp"
 #include "formats/css/transform_list.hpp"
@@ -280,10 +281,7 @@ Status TransformReader::extend(Element child, Box& box) {
   if (!inner) return inner.status().code == StatusCode::bad_input ? ok_status() : inner.status();
   const Box& content = *inner->content;
   if (content.empty()) return ok_status();
-  for (const Vec2 corner : {content.min, content.max, Vec2{content.min.x, content.max.y},
-                            Vec2{content.max.x, content.min.y}}) {
-    box.extend(inner->map(corner));
-  }
+  box = united(box, mapped_box(inner->map, content));
   return ok_status();
 }
 

@@ -4,7 +4,6 @@
 #include <string>
 
 #include "base/angle.hpp"
-#include "base/text/ascii.hpp"
 #include "base/try.hpp"
 #include "formats/css/value.hpp"
 #include "formats/svg/shapes/overflow.hpp"

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <string_view>
 
 #include "formats/svg/read/input.hpp"
 #include "formats/svg/shapes/marker_vertices.hpp"

@@ -5,12 +5,12 @@
 #include <string_view>
 #include <utility>
 
+#include "base/boxes.hpp"
 #include "base/limit_error.hpp"
 #include "base/text/ascii.hpp"
 #include "base/try.hpp"
 #include "formats/css/value.hpp"
 #include "formats/svg/paint/image_place.hpp"
-#include "formats/svg/paint/paint_attributes.hpp"
 #include "formats/svg/paint/plain_blur.hpp"
 #include "formats/svg/paint/plain_image.hpp"
 #include "formats/svg/read/plain_reader.hpp"
@@ -34,20 +34,6 @@ constexpr std::size_t kKnownMasks = 4096;
 
 bool has_extent(const Box& box) {
   return !box.empty() && box.width() > 0 && box.height() > 0;
-}
-
-Box mapped_box(const Box& box, const Affine& map) {
-  Box mapped;
-  for (const Vec2 corner :
-       {box.min, box.max, Vec2{box.min.x, box.max.y}, Vec2{box.max.x, box.min.y}}) {
-    mapped.extend(map(corner));
-  }
-  return mapped;
-}
-
-Box shared_box(const Box& a, const Box& b) {
-  return {{std::max(a.min.x, b.min.x), std::max(a.min.y, b.min.y)},
-          {std::min(a.max.x, b.max.x), std::min(a.max.y, b.max.y)}};
 }
 
 bool is_near_origin(const Box& box) {
@@ -169,7 +155,7 @@ Status PlainReader::apply_mask(const NamedMask& mask, Element target, Place& pla
   SFUMATO_TRY(check_map(mask.element, map));
   Result<MaskContent> content = read_mask(mask, map);
   if (content && content->is_drawn) {
-    const Box region = mapped_box(frame.region, place.frame_from_user);
+    const Box region = mapped_box(place.frame_from_user, frame.region);
     content = draw_mask(mask, region, map);
   }
   SFUMATO_TRY(content);
@@ -197,7 +183,7 @@ Result<Box> PlainReader::masked_box(Element target, const Place& place) {
   Result<Box> box = content_box(input_, target, viewport_in(place));
   if (!box || std::string_view(target.name()) != "symbol") return box;
   SFUMATO_TRY_ASSIGN(const Viewport& viewport, viewport_of(target, place));
-  return mapped_box(*box, viewport.user_from_view);
+  return mapped_box(viewport.user_from_view, *box);
 }
 
 /// Returns the region of the mask, and the frame of its content, for the element that has it.
@@ -349,7 +335,7 @@ std::string PlainReader::why_no_tile(Element content, const TexelGrid& grid) con
 /// A mask that is one texture of its content.
 /// region   artboard frame
 Result<MaskContent> PlainReader::draw_mask(const NamedMask& mask, Box region, const Affine& map) {
-  if (!visible_.empty()) region = shared_box(region, visible_);
+  if (!visible_.empty()) region = intersection(region, visible_);
   MaskContent content;
   if (!has_extent(region)) {
     content.opacity = 0;
@@ -368,10 +354,8 @@ Result<MaskContent> PlainReader::draw_mask(const NamedMask& mask, Box region, co
       paints_.empty_texture(mask.element, grid.width, grid.height, grid.frame_from_texture, false);
   SFUMATO_TRY(texture);
   const auto index = static_cast<std::uint32_t>(plain_.mask_shaders.size());
-  Status status =
-      input_.push_back(mask.element, input_.memory().shaders, plain_.mask_shaders,
-                       Shader{mask.element.attribute("id").value(), *std::move(texture)});
-  if (!status) return status;
+  SFUMATO_TRY(input_.push_back(mask.element, input_.memory().shaders, plain_.mask_shaders,
+                               Shader{mask.element.attribute("id").value(), *std::move(texture)}));
   TileRequest request{
       mask.element, inverse(grid.frame_from_texture) * map, grid.width, grid.height, 0, index};
   request.use = mask.use;
@@ -396,7 +380,7 @@ Result<bool> PlainReader::draw_as_one(Element element, const Place& place) {
   const Result<SketchedParts> parts = parts_of(input_.context(), sketch.document, sketch.content);
   if (!parts) return input_.placed(element, parts.status());
   SFUMATO_TRY_ASSIGN(const bool apart, are_apart(input_.context(), *parts, box));
-  if (!visible_.empty()) box = shared_box(box, visible_);
+  if (!visible_.empty()) box = intersection(box, visible_);
   if (apart || !has_extent(box) || !is_near_origin(box)) return false;
   const TexelGrid grid = grid_over(box);
   std::string why = why_no_tile(element, grid);

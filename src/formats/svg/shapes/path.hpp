@@ -46,7 +46,6 @@ class PathBuilder {
 
   Vec2 current() const { return current_; }
   /// Returns the point to which close() draws.
-  Vec2 subpath_begin() const { return begin_; }
   std::size_t control_point_count() const { return control_point_count_; }
   std::size_t subpath_count() const { return done_.size(); }
 

@@ -1,10 +1,8 @@
-#include <optional>
 #include <string_view>
 
 #include "base/text/ascii.hpp"
 #include "base/try.hpp"
 #include "formats/svg/read/stack_reader.hpp"
-#include "formats/svg/shapes/element_transform.hpp"
 #include "formats/svg/shapes/overflow.hpp"
 #include "formats/svg/shapes/shapes.hpp"
 #include "formats/svg/shapes/view_box.hpp"

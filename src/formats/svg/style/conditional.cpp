@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <string_view>
 
 #include "base/text/ascii.hpp"
 #include "formats/svg/style/vocabulary.hpp"

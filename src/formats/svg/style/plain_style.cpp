@@ -8,7 +8,6 @@
 #include "base/text/ascii.hpp"
 #include "base/text/number.hpp"
 #include "base/try.hpp"
-#include "formats/css/value.hpp"
 #include "formats/svg/style/color.hpp"
 #include "formats/text/suggestion.hpp"
 

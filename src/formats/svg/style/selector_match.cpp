@@ -1,7 +1,6 @@
 #include "formats/svg/style/selector_match.hpp"
 
 #include <algorithm>
-#include <cstring>
 #include <span>
 #include <string_view>
 

@@ -4,7 +4,6 @@
 
 #include "base/limit_error.hpp"
 #include "base/try.hpp"
-#include "formats/css/value.hpp"
 #include "formats/text/suggestion.hpp"
 #include "sfumato/base/limits.hpp"
 

@@ -2,7 +2,6 @@
 
 #include <span>
 #include <string>
-#include <vector>
 
 #include "formats/svg/write/svg_write_text.hpp"
 #include "sfumato/document/curve.hpp"

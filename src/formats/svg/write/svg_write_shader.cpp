@@ -3,7 +3,6 @@
 #include "base/text/number_text.hpp"
 #include "base/try.hpp"
 #include "codecs/data_uri_write.hpp"
-#include "formats/svg/write/svg_write_curve.hpp"
 
 namespace sfumato::svg {
 namespace {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <span>
-#include <utility>
 
 #include "base/limit_error.hpp"
 #include "base/poll.hpp"
