@@ -12,12 +12,15 @@ constexpr std::chrono::milliseconds kProgressDelay{1000};
 
 }  // namespace
 
-CommandContext::CommandContext(const DocumentArguments& arguments, int threads)
+CommandContext::CommandContext(const options::Resources& resources, int threads)
     : executor_(threads),
       context_{.executor = &executor_,
-               .budget = Budget(arguments.resources.memory_bytes),
-               .limits = arguments.resources.limits},
-      cancel_on_signal_(context_.cancel) {
+               .budget = Budget(resources.memory_bytes),
+               .limits = resources.limits},
+      cancel_on_signal_(context_.cancel) {}
+
+CommandContext::CommandContext(const DocumentArguments& arguments, int threads)
+    : CommandContext(arguments.resources, threads) {
   if (arguments.quiet || isatty(STDERR_FILENO) == 0) return;
   bar_.emplace(stderr, kProgressDelay);
   context_.progress = &*bar_;

@@ -15,6 +15,7 @@ namespace sfumato::cli {
 class CommandContext {
  public:
   /// threads   0: all cores
+  explicit CommandContext(const options::Resources& resources, int threads = 0);
   CommandContext(const DocumentArguments& arguments, int threads);
 
   Context& context() { return context_; }

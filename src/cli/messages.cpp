@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <optional>
-#include <string>
 
 #include "base/text/utf8.hpp"
 #include "cli/interrupt.hpp"

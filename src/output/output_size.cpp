@@ -6,7 +6,6 @@
 
 #include "base/limit_error.hpp"
 #include "base/text/number_text.hpp"
-#include "sfumato/base/limits.hpp"
 
 namespace sfumato::output {
 namespace {

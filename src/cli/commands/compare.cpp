@@ -7,13 +7,12 @@
 #include "base/table_memory.hpp"
 #include "base/text/json.hpp"
 #include "base/try.hpp"
+#include "cli/command_context.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/commands/difference.hpp"
 #include "cli/files/document_input.hpp"
 #include "cli/files/paths.hpp"
-#include "cli/interrupt.hpp"
 #include "sfumato/base/native/file.hpp"
-#include "sfumato/base/native/thread_pool.hpp"
 #include "sfumato/codecs/png.hpp"
 
 namespace sfumato::cli {
@@ -108,13 +107,9 @@ int compare(const CompareArguments& arguments) {
     const Status writable = check_output(arguments.output);
     if (!writable) return fail(writable);
   }
-  ThreadPool executor;
-  Context context{.executor = &executor,
-                  .budget = Budget(arguments.resources.memory_bytes),
-                  .limits = arguments.resources.limits,
-                  .deadline = deadline_of(arguments.resources)};
-  const CancelOnSignal cancel_on_signal(context.cancel);
-  const Status status = compare_files(context, arguments);
+  CommandContext command(arguments.resources);
+  command.context().deadline = deadline_of(arguments.resources);
+  const Status status = compare_files(command.context(), arguments);
   return status ? kDone : fail(naming(arguments.first, status));
 }
 

@@ -1,11 +1,10 @@
 #include "base/charge.hpp"
 #include "base/try.hpp"
+#include "cli/command_context.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/files/document_input.hpp"
 #include "cli/files/drawing_file.hpp"
 #include "cli/files/paths.hpp"
-#include "cli/interrupt.hpp"
-#include "sfumato/base/native/thread_pool.hpp"
 
 namespace sfumato::cli {
 namespace {
@@ -22,13 +21,9 @@ Status convert_document(Context& context, const ConvertArguments& arguments) {
 int convert(const ConvertArguments& arguments) {
   const Status writable = check_output(arguments.output);
   if (!writable) return fail(writable);
-  ThreadPool executor;
-  Context context{.executor = &executor,
-                  .budget = Budget(arguments.resources.memory_bytes),
-                  .limits = arguments.resources.limits,
-                  .deadline = deadline_of(arguments.resources)};
-  const CancelOnSignal cancel_on_signal(context.cancel);
-  const Status status = convert_document(context, arguments);
+  CommandContext command(arguments.resources);
+  command.context().deadline = deadline_of(arguments.resources);
+  const Status status = convert_document(command.context(), arguments);
   return status ? kDone : fail(naming(arguments.input, status));
 }
 

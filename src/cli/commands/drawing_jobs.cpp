@@ -1,7 +1,5 @@
 #include "cli/commands/drawing_jobs.hpp"
 
-#include <optional>
-
 #include "base/stopwatch.hpp"
 #include "base/try.hpp"
 #include "cli/command_context.hpp"

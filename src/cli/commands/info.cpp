@@ -3,7 +3,6 @@
 
 #include "base/charge.hpp"
 #include "base/table_memory.hpp"
-#include "base/text/json.hpp"
 #include "base/try.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/commands/document_facts.hpp"
@@ -35,44 +34,38 @@ std::string textures_text(const DocumentFacts& facts) {
 
 std::string as_table(const std::string& name, const ReadDocument& read) {
   const DocumentFacts facts = count_facts(read.document);
-  std::string table = output_line(name);
-  const auto row = [&table](const char* label, const std::string& content) {
-    table += table_row(label, content);
-  };
-  const auto count = [&row](const char* label, std::size_t number) {
-    row(label, std::to_string(number));
-  };
-  row("format", format_name(read.format));
-  row("artboard", size_text(read.document.artboard));
+  InfoTable table(name);
+  table.row("format", format_name(read.format));
+  table.row("artboard", size_text(read.document.artboard));
   const Vec2 size = picture_size(read.document);
-  row("size", shortest(size.x) + " x " + shortest(size.y) + " px");
-  row("background", background_text(read.document.background));
-  row("interpolation", interpolation_name(read.document.interpolation));
-  row("layers", std::to_string(facts.layers) + " (" + std::to_string(facts.instances) +
-                    (facts.instances == 1 ? " instance)" : " instances)"));
-  count("groups", facts.groups);
-  row("curves", std::to_string(facts.curves) + " (" +
-                    std::to_string(facts.curves - facts.closed_curves) + " open, " +
-                    std::to_string(facts.closed_curves) + " closed)");
-  count("  of colour", facts.color_curves);
-  count("  of opacity", facts.opacity_curves);
-  count("  of both", facts.both_curves);
-  count("  barriers", facts.barrier_curves);
-  count("  of nothing", facts.bare_curves);
-  count("  with blur", facts.blurred_curves);
-  count("  with a weight", facts.weighted_curves);
-  count("  leaving the artboard", facts.leaving_curves);
-  count("local curves", facts.local_curves);
-  count("Bezier pieces", facts.bezier_pieces);
-  count("control points", facts.control_points);
-  count("colour stops", facts.color_stops);
-  count("opacity stops", facts.opacity_stops);
-  row("gradients", std::to_string(facts.linear_gradients + facts.radial_gradients) + " (" +
-                       std::to_string(facts.linear_gradients) + " linear, " +
-                       std::to_string(facts.radial_gradients) + " radial)");
-  row("textures", textures_text(facts));
-  count("warnings", warnings_of(read).size());
-  return table;
+  table.row("size", shortest(size.x) + " x " + shortest(size.y) + " px");
+  table.row("background", background_text(read.document.background));
+  table.row("interpolation", interpolation_name(read.document.interpolation));
+  table.row("layers", std::to_string(facts.layers) + " (" + std::to_string(facts.instances) +
+                          (facts.instances == 1 ? " instance)" : " instances)"));
+  table.count("groups", facts.groups);
+  table.row("curves", std::to_string(facts.curves) + " (" +
+                          std::to_string(facts.curves - facts.closed_curves) + " open, " +
+                          std::to_string(facts.closed_curves) + " closed)");
+  table.count("  of colour", facts.color_curves);
+  table.count("  of opacity", facts.opacity_curves);
+  table.count("  of both", facts.both_curves);
+  table.count("  barriers", facts.barrier_curves);
+  table.count("  of nothing", facts.bare_curves);
+  table.count("  with blur", facts.blurred_curves);
+  table.count("  with a weight", facts.weighted_curves);
+  table.count("  leaving the artboard", facts.leaving_curves);
+  table.count("local curves", facts.local_curves);
+  table.count("Bezier pieces", facts.bezier_pieces);
+  table.count("control points", facts.control_points);
+  table.count("colour stops", facts.color_stops);
+  table.count("opacity stops", facts.opacity_stops);
+  table.row("gradients", std::to_string(facts.linear_gradients + facts.radial_gradients) + " (" +
+                             std::to_string(facts.linear_gradients) + " linear, " +
+                             std::to_string(facts.radial_gradients) + " radial)");
+  table.row("textures", textures_text(facts));
+  table.count("warnings", warnings_of(read).size());
+  return table.text();
 }
 
 void write_counts(JsonWriter& json, const DocumentFacts& facts) {
@@ -101,18 +94,10 @@ void write_counts(JsonWriter& json, const DocumentFacts& facts) {
 
 std::string as_json(const std::string& name, const ReadDocument& read) {
   const DocumentFacts facts = count_facts(read.document);
-  const Box& artboard = read.document.artboard;
   JsonWriter json;
   json.begin_object().member("file", name).member("format", format_name(read.format));
-  json.key("artboard")
-      .begin_object()
-      .member("x", artboard.min.x)
-      .member("y", artboard.min.y)
-      .member("width", artboard.width())
-      .member("height", artboard.height())
-      .end_object();
-  const Vec2 size = picture_size(read.document);
-  json.key("size_px").begin_object().member("width", size.x).member("height", size.y).end_object();
+  write_box(json, "artboard", read.document.artboard);
+  write_size(json, picture_size(read.document));
   json.member("background", background_text(read.document.background))
       .member("interpolation", interpolation_name(read.document.interpolation));
   write_counts(json, facts);

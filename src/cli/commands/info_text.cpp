@@ -2,7 +2,6 @@
 
 #include <variant>
 
-#include "base/text/json.hpp"
 #include "base/text/number_text.hpp"
 #include "cli/messages.hpp"
 #include "picture/picture_counts.hpp"
@@ -41,46 +40,31 @@ std::string max_error_text(double max_error) {
 
 std::string table_of(const std::string& name, const SolvedInput& solved, std::size_t bytes) {
   const SolvedFacts facts = count_facts(solved.picture);
-  std::string table = output_line(name);
-  const auto row = [&table](const char* label, const std::string& content) {
-    table += table_row(label, content);
-  };
-  const auto count = [&row](const char* label, std::size_t number) {
-    row(label, std::to_string(number));
-  };
+  InfoTable table(name);
   const Picture& picture = solved.picture;
   const Vec2 own = solved.origin.own_scale;
-  row("format", "solved picture, version " + std::to_string(kPictureFileVersion));
-  count("bytes", bytes);
-  row("artboard", size_text(picture.artboard));
-  row("viewport", size_text(picture.viewport));
-  row("size", shortest(picture.viewport.width() * own.x) + " x " +
-                  shortest(picture.viewport.height() * own.y) + " px");
-  row("solved for", shortest(solved.origin.pixels_per_unit) + " pixels per user unit");
-  row("max-error", max_error_text(solved.origin.max_error));
-  row("background", background_text(picture.background));
-  row("interpolation", interpolation_name(picture.interpolation));
-  row("layers", std::to_string(picture.layers.size()) + " (" + std::to_string(facts.instances) +
-                    (facts.instances == 1 ? " instance)" : " instances)"));
-  count("groups", facts.groups);
-  count("triangles", facts.tables.triangles);
-  count("vertices", facts.tables.vertices);
-  count("nodes", facts.tables.nodes);
-  count("edges with fine blur", facts.soft_edges);
-  count("local curves", facts.local_curves);
-  count("gradients", facts.gradients);
-  count("textures", facts.textures);
-  return table;
-}
-
-void write_box(JsonWriter& json, const char* key, const Box& box) {
-  json.key(key)
-      .begin_object()
-      .member("x", box.min.x)
-      .member("y", box.min.y)
-      .member("width", box.width())
-      .member("height", box.height())
-      .end_object();
+  table.row("format", "solved picture, version " + std::to_string(kPictureFileVersion));
+  table.count("bytes", bytes);
+  table.row("artboard", size_text(picture.artboard));
+  table.row("viewport", size_text(picture.viewport));
+  table.row("size", shortest(picture.viewport.width() * own.x) + " x " +
+                        shortest(picture.viewport.height() * own.y) + " px");
+  table.row("solved for", shortest(solved.origin.pixels_per_unit) + " pixels per user unit");
+  table.row("max-error", max_error_text(solved.origin.max_error));
+  table.row("background", background_text(picture.background));
+  table.row("interpolation", interpolation_name(picture.interpolation));
+  table.row("layers", std::to_string(picture.layers.size()) + " (" +
+                          std::to_string(facts.instances) +
+                          (facts.instances == 1 ? " instance)" : " instances)"));
+  table.count("groups", facts.groups);
+  table.count("triangles", facts.tables.triangles);
+  table.count("vertices", facts.tables.vertices);
+  table.count("nodes", facts.tables.nodes);
+  table.count("edges with fine blur", facts.soft_edges);
+  table.count("local curves", facts.local_curves);
+  table.count("gradients", facts.gradients);
+  table.count("textures", facts.textures);
+  return table.text();
 }
 
 std::string json_of(const std::string& name, const SolvedInput& solved, std::size_t bytes) {
@@ -91,11 +75,8 @@ std::string json_of(const std::string& name, const SolvedInput& solved, std::siz
   json.member("version", int{kPictureFileVersion}).member("bytes", bytes);
   write_box(json, "artboard", picture.artboard);
   write_box(json, "viewport", picture.viewport);
-  json.key("size_px")
-      .begin_object()
-      .member("width", picture.viewport.width() * solved.origin.own_scale.x)
-      .member("height", picture.viewport.height() * solved.origin.own_scale.y)
-      .end_object();
+  const Vec2 own = solved.origin.own_scale;
+  write_size(json, {picture.viewport.width() * own.x, picture.viewport.height() * own.y});
   json.member("pixels_per_unit", solved.origin.pixels_per_unit)
       .member("max_error", solved.origin.max_error)
       .member("background", background_text(picture.background))
@@ -116,9 +97,26 @@ std::string json_of(const std::string& name, const SolvedInput& solved, std::siz
 
 }  // namespace
 
-std::string table_row(std::string label, const std::string& content) {
+InfoTable::InfoTable(const std::string& name) : text_(output_line(name)) {}
+
+void InfoTable::row(std::string label, const std::string& content) {
   label.resize(kLabelWidth, ' ');
-  return "  " + label + content + '\n';
+  text_ += "  " + label + content + '\n';
+}
+
+void write_box(JsonWriter& json, const char* key, const Box& box) {
+  json.key(key)
+      .begin_object()
+      .member("x", box.min.x)
+      .member("y", box.min.y)
+      .member("width", box.width())
+      .member("height", box.height())
+      .end_object();
+}
+
+void write_size(JsonWriter& json, Vec2 size_px) {
+  json.key("size_px").begin_object().member("width", size_px.x).member("height", size_px.y);
+  json.end_object();
 }
 
 std::string shortest(double number) {

@@ -3,7 +3,9 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 
+#include "base/text/json.hpp"
 #include "cli/files/solved_input.hpp"
 #include "sfumato/base/box.hpp"
 #include "sfumato/base/color.hpp"
@@ -13,8 +15,24 @@
 /// solved pictures.
 namespace sfumato::cli {
 
-/// Returns a line of the table, with its newline.
-std::string table_row(std::string label, const std::string& content);
+/// The table, a line for each fact.
+class InfoTable {
+ public:
+  explicit InfoTable(const std::string& name);
+
+  void row(std::string label, const std::string& content);
+  void count(std::string label, std::size_t number) {
+    row(std::move(label), std::to_string(number));
+  }
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+/// Write the members of a JSON object that have parts.
+void write_box(JsonWriter& json, const char* key, const Box& box);
+void write_size(JsonWriter& json, Vec2 size_px);
 
 /// Returns the shortest decimal that reads back as the number.
 std::string shortest(double number);

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <system_error>
-#include <utility>
 
 #include "cli/commands/jobs.hpp"
 #include "cli/options/option_helpers.hpp"

@@ -1,12 +1,11 @@
 #include "sfumato/lint/lint.hpp"
 
 #include "base/try.hpp"
+#include "cli/command_context.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/files/document_input.hpp"
 #include "cli/files/paths.hpp"
-#include "cli/interrupt.hpp"
 #include "lint/hint_list.hpp"
-#include "sfumato/base/native/thread_pool.hpp"
 
 namespace sfumato::cli {
 namespace {
@@ -53,11 +52,8 @@ int lint_one(Context& context, const LintArguments& arguments) {
 }  // namespace
 
 int lint(const LintArguments& arguments) {
-  ThreadPool executor;
-  Context context{.executor = &executor,
-                  .budget = Budget(arguments.resources.memory_bytes),
-                  .limits = arguments.resources.limits};
-  const CancelOnSignal cancel_on_signal(context.cancel);
+  CommandContext command(arguments.resources);
+  Context& context = command.context();
   LintArguments one = arguments;
   int exit_code = kDone;
   for (const std::string& input : arguments.inputs) {

@@ -1,4 +1,3 @@
-#include <utility>
 
 #include "base/charge.hpp"
 #include "base/stopwatch.hpp"

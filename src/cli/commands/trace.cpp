@@ -1,7 +1,6 @@
 #include "sfumato/trace/trace.hpp"
 
 #include <cstdio>
-#include <optional>
 
 #include "base/charge.hpp"
 #include "base/stopwatch.hpp"

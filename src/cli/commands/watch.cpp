@@ -11,16 +11,15 @@
 #include "base/stopwatch.hpp"
 #include "base/table_memory.hpp"
 #include "base/try.hpp"
+#include "cli/command_context.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/files/document_input.hpp"
 #include "cli/files/folder_loader.hpp"
 #include "cli/files/paths.hpp"
 #include "cli/files/picture_file.hpp"
-#include "cli/interrupt.hpp"
 #include "cli/servers/file_watch.hpp"
 #include "cli/servers/watch_server.hpp"
 #include "sfumato/base/native/file.hpp"
-#include "sfumato/base/native/thread_pool.hpp"
 
 namespace sfumato::cli {
 namespace {
@@ -179,11 +178,8 @@ int watch(const WatchArguments& arguments) {
   }
   Result<std::unique_ptr<WatchServer>> server = WatchServer::start(arguments.port);
   if (!server) return fail(server.status());
-  ThreadPool executor(arguments.page.settings.threads);
-  Context context{.executor = &executor,
-                  .budget = Budget(arguments.resources.memory_bytes),
-                  .limits = arguments.resources.limits};
-  const CancelOnSignal cancel_on_signal(context.cancel);
+  CommandContext command(arguments.resources, arguments.page.settings.threads);
+  Context& context = command.context();
   const Status printed = print("http://127.0.0.1:" + std::to_string((*server)->port()) + "/\n");
   if (!printed) return fail(printed);
   Watching(context, arguments, **server).run();

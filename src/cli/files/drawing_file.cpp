@@ -1,7 +1,6 @@
 #include "cli/files/drawing_file.hpp"
 
 #include <span>
-#include <vector>
 
 #include "base/charge.hpp"
 #include "base/table_memory.hpp"

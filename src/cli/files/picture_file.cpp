@@ -1,16 +1,13 @@
 #include "cli/files/picture_file.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <utility>
 
 #include "base/charge.hpp"
 #include "base/stopwatch.hpp"
 #include "base/table_memory.hpp"
-#include "base/text/number_text.hpp"
 #include "base/try.hpp"
 #include "cli/messages.hpp"
 #include "output/export_picture.hpp"
