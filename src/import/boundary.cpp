@@ -104,9 +104,8 @@ class Boundary {
   Status drop_within(const std::vector<Vec2>& dropped);
   void forget(WrittenLoop& loop);
   Status find_touches();
-  Result<std::vector<LoopPiece>> leaking(TableMemory& memory, Leaks leaks = Leaks::all) const;
-  Status add_turned(TableMemory& memory, std::vector<LoopPiece>& found) const;
-  Status refuse_crossings() const;
+  Result<std::vector<DrawnLoop>> drawn_loops(TableMemory& memory) const;
+  Result<std::vector<LoopPiece>> leaking(TableMemory& memory) const;
   bool mark_lines(const std::vector<LoopPiece>& pieces);
   bool mark_all(std::size_t loop);
   Vec2 point_of(std::uint32_t contour, double parameter) const;
@@ -382,39 +381,18 @@ Status Boundary::write_loops() {
   return ok_status();
 }
 
-/// Appends the pieces of loops whose area has another sign than that of the arrangement's loop: the
-/// inside would be outside.
-Status Boundary::add_turned(TableMemory& memory, std::vector<LoopPiece>& found) const {
-  RarePoll<256> poll(context_);
-  for (std::uint32_t i = 0; i < written_.size(); ++i) {
-    if (poll.cancelled()) return context_.cancel_status();
-    const WrittenLoop& loop = written_[i];
-    const bool is_turned = signed_area(loop.chain) * area_of(edges_, steps_, loop.of) < 0;
-    const std::size_t count = is_turned ? loop.pieces.size() : 0;
-    for (std::uint32_t k = 0; k < count; ++k) {
-      SFUMATO_TRY(memory.push_back(context_, found, {i, k}));
-    }
-  }
-  return ok_status();
-}
-
-Result<std::vector<LoopPiece>> Boundary::leaking(TableMemory& memory, Leaks leaks) const {
-  std::vector<const std::vector<Vec2>*> loops;
+Result<std::vector<DrawnLoop>> Boundary::drawn_loops(TableMemory& memory) const {
+  std::vector<DrawnLoop> loops;
   SFUMATO_TRY(memory.reserve(context_, loops, written_.size()));
-  for (const WrittenLoop& loop : written_) loops.push_back(&loop.chain);
-  auto found = leaking_pieces(context_, loops, tolerance_, touches_, memory, leaks);
-  if (!found) return found;
-  SFUMATO_TRY(add_turned(memory, *found));
-  return found;
+  for (const WrittenLoop& loop : written_) {
+    loops.push_back({&loop.chain, area_of(edges_, steps_, loop.of)});
+  }
+  return loops;
 }
 
-/// Refuses a boundary that crosses itself, or whose inside is outside.
-Status Boundary::refuse_crossings() const {
-  TableMemory memory(kBoundaryPurpose);
-  const Result<std::vector<LoopPiece>> found = leaking(memory, Leaks::crossings);
-  if (!found || found->empty()) return found.status();
-  return make_error(StatusCode::bad_input,
-                    "its outline crosses itself too closely; expected simpler curves there");
+Result<std::vector<LoopPiece>> Boundary::leaking(TableMemory& memory) const {
+  SFUMATO_TRY_ASSIGN(const std::vector<DrawnLoop>& loops, drawn_loops(memory));
+  return leaking_pieces(context_, loops, tolerance_, touches_, memory);
 }
 
 /// Finds the vertices that several edges begin at.
@@ -478,7 +456,9 @@ Status Boundary::stop_leaks() {
     if (!is_last && !mark_lines(*found)) break;
     SFUMATO_TRY(write_loops());
   }
-  return refuse_crossings();
+  TableMemory memory(kBoundaryPurpose);
+  SFUMATO_TRY_ASSIGN(const std::vector<DrawnLoop>& loops, drawn_loops(memory));
+  return refuse_crossings(context_, loops, tolerance_, touches_);
 }
 
 Status Boundary::find(const Contours& contours, const RegionRule& rule, Vertices vertices) {

@@ -10,6 +10,7 @@
 #include "curves/bezier.hpp"
 #include "import/chords.hpp"
 #include "import/curve_crossing.hpp"
+#include "import/loop_area.hpp"
 #include "import/shape_limits.hpp"
 #include "sfumato/base/box.hpp"
 
@@ -72,11 +73,12 @@ class BoundaryCheck {
         memory_(memory),
         leaks_(leaks) {}
 
-  Result<std::vector<LoopPiece>> run(std::span<const std::vector<Vec2>* const> loops);
+  Result<std::vector<LoopPiece>> run(std::span<const DrawnLoop> loops);
 
  private:
   Status add_parts(const std::vector<Vec2>& chain, std::uint32_t loop);
   void measure(LoopParts& loop);
+  Status add_turned(std::span<const DrawnLoop> loops);
   Status check_pairs();
   Status check_pair(std::size_t a, std::size_t b);
   bool follow(std::size_t a, std::size_t b) const;
@@ -221,12 +223,27 @@ Status BoundaryCheck::check_pairs() {
   return ok_status();
 }
 
-Result<std::vector<LoopPiece>> BoundaryCheck::run(std::span<const std::vector<Vec2>* const> loops) {
+/// Appends the pieces of loops whose area has the wrong sign.
+Status BoundaryCheck::add_turned(std::span<const DrawnLoop> loops) {
+  RarePoll<256> poll(context_);
+  for (std::uint32_t i = 0; i < loops.size(); ++i) {
+    if (poll.cancelled()) return context_.cancel_status();
+    const std::vector<Vec2>& chain = *loops[i].chain;
+    const bool is_turned = signed_area(chain) * loops[i].area < 0;
+    const std::size_t count = is_turned ? (chain.size() - 1) / 3 : 0;
+    for (std::uint32_t k = 0; k < count; ++k) {
+      SFUMATO_TRY(memory_.push_back(context_, found_, {i, k}));
+    }
+  }
+  return ok_status();
+}
+
+Result<std::vector<LoopPiece>> BoundaryCheck::run(std::span<const DrawnLoop> loops) {
   Status status = working_.reserve(context_, loops_, loops.size());
   for (std::uint32_t i = 0; status && i < loops.size(); ++i) {
     LoopParts& loop = loops_.emplace_back();
     loop.first = parts_.size();
-    status = add_parts(*loops[i], i);
+    status = add_parts(*loops[i].chain, i);
     loop.end = parts_.size();
     if (status) measure(loop);
   }
@@ -237,17 +254,26 @@ Result<std::vector<LoopPiece>> BoundaryCheck::run(std::span<const std::vector<Ve
     if (poll.cancelled()) return context_.cancel_status();
     boxes_.push_back(bounds_of(part).grown_by((3 + kDrawnOff) / 2 * weld_));  // half the reach
   }
-  if (status = check_pairs(); !status) return status;
+  SFUMATO_TRY(check_pairs());
+  SFUMATO_TRY(add_turned(loops));
   return std::move(found_);
 }
 
 }  // namespace
 
-Result<std::vector<LoopPiece>> leaking_pieces(Context& context,
-                                              std::span<const std::vector<Vec2>* const> loops,
+Result<std::vector<LoopPiece>> leaking_pieces(Context& context, std::span<const DrawnLoop> loops,
                                               double weld, std::span<const Vec2> touches,
                                               TableMemory& memory, Leaks leaks) {
   return BoundaryCheck(context, weld, touches, memory, leaks).run(loops);
+}
+
+Status refuse_crossings(Context& context, std::span<const DrawnLoop> loops, double weld,
+                        std::span<const Vec2> touches) {
+  TableMemory memory(kCheckPurpose);
+  const auto found = leaking_pieces(context, loops, weld, touches, memory, Leaks::crossings);
+  if (!found || found->empty()) return found.status();
+  return make_error(StatusCode::bad_input,
+                    "its outline crosses itself too closely; expected simpler curves there");
 }
 
 }  // namespace sfumato::svg_import

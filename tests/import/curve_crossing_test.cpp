@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
+#include "import/boundary.hpp"
 #include "import/boundary_check.hpp"
 
 namespace sfumato {
@@ -45,21 +48,30 @@ TEST(CurveCrossing, beside_a_sharp_tip) {
   EXPECT_TRUE(leaf(1));
 }
 
+using Loop = std::vector<Vec2>;
+
+Loop polygon(const std::vector<Vec2>& corners) {
+  Loop chain{corners.front()};
+  for (std::size_t i = 1; i <= corners.size(); ++i) {
+    const Cubic side = segment(chain.back(), corners[i % corners.size()]);
+    chain.insert(chain.end(), side.begin() + 1, side.end());
+  }
+  return chain;
+}
+
+Loop square_from(double left, double top = 0) {
+  return polygon({{left, top}, {left + 10, top}, {left + 10, top + 10}, {left, top + 10}});
+}
+
+const Loop kEight = polygon({{0, 0}, {10, 9}, {10, 0}, {0, 10}});
+
 TEST(BoundaryCheck, finds_loops_that_cross_or_come_too_near) {
-  const auto square = [](double left, double right) {
-    std::vector<Vec2> chain{{left, 0}};
-    for (const Vec2 to : {Vec2{right, 0}, Vec2{right, 10}, Vec2{left, 10}, Vec2{left, 0}}) {
-      const Cubic side = segment(chain.back(), to);
-      chain.insert(chain.end(), side.begin() + 1, side.end());
-    }
-    return chain;
-  };
-  const std::vector<Vec2> first = square(0, 10);
+  const Loop first = square_from(0);
   const auto count = [&](double left) {
     Context context;
     TableMemory memory("a test");
-    const std::vector<Vec2> second = square(left, left + 10);
-    const std::vector<const std::vector<Vec2>*> loops{&first, &second};
+    const Loop second = square_from(left);
+    const std::vector<svg_import::DrawnLoop> loops{{&first, 100}, {&second, 100}};
     const auto found = svg_import::leaking_pieces(context, loops, 0.01, {}, memory);
     EXPECT_TRUE(found);
     return found ? found->size() : 0;
@@ -67,6 +79,22 @@ TEST(BoundaryCheck, finds_loops_that_cross_or_come_too_near) {
   EXPECT_EQ(count(10.02), 0u);
   EXPECT_GT(count(10.001), 0u);
   EXPECT_GT(count(9.001), 0u);
+}
+
+TEST(BoundaryCheck, refuses_loops_that_cross_or_are_turned) {
+  Context context;
+  const auto refused = [&](const std::vector<svg_import::DrawnLoop>& loops) {
+    const Status status = svg_import::refuse_crossings(context, loops, 0.01, {});
+    EXPECT_EQ(svg_import::is_too_intricate(status), !status.ok());
+    return status.message;
+  };
+  const std::string crosses =
+      "its outline crosses itself too closely; expected simpler curves there";
+  const Loop first = square_from(0), near = square_from(10.001), across = square_from(9, 1);
+  EXPECT_EQ(refused({{&first, 100}, {&near, 100}}), "");
+  EXPECT_EQ(refused({{&first, 100}, {&across, 100}}), crosses);
+  EXPECT_EQ(refused({{&first, 100}, {&near, -100}}), crosses);
+  EXPECT_EQ(refused({{&kEight, 5}}), crosses);
 }
 
 }  // namespace
