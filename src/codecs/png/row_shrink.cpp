@@ -100,7 +100,7 @@ Status RowShrinker::finish(const Context& context, bool has_alpha, TableMemory& 
     pixel[3] = in_16_bits(sum[3]);
     std::memcpy(&out.bytes[2 * channels * i], pixel, 2 * channels);
   }
-  return status;
+  return {};
 }
 
 }  // namespace sfumato::codecs
