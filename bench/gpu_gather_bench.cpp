@@ -176,7 +176,7 @@ BENCHMARK(compile)->ArgName("blends")->Arg(0)->Arg(1)->Unit(benchmark::kMillisec
 void upload(benchmark::State& state) {
   Points* const found = points_of(state, static_cast<int>(state.range(0)), 0);
   if (!found) return;
-  with_device(state, [](benchmark::State& s, const gpu::Device& device) {
+  with_device(state, [](benchmark::State& s, const gpu::Device&) {
     const gather::Scene& scene = points_of(s, static_cast<int>(s.range(0)), 0)->drawing->scene;
     for (auto _ : s) {
       const gpu::WalkTables tables(scene);

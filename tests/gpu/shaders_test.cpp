@@ -16,7 +16,7 @@ void expect_program(std::string_view vertex, std::string_view fragment,
   ASSERT_TRUE(device.ok()) << to_string(device.status());
   const Result<Program> program = Program::create(vertex, fragment, defines);
   EXPECT_TRUE(program.ok()) << to_string(program.status());
-  EXPECT_EQ((*device)->gl().GetError(), static_cast<GLenum>(GL_NO_ERROR));
+  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
 TEST(Shaders, every_program_and_variant_links) {

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "formats/css/color_names.hpp"
+#include "formats/css/names.hpp"
 
 namespace sfumato::cli {
 namespace {
