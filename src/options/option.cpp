@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/text/ascii.hpp"
 #include "formats/css/color.hpp"
 #include "formats/text/suggestion.hpp"
 #include "options/values.hpp"
@@ -44,7 +45,8 @@ bool read_whole(const OptionInfo& option, std::string_view text, Value& value) {
 }
 
 bool read_word(const OptionInfo& option, std::string_view text, Value& value) {
-  const auto word = std::ranges::find(option.words, text);
+  const auto word = option.ignores_case ? std::ranges::find(option.words, ascii_lower(text))
+                                        : std::ranges::find(option.words, text);
   value.word = static_cast<std::size_t>(word - option.words.begin());
   return word != option.words.end();
 }

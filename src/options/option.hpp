@@ -88,6 +88,7 @@ struct OptionInfo {
   WholeRange wholes{};
   const char* instead = nullptr;              ///< a word that stands for no number
   std::span<const std::string_view> words{};  ///< of ValueKind::word
+  bool ignores_case = false;                  ///< of the letters of words
   const char* expected = nullptr;             ///< null: follows from words or wholes
   const char* value_name = nullptr;           ///< in the help; null: the words
   const char* excludes = nullptr;  ///< the key of an option that cannot be combined with this one

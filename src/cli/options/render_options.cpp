@@ -52,6 +52,7 @@ void add_files(CommandSyntax& command, RenderArguments& arguments, RenderChoices
              {.key = "format",
               .kind = options::ValueKind::word,
               .words = options::known_formats(),
+              .ignores_case = true,
               .value_name = "EXTENSION",
               .help = "Set the format for --out-dir and '-o -'; rgb24, rgba,\nrgb48le and rgba64le "
                       "are raw frames for ffmpeg [png]"},
