@@ -7,6 +7,7 @@ import { chromium } from "playwright-core";
 import { PNG } from "pngjs";
 import { launchWith, MESA, SWIFTSHADER } from "../chromium.mjs";
 import { Command, Pages, Tap, pathOf } from "./harness.mjs";
+import { testBundle } from "./bundle.mjs";
 import { testExact } from "./exact.mjs";
 import { testExactHard } from "./exact_hard.mjs";
 import { testFramesAndPaper } from "./frames.mjs";
@@ -34,6 +35,7 @@ await tap.test("the viewer's types are right", () => {
     throw new Error(String(error.stdout));
   }
 });
+await testBundle(tap);
 await testPayload(tap, { dump, command });
 await testTables(tap);
 await testGlb(tap, { command });

@@ -154,3 +154,18 @@ def test_a_library_that_is_none_is_an_import_error(tmp_path):
             env={**os.environ, "SFUMATO_LIBRARY": str(path)},
         )
         assert done.returncode == 1 and "ImportError" in done.stderr and words in done.stderr
+
+
+@pytest.mark.skipif(not (ROOT / "include").is_dir(), reason="the C header is not here")
+def test_a_new_c_function_needs_its_line_in_the_header(tmp_path):
+    binding = tmp_path / "bindings" / "python"
+    binding.mkdir(parents=True)
+    shutil.copy(ROOT / "bindings" / "python" / "interface.py", binding)
+    (binding / "sfumato").mkdir()
+    header = tmp_path / "include" / "sfumato" / "sfumato.h"
+    header.parent.mkdir(parents=True)
+    text = (ROOT / "include" / "sfumato" / "sfumato.h").read_text()
+    first = text.index("SFUMATO_API ")
+    header.write_text(f"{text[:first]}SFUMATO_API int32_t sfumato_extra(double x);\n{text[first:]}")
+    subprocess.run([sys.executable, "interface.py"], cwd=binding, check=True)
+    assert "sfumato_extra" in (binding / "sfumato" / "_interface.py").read_text()
