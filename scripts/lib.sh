@@ -82,14 +82,14 @@ suite() {
 }
 
 # unit_tests BUILD [OPTION...]: runs the tests of a build folder in parallel on all cores, with options of
-# ctest. The report, $results/$report.xml, holds the results and times; the exit code says whether the report
-# exists. report: ctest or ctest-SUFFIX.
+# ctest. The report, $results/ctest.xml, or ctest-$part.xml if part is set, holds the results and times; the exit
+# code says whether the report exists.
 unit_tests() {
-  local report=$results/${report:-ctest}
+  local name=$results/ctest${part:+-$part}
   ctest --test-dir "$1" "${@:2}" --parallel "$(nproc)" --output-on-failure \
-    --output-junit "$PWD/$report.xml" --no-tests=error </dev/null >"$report.log" 2>&1
-  grep -vE '^ *(Start +[0-9]+:|[0-9]+/[0-9]+ Test +#[0-9]+:.* Passed +)' "$report.log"
-  [[ -s $report.xml ]]
+    --output-junit "$PWD/$name.xml" --no-tests=error </dev/null >"$name.log" 2>&1
+  grep -vE '^ *(Start +[0-9]+:|[0-9]+/[0-9]+ Test +#[0-9]+:.* Passed +)' "$name.log"
+  [[ -s $name.xml ]]
 }
 
 # start_results: empties the folder $results, except for built files.
