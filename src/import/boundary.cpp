@@ -30,6 +30,10 @@ constexpr int kMostRounds = 8;           ///< of writing lines where curves leak
 constexpr const char* kBoundaryPurpose = "the boundary of a shape";
 constexpr double kParallel = 1e-9;  ///< sine of an angle
 
+bool is_corner(double parameter) {
+  return parameter == std::floor(parameter);
+}
+
 using curves::Cubic;
 
 /// Closes a gap by a straight line, for which there is room, or, if the gap is tiny, by moving the
@@ -77,6 +81,8 @@ class Boundary {
   /// Finds the loops and writes them along the contours.
   Status find(const Contours& contours, const RegionRule& rule, Vertices vertices);
   double tolerance() const { return tolerance_; }
+  /// How far the crossing of two curves may be from where their chords cross.
+  double farthest_joint() const { return 4 * tolerance_; }
   /// Property of the contours; known once find() is done.
   std::size_t chord_count() const { return chord_count_; }
   /// Returns whether a written part crosses another or is too near to it.
@@ -97,6 +103,8 @@ class Boundary {
   Status write_line(const Stretch& stretch, Vec2 end, WrittenLoop& written);
   Status note_steps(const Stretch& stretch, std::size_t loop, std::size_t piece_count,
                     WrittenLoop& written);
+  Vec2 begin_of(const Stretch& stretch, std::size_t loop) const;
+  void place_ends(Stretch& stretch, Vec2 begin, Vec2 end) const;
   Vec2 joint_between(Stretch& before, Stretch& after, std::size_t loop) const;
   Vec2 join(Run& before, Run& after) const;
   std::optional<Vec2> refine(Run& before, Run& after) const;
@@ -110,6 +118,7 @@ class Boundary {
   bool mark_all(std::size_t loop);
   Vec2 point_of(std::uint32_t contour, double parameter) const;
   Cubic piece_of(const Run& run, double parameter, double& base) const;
+  double parameter_near(const Run& run, double parameter, Vec2 vertex) const;
 
   Context& context_;
   double tolerance_;
@@ -174,6 +183,25 @@ Cubic Boundary::piece_of(const Run& run, double parameter, double& base) const {
   return curves::piece(chain, static_cast<std::size_t>(base));
 }
 
+/// Returns the parameter at a vertex of the arrangement. `parameter` was found in proportion to the
+/// length of a chord, which is wrong where the speed of the curve changes along the chord.
+double Boundary::parameter_near(const Run& run, double parameter, Vec2 vertex) const {
+  if (is_corner(parameter)) return parameter;
+  if (length(point_of(run.contour, parameter) - vertex) <= farthest_joint()) return parameter;
+  double base = 0;
+  const Cubic cubic = piece_of(run, parameter, base);
+  return base + curves::nearest_parameter(cubic, vertex, parameter - base);
+}
+
+/// Moves the ends of a stretch's run to the vertices where it begins and ends.
+void Boundary::place_ends(Stretch& stretch, Vec2 begin, Vec2 end) const {
+  if (stretch.is_line) return;
+  Run& run = stretch.run;
+  const Run placed{run.contour, parameter_near(run, run.begin, begin),
+                   parameter_near(run, run.end, end)};
+  if ((placed.end - placed.begin) * (run.end - run.begin) > 0) run = placed;
+}
+
 /// Moves two ends that meet to the crossing of their curves, by Newton's method, if it is near.
 /// Returns the crossing, or no value if the ends stay.
 std::optional<Vec2> Boundary::refine(Run& before, Run& after) const {
@@ -193,7 +221,7 @@ std::optional<Vec2> Boundary::refine(Run& before, Run& after) const {
     if (!(s >= 0 && s <= 1 && u >= 0 && u <= 1)) return std::nullopt;
   }
   const Vec2 crossing = curves::point_at(on_a, s);
-  if (!(length(crossing - begin) <= 4 * tolerance_)) return std::nullopt;
+  if (!(length(crossing - begin) <= farthest_joint())) return std::nullopt;
   if (!(length(curves::point_at(on_b, u) - crossing) <= tolerance_)) return std::nullopt;
   s += base_a;
   u += base_b;
@@ -207,7 +235,6 @@ std::optional<Vec2> Boundary::refine(Run& before, Run& after) const {
 
 /// Where one run ends and the next begins.
 Vec2 Boundary::join(Run& before, Run& after) const {
-  const auto is_corner = [](double parameter) { return parameter == std::floor(parameter); };
   const Vec2 end = point_of(before.contour, before.end);
   if (is_corner(before.end)) return end;
   const Vec2 begin = point_of(after.contour, after.begin);
@@ -216,10 +243,15 @@ Vec2 Boundary::join(Run& before, Run& after) const {
   return refine(before, after).value_or(lerp(end, begin, 0.5));
 }
 
+/// The vertex of the arrangement at which a stretch begins.
+Vec2 Boundary::begin_of(const Stretch& stretch, std::size_t loop) const {
+  return edges_.position_of(edges_.edge[steps_.steps_of(loop)[stretch.first].edge].from);
+}
+
 /// Where one stretch of a loop ends and the next begins.
 Vec2 Boundary::joint_between(Stretch& before, Stretch& after, std::size_t loop) const {
   if (!before.is_line && !after.is_line) return join(before.run, after.run);
-  return edges_.position_of(edges_.edge[steps_.steps_of(loop)[after.first].edge].from);
+  return begin_of(after, loop);
 }
 
 Status Boundary::find_stretches(std::size_t loop, std::vector<Stretch>& stretches,
@@ -307,6 +339,9 @@ Status Boundary::write_loop(std::size_t index) {
   SFUMATO_TRY(find_stretches(index, stretches, working));
   SFUMATO_TRY(working.resize(context_, joints, stretches.size()));
   const auto next = [&](std::size_t i) { return (i + 1) % stretches.size(); };
+  for (std::size_t i = 0; i < stretches.size(); ++i) {
+    place_ends(stretches[i], begin_of(stretches[i], index), begin_of(stretches[next(i)], index));
+  }
   for (std::size_t i = 0; i < stretches.size(); ++i) {
     joints[next(i)] = joint_between(stretches[i], stretches[next(i)], index);
   }

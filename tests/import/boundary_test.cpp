@@ -5,9 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
+#include <string>
 #include <vector>
 
+#include "base/segment.hpp"
 #include "curves/bezier.hpp"
 
 namespace sfumato::svg_import {
@@ -64,6 +67,38 @@ TEST(FillBoundary, follows_a_crescent_whose_curves_run_back_into_each_other) {
              {-2.128, 83.52},
              {.205, 108.452}},
             "crescent");
+}
+
+/// Returns the distance of a point from the outline of straight pieces.
+double distance_from(const std::vector<Vec2>& chain, Vec2 p) {
+  double nearest = INFINITY;
+  for (std::size_t i = 0; i + 3 < chain.size(); i += 3)
+    nearest = std::min(nearest, length(p - nearest_on_segment(p, chain[i], chain[i + 3])));
+  return nearest;
+}
+
+TEST(FillBoundary, meets_where_straight_curves_of_uneven_speed_cross) {
+  const double speeds[][2] = {{0.5, 0.5}, {0, 1}, {0, 0}, {1, 1}, {0.02, 0.04}, {0.9, 0.97}};
+  for (const auto& [first, second] : speeds) {
+    std::vector<Vec2> star;
+    for (int i = 0; i <= 5; ++i) {
+      const double angle = 0.3 + 0.8 * std::numbers::pi * i;
+      const Vec2 tip{50 + 40 * std::cos(angle), 50 + 40 * std::sin(angle)};
+      if (i > 0) {
+        const Vec2 from = star.back();
+        star.insert(star.end(), {lerp(from, tip, first), lerp(from, tip, second)});
+      }
+      star.push_back(tip);
+    }
+    Context context;
+    const auto boundary = fill_boundary(context, {star}, false, kBoundaryTolerance);
+    ASSERT_TRUE(boundary);
+    double farthest = 0;
+    for (const std::vector<Vec2>& loop : *boundary)
+      for (const Vec2 p : points_along(loop, 50))
+        farthest = std::max(farthest, distance_from(star, p));
+    EXPECT_LE(farthest, kBoundaryTolerance) << "speeds " << first << ", " << second;
+  }
 }
 
 TEST(FillBoundary, follows_crescents_with_nearly_tangent_tips) {
