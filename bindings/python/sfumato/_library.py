@@ -21,9 +21,11 @@ def _load() -> Any:
         loaded = ffi.dlopen(path, ffi.RTLD_NODELETE)
     except OSError as error:
         raise ImportError(f"Sfumato's library cannot be loaded: {error}") from error
-    for name in dir(loaded):
-        if not hasattr(loaded, name):
-            raise ImportError(f"{path} is too old for this package: no {name}")
+    try:
+        for function in dir(loaded):
+            getattr(loaded, function)
+    except ffi.error as error:
+        raise ImportError(f"{path} is too old for this package: {error}") from None
     if loaded.sfumato_abi() != loaded.SFUMATO_ABI:
         raise ImportError(
             f"{path} has ABI {loaded.sfumato_abi()}, this package needs {loaded.SFUMATO_ABI}"

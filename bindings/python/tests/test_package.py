@@ -165,7 +165,7 @@ def test_a_new_c_function_needs_its_line_in_the_header(tmp_path):
     header = tmp_path / "include" / "sfumato" / "sfumato.h"
     header.parent.mkdir(parents=True)
     text = (ROOT / "include" / "sfumato" / "sfumato.h").read_text()
-    first = text.index("SFUMATO_API ")
-    header.write_text(f"{text[:first]}SFUMATO_API int32_t sfumato_extra(double x);\n{text[first:]}")
+    first = text.index("\nSFUMATO_API ")
+    header.write_text(f"{text[:first]}\nSFUMATO_API int32_t sfumato_extra(double x);{text[first:]}")
     subprocess.run([sys.executable, "interface.py"], cwd=binding, check=True)
     assert "sfumato_extra" in (binding / "sfumato" / "_interface.py").read_text()
