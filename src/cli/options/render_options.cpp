@@ -17,8 +17,9 @@ constexpr const char* kRenderExamples[] = {
     "sfumato render lady_bug.xml -o lady_bug.pdf --title \"Lady bug\"",
     "sfumato render lady_bug.sfp -o lady_bug.webp",
     "sfumato render *.svg --out-dir pictures --format webp",
-    "sfumato render frames/*.svg -o - --format rgb24 |\n"
-    "      ffmpeg -f rawvideo -pixel_format rgb24 -video_size 1280x720 -framerate 24 -i - film.mp4",
+    ("sfumato render frames/*.svg -o - --format rgb24 |\n"
+     "      ffmpeg -f rawvideo -pixel_format rgb24 -video_size 1280x720 -framerate 24 -i - "
+     "film.mp4"),
     "sfumato render - -o - <lady_bug.xml >lady_bug.png"};
 
 constexpr const char* kRenderNotes =
