@@ -195,10 +195,10 @@ export async function show(page, view) {
   await settled(page);
 }
 
-/** Takes a screenshot without the buttons. */
+/** Takes a screenshot without the buttons, and without the note that a slow machine gets. */
 export async function pictureOf(page) {
   await page.evaluate(() => {
-    document.getElementById("tools").style.visibility = "hidden";
+    for (const id of ["tools", "still"]) document.getElementById(id).style.visibility = "hidden";
   });
   return page.screenshot();
 }
