@@ -21,8 +21,8 @@ constexpr int kSide = 12;
 constexpr std::size_t kMostItems = 6;
 constexpr std::size_t kMostTriangles = 24;
 
-std::vector<std::uint8_t> mended(const Context& context, const std::uint8_t* data,
-                                 std::size_t size) {
+std::vector<std::uint8_t> with_valid_header(const Context& context, const std::uint8_t* data,
+                                            std::size_t size) {
   std::vector<std::uint8_t> file(data, data + size);
   if (size < kHeaderBytes) return file;
   std::memcpy(file.data(), kHeader, sizeof kHeader);
@@ -48,7 +48,7 @@ void check(const Made& made) {
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   Context context{.budget = Budget(fuzz::kBudgetBytes)};
-  const std::vector<std::uint8_t> file = mended(context, data, size);
+  const std::vector<std::uint8_t> file = with_valid_header(context, data, size);
   {
     PictureOrigin origin;
     const Result<Picture> picture = read_picture(context, file, &origin);

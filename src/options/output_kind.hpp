@@ -72,7 +72,7 @@ std::span<const KnownOutput> known_outputs();
 /// Returns the known extensions of raw frames: "rgb24".
 std::span<const KnownOutput> known_frames();
 
-/// Returns the known extensions of files, and after them those of raw frames.
+/// Returns the extensions of known_outputs(), followed by those of known_frames().
 std::span<const std::string_view> known_formats();
 
 /// Returns the kind for an extension, in any case and without its dot: "png".

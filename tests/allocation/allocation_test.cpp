@@ -221,7 +221,8 @@ std::string digest_of_drawing(const Document& drawing) {
   return made([&](Context& context) { return write_svg(context, drawing); });
 }
 
-/// Returns a disc, one edge of which shows in each step of a trace; half transparent with alpha.
+/// Returns a picture of a disc, whose edge gives every step of a trace something to do. If the
+/// format has alpha, the picture around the disc is half transparent.
 Image picture_of_disc(PixelFormat format) {
   constexpr int kSide = 12;
   Image image{kSide, kSide, format, {}};

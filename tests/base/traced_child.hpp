@@ -20,7 +20,7 @@ struct Mishap {
 };
 
 struct TracedEnd {
-  std::size_t call_count = 0;  ///< system calls of body, except those of a sanitizer
+  std::size_t call_count = 0;  ///< how many system calls body made, without a sanitizer's
   long call = -1;              ///< number of the system call that failed
   int status = 0;              ///< value that body returned, or minus the signal that ended it
 };

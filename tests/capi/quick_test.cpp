@@ -172,7 +172,7 @@ TEST_F(CQuick, pictures_within_a_time_go_on_where_they_stopped) {
     ASSERT_EQ(sfumato_solve_within(c, document.get(), 0, picture.get()), SFUMATO_OK);
     ASSERT_LT(waiting(), now);
     renew(SFUMATO_COLOR_VALUES, values);
-    ASSERT_EQ(values, table_of(SFUMATO_COLOR_VALUES)) << "not all new rows are told";
+    ASSERT_EQ(values, table_of(SFUMATO_COLOR_VALUES)) << "the steps do not report all new rows";
   }
   EXPECT_NE(values, before);
   EXPECT_LT(mean_miss(), 0.5);

@@ -73,8 +73,8 @@ Result<Picture> reread(const Bytes& bytes, PictureOrigin* origin = nullptr) {
   return picture;
 }
 
-/// Corrects the checksum, so that the reader examines the data after it.
-void mend(Bytes& bytes) {
+/// Corrects size and checksum, so that the reader examines the data after it.
+void correct_header(Bytes& bytes) {
   if (bytes.size() < kHeaderBytes) return;
   const std::uint64_t size = bytes.size();
   std::memcpy(&bytes[12], &size, sizeof size);
@@ -202,10 +202,10 @@ TEST(PictureFile, every_cut_is_told) {
     const std::size_t size = i < 200 ? static_cast<std::size_t>(i) : random() % bytes.size();
     Bytes cut(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size));
     EXPECT_FALSE(reread(cut).ok()) << size;
-    mend(cut);
-    const Result<Picture> mended = reread(cut);
-    ASSERT_FALSE(mended.ok()) << size;
-    EXPECT_EQ(mended.status().code, StatusCode::bad_input) << size;
+    correct_header(cut);
+    const Result<Picture> corrected = reread(cut);
+    ASSERT_FALSE(corrected.ok()) << size;
+    EXPECT_EQ(corrected.status().code, StatusCode::bad_input) << size;
   }
 }
 
@@ -233,7 +233,7 @@ TEST(PictureFile, flips_under_a_right_checksum_are_answered) {
       altered[at] = random() % 2 == 0 ? static_cast<std::uint8_t>(random())
                                       : static_cast<std::uint8_t>(altered[at] ^ 1u << random() % 8);
     }
-    mend(altered);
+    correct_header(altered);
     expect_answer(altered, "flip " + std::to_string(i));
   }
 }
@@ -246,7 +246,7 @@ TEST(PictureFile, lengths_beyond_the_file_take_no_memory) {
     for (const std::uint64_t length : {~std::uint64_t{0}, std::uint64_t{1} << 40, bytes.size()}) {
       Bytes altered = bytes;
       std::memcpy(&altered[at], &length, sizeof length);
-      mend(altered);
+      correct_header(altered);
       const Result<Picture> read = read_picture(small, altered);
       if (!read) {
         EXPECT_TRUE(read.status().code == StatusCode::bad_input ||
@@ -280,7 +280,7 @@ TEST(PictureFile, what_it_is_not_is_said) {
   longer.push_back(0);
   EXPECT_EQ(complaint(longer), "a solved picture of " + std::to_string(bytes.size()) + " bytes, " +
                                    std::to_string(longer.size()) + " are here");
-  mend(longer);
+  correct_header(longer);
   EXPECT_EQ(complaint(longer), "damaged: there is something behind its end");
   Bytes altered = bytes;
   altered.back() ^= 1;

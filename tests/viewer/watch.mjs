@@ -149,7 +149,7 @@ async function testChanges(tap, tools) {
       watch.draw(drawing("blue"));
       await shows(tools, page, BLUE);
       checkNear((await page.locator("#picture").boundingBox()).width, 80, 1e-3, "its width");
-      check((await page.textContent("#zoom")) === "125%", "another zoom is told");
+      check((await page.textContent("#zoom")) === "125%", "the page shows another zoom");
       await page.keyboard.press("0");
       await checkFits(page);
     }),

@@ -144,7 +144,7 @@ async function testLimits(tap, sfumato, module) {
 }
 
 async function testCallbacks(tap, sfumato) {
-  await tap.test("progress is told, and may cancel", () => {
+  await tap.test("progress is reported, and may cancel", () => {
     const context = sfumato.context();
     const document = context.read(textOf(CONTROLS));
     const heard = new Map();
@@ -210,7 +210,7 @@ function photoOf(side) {
 }
 
 async function testTraces(tap, sfumato) {
-  await tap.test("a photo is traced, and each round is told with its drawing", () => {
+  await tap.test("a photo is traced, and each round reports its drawing", () => {
     const context = sfumato.context();
     const rounds = [];
     let lent = null;

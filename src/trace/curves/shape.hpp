@@ -11,7 +11,7 @@ namespace sfumato::tracing {
 
 /// Options of improve_shapes().
 struct ShapeOptions {
-  double reach = 2;  ///< the distance across a sharp curve in which errors are measured, pixels
+  double reach = 2;  ///< errors are measured this far on each side of a sharp curve, pixels
   double give = 1;   ///< divides the resistance of control points
 };
 

@@ -46,7 +46,7 @@ function percentile(numbers, share) {
 // Script time of the main thread, from Chromium's trace.
 
 const CATEGORIES = ["devtools.timeline", "disabled-by-default-devtools.timeline", "v8"];
-/** Events in which the browser runs script. Animation frames, where WebGL draws, are counted separately. */
+/** The browser runs scripts in these events. Animation frames are counted separately: WebGL draws in them. */
 const CALLS = new Set(["EventDispatch", "RunMicrotasks", "FunctionCall", "TimerFire", "v8.callFunction", "HandlePostMessage"]);
 
 /** Returns script runs of the page's main thread, without nested ones: start and CPU time; microseconds. */

@@ -129,7 +129,7 @@ async function steps(editor) {
   await drawPencil(editor);
   const away = await fromCurve(editor);
   const after = await editor.picture();
-  // Farther away the new curve is only one more to consider; its colours are those of its place.
+  // The new curve takes its colours from the picture below it. The picture beside it hardly changes.
   const change = largestDifference(before, after, (x, y) => away(x, y) === 0);
   check(change <= 6, `beside a new curve the picture changes by ${change}`);
   await fill(editor, "Colour, hex", "ffe080");

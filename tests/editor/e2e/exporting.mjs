@@ -182,9 +182,9 @@ export async function testExporting(tap, { browser, address, folder }) {
   await tap.test("exporting: 16 bits and transparency are the engine's", () => testDeepPng(editor, engine));
   await tap.test("exporting: an SVG leaves the photo out", () => testSvg(editor));
   await tap.test("exporting: the HTML shows the picture by itself", () => testHtml(editor, browser));
-  await tap.test("exporting: what cannot be drawn is told with its line", () => testUndrawable(editor));
+  await tap.test("exporting: the message about a faulty drawing has its line", () => testUndrawable(editor));
   await tap.test("exporting: nothing was complained of", () => editor.checkQuiet());
   await editor.close();
-  await tap.test("exporting: failures are told in the dialog", () => testFailure(browser, address));
+  await tap.test("exporting: the dialog shows failures", () => testFailure(browser, address));
   await tap.test("exporting: copies are pasted into another page", () => testClipboard(browser, address));
 }

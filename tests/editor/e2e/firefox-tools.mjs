@@ -128,7 +128,7 @@ export async function testLostContext(editor) {
     window.taken = document.querySelector("canvas.picture").getContext("webgl2").getExtension("WEBGL_lose_context");
     window.taken.loseContext();
   });
-  await editor.until("it is told", () => /graphics driver was reset/.test(document.body.textContent));
+  await editor.until("a message names the driver", () => /graphics driver was reset/.test(document.body.textContent));
   await editor.page.evaluate(() => window.taken.restoreContext());
   await editor.until("it comes back", () => !document.querySelector("canvas.picture").getContext("webgl2").isContextLost());
   await messagesGo(editor.page);

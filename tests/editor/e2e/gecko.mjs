@@ -58,7 +58,7 @@ async function penMoments(moments) {
   }
 }
 
-/** The editor in Firefox, for the functions in which the two drivers differ. */
+/** The editor in Firefox. Overrides the functions of EditorPage that call Playwright. */
 export class FirefoxPage extends EditorPage {
   static size = [1100, 760];
 

@@ -247,9 +247,9 @@ async function testHints({ browser, address }) {
   const { page } = editor;
   await editor.load(leaky);
   await page.getByRole("button", { name: /^\d+ hints?/ }).click();
-  const mend = page.locator(".hints .hint button.button, .hints li .button").first();
-  await mend.waitFor();
-  await undone(editor, "a hint's button", () => mend.click());
+  const fix = page.locator(".hints .hint button.button, .hints li .button").first();
+  await fix.waitFor();
+  await undone(editor, "a hint's button", () => fix.click());
   // A hint without an automatic fix shows its place: for a crossing, both curves.
   await editor.load(crossing);
   const show = page.locator(".hints").getByRole("button", { name: /^Show: / });
@@ -289,7 +289,7 @@ async function testHintsOfWholes({ browser, address }) {
   await editor.load(wholes);
   await page.getByRole("button", { name: /^\d+ hints?/ }).click();
   const row = (text) => page.locator(".hints .hint").filter({ hasText: text });
-  const mend = async (text, name, check) => {
+  const fixHint = async (text, name, check) => {
     const found = row(text).first();
     await found.waitFor();
     const count = await row(text).count();
@@ -301,10 +301,10 @@ async function testHintsOfWholes({ browser, address }) {
     return now;
   };
   const has = (pattern, is = true) => (text) => check(pattern.test(text) === is, `${pattern}: ${text}`);
-  await mend("cover everything below", "Limit layer to its outline", has(/id="ring"[^>]*sf:left-opacity="0" sf:right-opacity="1"/));
-  await mend("“ghost”", "Delete invisible object", has(/id="ghost"/, false));
-  await mend("“brush”", "Delete invisible object", has(/id="brush"/, false));
-  await mend("outside the artboard, so nothing", "Move into picture", has(/id="away" href="#spot" x="900" transform="translate\(-\d+ 0\)"/));
+  await fixHint("cover everything below", "Limit layer to its outline", has(/id="ring"[^>]*sf:left-opacity="0" sf:right-opacity="1"/));
+  await fixHint("“ghost”", "Delete invisible object", has(/id="ghost"/, false));
+  await fixHint("“brush”", "Delete invisible object", has(/id="brush"/, false));
+  await fixHint("outside the artboard, so nothing", "Move into picture", has(/id="away" href="#spot" x="900" transform="translate\(-\d+ 0\)"/));
   editor.checkQuiet();
   await editor.close();
 }
@@ -370,7 +370,7 @@ export async function testPanels(tap, given) {
   await tap.test("the tree by buttons and by keys", () => testTree(given));
   await tap.test("the export dialog writes each format", () => testExport(given));
   await tap.test("a change is said to be kept once it is", () => testKept(given));
-  await tap.test("a hint is mended by its button", () => testHints(given));
-  await tap.test("hints about layers, groups, strokes and instances are mended", () => testHintsOfWholes(given));
+  await tap.test("the button of a hint fixes it", () => testHints(given));
+  await tap.test("hints about layers, groups, strokes and instances have fixes", () => testHintsOfWholes(given));
   await tap.test("the tour goes through its five steps", () => testTour(given));
 }

@@ -160,9 +160,9 @@ export async function testRecover(tap, { browser, address }) {
   await tap.test("recover: every drawing is kept as itself", () => testSwitched(browser, address));
   const refusals = { throws: throwing, "is missing": missing };
   for (const [name, script] of Object.entries(refusals)) {
-    await tap.test(`recover: storage that ${name} is told of`, () => testRefused(browser, address, script, /does not let this page store anything/));
+    await tap.test(`recover: a message says that storage ${name}`, () => testRefused(browser, address, script, /does not let this page store anything/));
   }
-  await tap.test("recover: storage that is full is told of", () => testRefused(browser, address, full, /no room to keep/, /Not saved: no room in this browser/));
+  await tap.test("recover: a message says that storage is full", () => testRefused(browser, address, full, /no room to keep/, /Not saved: no room in this browser/));
   await tap.test("recover: two tabs do not write over each other", () => testTabs(browser, address));
   await tap.test("recover: twenty drawings are kept", () => testPruned(browser, address));
 }

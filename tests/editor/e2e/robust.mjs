@@ -372,20 +372,20 @@ export async function testRobust(tap, { browser, address, oneFile, folder }) {
   await tap.test("robust: graphics that were lost come back", () => within(browser, address, null, testLostContext, { ratio: 0.5, isDrawn: true }));
   await test("without WebGL 2 all but the picture works", noWebGl, (editor) => testWithout(editor, "exact", /no WebGL 2/));
   await test("without WebAssembly the page says so", noWebAssembly, (editor) => testWithout(editor, "failed", /no WebAssembly/));
-  await test("workers that are refused are told of", noWorker, (editor) => testWithout(editor, "failed", /cannot start web workers/));
-  await test("workers that do not start are told of", brokenWorker, (editor) => testWithout(editor, "failed", /cannot start web workers/));
-  await test("a huge text that is wrong is told of", null, testHuge);
+  await test("a message says that workers are refused", noWorker, (editor) => testWithout(editor, "failed", /cannot start web workers/));
+  await test("a message says that workers do not start", brokenWorker, (editor) => testWithout(editor, "failed", /cannot start web workers/));
+  await test("a message says what is wrong in a huge text", null, testHuge);
   await test("a session asks nobody and breaks no policy", listen, testSession);
   for (const host of ["localhost", "127.0.0.1"]) {
     await tap.test(`robust: a folder, no network, an update, from ${host}`, () => testOffline(browser, folder, host));
   }
-  await tap.test("robust: parts that do not come are told of", () => testMissingParts(browser, address));
-  await tap.test("robust: a file of the editor that does not come is told of", () => testMissingWork(browser, address));
+  await tap.test("robust: a message says that parts are missing", () => testMissingParts(browser, address));
+  await tap.test("robust: a message says that a file of the editor is missing", () => testMissingWork(browser, address));
   await tap.test("robust: what is asked for early waits and is done", () => testEarly(browser, address));
   await tap.test("robust: panels that are late take nothing from the stage", () => testEarlyStage(browser, address));
   await test("the clipboard's keys end at a dialog", null, testClipboardBehindDialog);
   await test("one file from the disk works", listen, testOneFile, oneFile);
   await tap.test("robust: one file works where a server says it is UTF-8", () => testSaidToBeUtf8(browser, address, oneFile));
-  await tap.test("robust: a browser that is too old is told", () => testTooOld(browser, [address, oneFile]));
+  await tap.test("robust: a message says that the browser is too old", () => testTooOld(browser, [address, oneFile]));
   await tap.test("robust: a cold start from the disk", () => testColdStart(browser, oneFile));
 }

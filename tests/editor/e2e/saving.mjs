@@ -255,8 +255,8 @@ export async function testSaving(tap, { browser, address }) {
   await tap.test("saving: what was not edited has the same bytes", () => testSame(editor, disk));
   await tap.test("saving: svgz stays svgz", () => testPacked(editor, disk));
   await tap.test("saving: an edit differs in its attribute alone", () => testEdited(editor, disk));
-  await tap.test("saving: a file with entities of its own is told to be read only", () => testReadOnly(editor, disk));
-  await tap.test("saving: refusals of disk and browser are told in words", () => testRefused(editor, disk));
+  await tap.test("saving: a message says that a file with entities is read only", () => testReadOnly(editor, disk));
+  await tap.test("saving: messages explain refusals of disk and browser", () => testRefused(editor, disk));
   await tap.test("saving: what somebody else wrote is not replaced unasked", () => testForeign(editor, disk));
   await tap.test("saving: a new drawing has a place of its own", () => testNewPlace(editor, disk));
   await tap.test("saving: nothing was complained of", () => editor.checkQuiet());

@@ -130,8 +130,8 @@ async function testSeam(editor) {
   const colors = "#c33, #fa8 40%, #612 70%, #00f 85%";
   await hintsOf(editor, text(`${frame}<path id="ring" d="${ring}" sf:left="#eee" sf:right="${colors}"/>`));
   await editor.key("F8");
-  const mended = await changing(editor, "the repair", () => page.getByRole("button", { name: "End with first colour" }).click());
-  check(mended.includes(`sf:right="${colors}, #c33"`), `after the repair: ${mended}`);
+  const repaired = await changing(editor, "the repair", () => page.getByRole("button", { name: "End with first colour" }).click());
+  check(repaired.includes(`sf:right="${colors}, #c33"`), `after the repair: ${repaired}`);
   await editor.key("F8");
 }
 

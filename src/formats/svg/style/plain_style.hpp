@@ -19,8 +19,8 @@ double stroke_reach(const StrokeStyle& style);
 /// around it.
 class PlainStyle {
  public:
-  /// levels    the elements in which the shape is drawn; a <use> precedes the element to which it
-  ///           refers. Set for this shape as long as this is used.
+  /// levels    the elements around the shape, from the outermost; a <use> stands before the element
+  ///           that it draws. Must stay set for this shape while this object is used.
   PlainStyle(Input& input, Element shape, StyleLevels& levels, const Box& viewport)
       : input_(input), shape_(shape), levels_(levels), viewport_(viewport) {}
 

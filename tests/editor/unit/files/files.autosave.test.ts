@@ -134,7 +134,7 @@ describe("a browser that", () => {
   test.each([
     ["is full", "QuotaExceededError", "full"],
     ["refuses", "SecurityError", "refused"],
-  ])("%s is told, and asked again at the next edit", async (_, name, lost) => {
+  ])("%s is reported, and asked again at the next edit", async (_, name, lost) => {
     const { told, save } = autosave();
     base.state.error = new DOMException("", name);
     save.edited(state("x"));
@@ -148,7 +148,7 @@ describe("a browser that", () => {
     expect(told.at(-1)).toEqual({ kept: "browser" });
   });
 
-  test("has no database at all is told", async () => {
+  test("has no database at all is reported", async () => {
     const told: KeptWhere[] = [];
     const save = new Autosave((where) => told.push(where), () => {
       throw new ReferenceError("indexedDB is not defined");

@@ -206,7 +206,7 @@ describe("the clipboard", () => {
     expect(decode(png).width).toBe(3);
   });
 
-  test("that refuses, or is not there, is told; and what the picture lacks before that", async () => {
+  test("that refuses, or is not there, is reported, after what the picture lacks", async () => {
     await expect(copyPng(wish, source())).rejects.toThrow(words.noClipboard);
     vi.stubGlobal("ClipboardItem", class {});
     vi.stubGlobal("navigator", { clipboard: { write: () => Promise.reject(new DOMException("", "NotAllowedError")) } });

@@ -107,12 +107,12 @@ describe("a photo", () => {
     },
   );
 
-  test("that no browser decodes is told", async () => {
+  test("that no browser decodes is reported", async () => {
     vi.stubGlobal("createImageBitmap", () => Promise.reject(new DOMException("", "InvalidStateError")));
     expect(reason(await open(latin(png), "a.png"))).toBe(words.undecodable("a.png"));
   });
 
-  test("of too many pixels is told", async () => {
+  test("of too many pixels is reported", async () => {
     vi.stubGlobal("createImageBitmap", async () => ({ width: 20000, height: 20000, close }));
     expect(reason(await open(latin(png), "a.png"))).toBe(words.photoTooLarge("a.png"));
   });
@@ -142,7 +142,7 @@ describe("a drop", () => {
     ["a drawing and a folder", [item("a.svg", svg), item("folder", "", true)], words.folder],
     ["two drawings", [item("a.svg", svg), item("b.xml", svg)], words.several],
     ["two photos", [item("a.png", png), item("b.png", png)], words.several],
-  ])("of %s is told", async (_, items, expected) => {
+  ])("of %s is reported", async (_, items, expected) => {
     expect(reason((await drop(...items)).opened)).toBe(expected);
   });
 });

@@ -57,7 +57,7 @@ describe("saving to the file that was opened", () => {
     expect(await save("<svg/>", at(handle, 1), true)).toMatchObject({ kind: "saved" });
   });
 
-  test("that is gone is told", async () => {
+  test("that is gone is reported", async () => {
     const { state, handle } = disk(1);
     state.gone = true;
     expect(await save("<svg/>", at(handle, 1))).toEqual({ kind: "problem", reason: words.gone });
@@ -70,7 +70,7 @@ describe("saving to the file that was opened", () => {
     ["QuotaExceededError", words.diskFull],
     ["NoModificationAllowedError", words.diskRefused],
     ["InvalidStateError", words.diskRefused],
-  ])("that fails with %s is told", async (name, reason) => {
+  ])("that fails with %s is reported", async (name, reason) => {
     fileSave.mockRejectedValue(new DOMException("", name));
     expect(await save("<svg/>", at(disk(1).handle, 1))).toEqual({ kind: "problem", reason });
   });
@@ -138,7 +138,7 @@ describe("under `sfumato edit`", () => {
     expect(ask.mock.calls[1][1]).toMatchObject({ headers: { "If-Match": "*" } });
   });
 
-  test("a file that has changed is told, and a command that has ended", async () => {
+  test("a file that has changed is reported, and a command that has ended", async () => {
     ask.mockResolvedValue(new Response("x", { status: 412 }));
     expect(await save("<svg/>", place)).toEqual({ kind: "changed", reason: words.changedOnDisk("a.svg") });
     ask.mockResolvedValue(new Response("no space left\n", { status: 500 }));

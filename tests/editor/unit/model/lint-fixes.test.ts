@@ -75,26 +75,26 @@ test.skipIf(!modulePath()).each(Object.keys(FAULTY))("%s: the fix takes the hint
   const fix = fixOf(d, { offset: null, ...hint, rule, handle: source.includes('id="it"') ? handle(d, "it") : null });
   expect(fix).not.toBeNull();
   expect(en.commands.lintFixes[fix?.label ?? "closeCurve"]).toMatch(/^[A-Z]/);
-  const mended = applied(source, fix?.outcome.patch ?? []);
-  expect(lint(mended).filter((found) => found.rule === rule), mended).toEqual([]);
+  const repaired = applied(source, fix?.outcome.patch ?? []);
+  expect(lint(repaired).filter((found) => found.rule === rule), repaired).toEqual([]);
 });
 
 test("the fix of a seam loses no colour, wherever the last one stands", () => {
   const square = "M100 100H400V400H100Z";
-  const mended = (left: string, d = square) => {
+  const repaired = (left: string, d = square) => {
     const source = text(frame + curve(d, `id="it" sf:left="${left}" sf:right="#abc"`));
     const drawing = openDrawing(source);
     const offset = source.lastIndexOf("<path");
     const { outcome } = fixOf(drawing, { rule: "seam", offset })!;
     return /id="it"[^>]* sf:left="([^"]*)"/.exec(applied(source, outcome.patch))?.[1];
   };
-  expect(mended("#c33, #fa8 40%, #612 70%, #00f 85%")).toBe("#c33, #fa8 40%, #612 70%, #00f 85%, #c33");
-  expect(mended("#c33 10%, #00f 85%")).toBe("#c33 10%, #00f 85%, #c33");
-  expect(mended("#c33, #fa8 40%, #00f")).toBe("#c33, #fa8 40%, #c33");
-  expect(mended("#c33 @0, #00f @2.5")).toBe("#c33 @0, #00f @2.5, #c33 @4");
-  expect(mended("#c33 @0, #00f @4")).toBe("#c33 @0, #c33 @4");
+  expect(repaired("#c33, #fa8 40%, #612 70%, #00f 85%")).toBe("#c33, #fa8 40%, #612 70%, #00f 85%, #c33");
+  expect(repaired("#c33 10%, #00f 85%")).toBe("#c33 10%, #00f 85%, #c33");
+  expect(repaired("#c33, #fa8 40%, #00f")).toBe("#c33, #fa8 40%, #c33");
+  expect(repaired("#c33 @0, #00f @2.5")).toBe("#c33 @0, #00f @2.5, #c33 @4");
+  expect(repaired("#c33 @0, #00f @4")).toBe("#c33 @0, #c33 @4");
   // A list of two subpaths ends with the longer one.
-  expect(mended("#c33 @0, #00f @3", `${square}M150 150H200L170 190Z`)).toBe("#c33 @0, #00f @3, #c33 @4");
+  expect(repaired("#c33 @0, #00f @3", `${square}M150 150H200L170 190Z`)).toBe("#c33 @0, #00f @3, #c33 @4");
 });
 
 test("a layer of a drawing without curves is not told to be empty", () => {
@@ -104,7 +104,7 @@ test("a layer of a drawing without curves is not told to be empty", () => {
   expect(isWorthTelling(openDrawing(text("")), { rule: "leak" })).toBe(true);
 });
 
-test("a hint that has no curve any more, or a rule that nobody can mend, has none", () => {
+test("a hint that has no curve any more, or a rule without a fix, has none", () => {
   const d = openDrawing(FAULTY.seam);
   expect(fixOf(d, { rule: "seam", offset: 3 })).toBeNull();
   expect(fixOf(d, { rule: "seam", offset: null })).toBeNull();

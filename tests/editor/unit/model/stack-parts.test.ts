@@ -72,7 +72,7 @@ test("a stack of another text has no parts", () => {
   expect(parts([])).toBeNull();
 });
 
-test("each item of the stack is told by what of the document put it there", () => {
+test("each item of the stack has the element that put it there", () => {
   const editor = editorOf();
   const names = stack.map((_, at) => itemAt(editor, stack, at)?.name ?? null);
   expect(names).toEqual(["back", "copies", "empty", "group", "in", "brush", null, "again", "again", "again", null]);

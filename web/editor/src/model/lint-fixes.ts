@@ -86,18 +86,18 @@ export const FIXABLE_RULES: readonly string[] = [
 /** The fix of a hint about the present text; null where there is none. */
 export function fixOf(d: Drawing, { rule, offset, side = null, handle = null }: FixableHint): Fix | null {
   if (Object.hasOwn(OF_DRAWINGS, rule)) {
-    const [label, mend] = OF_DRAWINGS[rule];
-    return made(label, mend(d));
+    const [label, fix] = OF_DRAWINGS[rule];
+    return made(label, fix(d));
   }
   const item = handle !== null ? d.item(handle) : offset === null ? undefined : d.itemAt(offset);
   if (!item) return null;
   if (Object.hasOwn(OF_ITEMS, rule)) {
-    const [label, mend] = OF_ITEMS[rule];
-    return made(label, mend(d, item));
+    const [label, fix] = OF_ITEMS[rule];
+    return made(label, fix(d, item));
   }
   if (!Object.hasOwn(OF_CURVES, rule) || (item.kind !== "curve" && item.kind !== "stroke")) return null;
-  const [label, mend] = OF_CURVES[rule];
-  return made(label, mend(d, item, side));
+  const [label, fix] = OF_CURVES[rule];
+  return made(label, fix(d, item, side));
 }
 
 function made(label: FixLabel, outcome: Outcome | null): Fix | null {

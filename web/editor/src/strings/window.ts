@@ -1,0 +1,177 @@
+// Words of the window: messages, commands with their keys, the stage and the tools.
+import { curvesOf, lowered, objects, shared, steps } from "./shared.js";
+
+/** Messages of the page about files and about itself. */
+export const page = {
+  brokenPictures: (count: number) =>
+    count === 1
+      ? "This browser cannot read a picture in this drawing. Save that picture as PNG or JPEG."
+      : `This browser cannot read ${count} pictures in this drawing. Save them as PNG or JPEG.`,
+  cannotOpen: (name: string) => `“${name}” cannot be opened`,
+  chooseFolder: "Choose folder",
+  converted: (name: string, curves: number) =>
+    `“${name}” was converted to ${curvesOf(curves)}.`,
+  convertedPartly: (name: string, curves: number) =>
+    `“${name}” was converted to ${curvesOf(curves)}; some parts were left out.`,
+  leftOutOf: (name: string) => `Left out of “${name}”`,
+  showLeftOut: shared.show,
+  nothingConverted: "Nothing in this file can be converted to curves.",
+  downloaded: (name: string) => `“${name}” downloaded.`,
+  gone: "This drawing is no longer stored in this browser.",
+  graphics: {
+    missing: "This browser has no WebGL 2, so the picture is not shown. Use another browser to see it; everything else works.",
+    lost: "The graphics driver was reset. Redrawing…",
+  },
+  keptHere: "Your drawing is stored in this browser.",
+  missing: (names: readonly string[]) =>
+    names.length === 1
+      ? `The picture “${names[0]}” is missing. Drop it together with the drawing.`
+      : `${names.length} pictures are missing. Drop them together with the drawing.`,
+  pastedName: "pasted.svg",
+  noPicture: "This file is not a picture. Choose a photo, such as a PNG or JPEG.",
+  notOpened: "Nothing was opened",
+  otherTab: "This drawing is open in another tab of this browser.",
+  placePhoto: "Place photo",
+  photoPlaced: "Photo placed over the drawing.",
+  traceIt: "Trace…",
+  saveAnyway: "Save anyway",
+  saveElsewhere: "Save elsewhere",
+  saved: (name: string) => `“${name}” saved`,
+  takeOver: "Edit here",
+  takenByTab: "This drawing is now edited in another tab. Changes here are not saved.",
+} as const;
+
+export const commands = {
+  align: "Align",
+  bringUp: shared.bringForward,
+  close: shared.closeCurve,
+  cut: shared.cut,
+  delete: shared.delete,
+  deleteHandle: "Retract handle",
+  deleteNode: "Delete node",
+  deleteStop: "Delete stop",
+  deleted: (count: number) => (count === 1 ? "1 object deleted" : `${objects(count)} deleted`),
+  duplicate: shared.duplicate,
+  /** Why an edit is not done. */
+  faults: {
+    far: "Not changed: that is too far outside the canvas. Coordinates go up to 10,000,000.",
+    "colorless stroke": "Not changed: a stroke needs a colour. Delete the stroke instead.",
+    "circle of instances": "Not changed: a linked copy cannot be inside its own original. Put it in another layer.",
+  },
+  flip: "Flip",
+  group: shared.group,
+  join: shared.joinEnds,
+  joinWantsTwo: "Select exactly two open curves, then join them.",
+  makeInstance: shared.makeLinkedCopy,
+  makeUnique: shared.unlink,
+  newLayer: shared.newLayer,
+  nodeKind: "Change node type",
+  nothingToPaste: "There is no drawing on the clipboard. Copy curves or an SVG first.",
+  open: shared.openCurve,
+  paste: shared.paste,
+  reverse: shared.reverse,
+  sendDown: shared.sendBackward,
+  swapSides: shared.swapSides,
+  toBottom: shared.sendToBack,
+  toTop: shared.bringToFront,
+  undo: shared.undo,
+  ungroup: shared.ungroup,
+  lintFixes: {
+    closeCurve: shared.closeCurve,
+    swapSides: shared.swapSides,
+    deleteCurve: "Delete curve",
+    deleteHidden: "Delete curve below",
+    deleteEmptyLayers: "Delete empty layers",
+    removeBlur: "Remove blur",
+    addBarrier: "Make open side a barrier",
+    matchEnds: "End with first colour",
+    joinToCurve: "Move end onto curve",
+    openSide: "Make side open",
+    endAtOutline: "Limit layer to its outline",
+    deleteInvisible: "Delete invisible object",
+    bringIn: "Move into picture",
+  },
+} as const;
+
+export const engine = {
+  noWorker: "This browser cannot start web workers for this page, so the picture cannot be computed. Use another browser.",
+  noWebAssembly: "This browser has no WebAssembly, so the picture cannot be computed. Turn it on, or use another browser.",
+  noModule: (reason: string) => `The module that computes the picture could not be loaded (${reason}). Reload the page.`,
+  traceTooLarge: "There is not enough memory to trace this photo. Use a smaller photo, or choose less detail.",
+} as const;
+
+export const canvas = {
+  name: shared.canvas,
+  describe: "Tab selects the next curve, Enter enters it, Escape leaves it; Shift Enter goes to the handles of the bounding box. Arrow keys move the selection; at a handle they scale or rotate it. With the pen and nothing selected, arrow keys move a point, and Enter sets a node there.",
+  caret: shared.pen,
+  handlesOf: (curve: string) => `Handles of curve “${curve}”`,
+  boxOf: (name: string) => `Bounding box of “${name}”`,
+  boxOfSeveral: (count: number) => `Bounding box of ${objects(count)}`,
+  node: (index: number, curve: string) => `Node ${index} of curve “${curve}”`,
+  handle: (node: number, end: "start" | "end") => `Handle of node ${node}, towards the ${end}`,
+  sides: shared.sides,
+  stop: (side: string, index: number, count: number, value: string, at: string) =>
+    `${side} stop ${index} of ${count}, ${value}, at ${at}`,
+  bracket: (kind: "blur" | "radius", side: string, value: string, at: string) =>
+    `${kind === "blur" ? shared.blur : shared.radius} ${value}, ${side.toLowerCase()} side, at ${at}`,
+  paint: (kind: "linear" | "radial" | "texture", grip: "start" | "end" | "across" | "focus", side: string) => {
+    const names = {
+      linear: { start: "Start of the gradient", end: "End of the gradient", across: "", focus: "" },
+      radial: {
+        start: "Centre of the gradient", end: "Radius of the gradient",
+        across: "Second radius of the gradient", focus: "Focus of the gradient",
+      },
+      texture: {
+        start: "Corner of the texture", end: "Width of the texture", across: "Height of the texture", focus: "",
+      },
+    };
+    return `${names[kind][grip]}, ${side.toLowerCase()} side`;
+  },
+  offset: (percent: string) => `${percent} %`,
+  segment: (number: string) => `segment ${number}`,
+  opacity: (percent: string) => `opacity ${percent} %`,
+  scale: {
+    nw: "Scale, top left", n: "Scale, top", ne: "Scale, top right", e: "Scale, right",
+    se: "Scale, bottom right", s: "Scale, bottom", sw: "Scale, bottom left", w: "Scale, left",
+  },
+  turn: "Rotate",
+  selectedCurve: (name: string, index: number, count: number) => `Curve “${name}”, ${index} of ${count}`,
+  at: (name: string, x: string, y: string) => `${name} at x ${x}, y ${y}`,
+  size: (width: string, height: string) => `${width} × ${height}`,
+  angle: (degrees: string) => `${degrees}°`,
+  blurTag: (value: string) => `${shared.blur} ${value}`,
+  radiusTag: (value: string) => `${shared.radius} ${value}`,
+  clear: "transparent",
+  sampled: (left: string, right: string) => `Left ${left} · Right ${right}`,
+} as const;
+
+export const tools = {
+  undo: {
+    move: steps.move,
+    copy: "copy",
+    scale: "scale",
+    turn: steps.rotate,
+    moveNodes: "move nodes",
+    moveNode: steps.moveNode,
+    moveHandle: "move handle",
+    movePaint: "move gradient or texture",
+    bend: "bend curve",
+    addNode: "add node",
+    deleteNodes: "delete nodes",
+    kind: "change node type",
+    moveStop: steps.moveStop,
+    addStop: steps.addStop,
+    deleteStops: "delete stops",
+    blur: steps.changeBlur,
+    radius: steps.changeRadius,
+    pen: steps.drawCurve,
+    penNode: "set node",
+    pencil: steps.drawCurve,
+    stroke: "draw stroke",
+    sample: "sample colours",
+    pick: "pick colour",
+    close: lowered(shared.closeCurve),
+  },
+  noPhoto: "There is no photo to sample. Drop a picture on the canvas first.",
+  photoUnread: "The photo cannot be read, so its colours cannot be sampled. Place it again as PNG or JPEG.",
+} as const;
