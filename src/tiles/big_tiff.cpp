@@ -8,13 +8,13 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <memory>
 #include <optional>
 #include <vector>
 
 #include "base/charge.hpp"
 #include "base/native/atomic_file.hpp"
 #include "base/native/posix.hpp"
+#include "base/owned.hpp"
 #include "base/public_verb.hpp"
 #include "base/try.hpp"
 #include "sfumato/base/native/file.hpp"
@@ -35,10 +35,6 @@ int keep_complaint(TIFF*, void* kept, const char*, const char* format, va_list a
   text = buffer.data();
   return 1;
 }
-
-struct CloseTiff {
-  void operator()(TIFF* file) const { TIFFClose(file); }
-};
 
 class BigTiffWriter {
  public:
@@ -67,7 +63,7 @@ class BigTiffWriter {
   LevelPainter painter_;
   ScopedCharge charge_;
   std::string complaint_;
-  std::unique_ptr<TIFF, CloseTiff> file_;
+  Owned<TIFF, TIFFClose> file_;
   std::vector<std::uint8_t> tile_;
   std::uint64_t done_ = 0;
 };

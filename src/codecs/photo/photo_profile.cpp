@@ -6,24 +6,16 @@
 #include <string>
 #include <utility>
 
+#include "base/owned.hpp"
 #include "base/try.hpp"
 #include "codecs/photo/photo_profile_memory.hpp"
 
 namespace sfumato::codecs {
 namespace {
 
-struct CloseProfile {
-  void operator()(void* profile) const { cmsCloseProfile(profile); }
-};
-using Profile = std::unique_ptr<void, CloseProfile>;
-
-struct DeleteTransform {
-  void operator()(void* transform) const { cmsDeleteTransform(transform); }
-};
-struct FreeCurve {
-  void operator()(cmsToneCurve* curve) const { cmsFreeToneCurve(curve); }
-};
-using Curve = std::unique_ptr<cmsToneCurve, FreeCurve>;
+using Profile = Owned<void, cmsCloseProfile>;
+using Transform = Owned<void, cmsDeleteTransform>;
+using Curve = Owned<cmsToneCurve, cmsFreeToneCurve>;
 
 /// The places of a profile's kind and colours in its header. The library has enumerations for them
 /// but accepts any number as their value.
@@ -123,20 +115,19 @@ struct ToSrgb::Library {
                            : memory.status();
   }
   Status link(const PhotoPixels& pixels);
-  std::unique_ptr<void, DeleteTransform> transform_of(const PhotoPixels& pixels) const;
+  Transform transform_of(const PhotoPixels& pixels) const;
   bool changes_nothing(const PhotoPixels& pixels) const;
 
   ProfileMemory memory;
   ProfileContext context;
   Profile source, srgb;
   std::uint32_t space = cmsSigRgbData;  ///< of the source
-  std::unique_ptr<void, DeleteTransform> transform;
+  Transform transform;
 };
 
-std::unique_ptr<void, DeleteTransform> ToSrgb::Library::transform_of(
-    const PhotoPixels& pixels) const {
+Transform ToSrgb::Library::transform_of(const PhotoPixels& pixels) const {
   const auto bytes = static_cast<cmsUInt32Number>(pixels.bytes_per_channel);
-  return std::unique_ptr<void, DeleteTransform>(
+  return Transform(
       cmsCreateTransformTHR(context.get(), source.get(), format_of(space, pixels), srgb.get(),
                             COLORSPACE_SH(PT_RGB) | CHANNELS_SH(3) | BYTES_SH(bytes),
                             INTENT_RELATIVE_COLORIMETRIC, flags_for(source.get(), space, pixels)));

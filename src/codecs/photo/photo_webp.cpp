@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <memory>
 #include <string>
 
 #include "base/charge.hpp"
+#include "base/owned.hpp"
 #include "base/table_memory.hpp"
 #include "base/try.hpp"
 #include "codecs/image_file.hpp"
@@ -25,13 +25,6 @@ constexpr std::size_t kWorkingBytesPerByte = 8192;
 
 /// The least number of polls of the cancel flag: the library decodes all bytes that it is given.
 constexpr std::size_t kParts = 256;
-
-struct FreeDemuxer {
-  void operator()(WebPDemuxer* demuxer) const { WebPDemuxDelete(demuxer); }
-};
-struct FreeDecoder {
-  void operator()(WebPIDecoder* decoder) const { WebPIDelete(decoder); }
-};
 
 Status damaged(const std::string& how) {
   return make_error(StatusCode::bad_input, "the WebP image is damaged: " + how);
@@ -74,7 +67,7 @@ Status take_chunks(const Context& context, std::span<const std::uint8_t> bytes, 
                    WebpPhoto& photo) {
   const WebPData data{bytes.data(), bytes.size()};
   WebPDemuxState state = WEBP_DEMUX_PARSE_ERROR;
-  const std::unique_ptr<WebPDemuxer, FreeDemuxer> demuxer(WebPDemuxPartial(&data, &state));
+  const Owned<WebPDemuxer, WebPDemuxDelete> demuxer(WebPDemuxPartial(&data, &state));
   if (state == WEBP_DEMUX_PARSING_HEADER || state == WEBP_DEMUX_PARSED_HEADER) {
     return damaged("it ends early");
   }
@@ -85,9 +78,9 @@ Status take_chunks(const Context& context, std::span<const std::uint8_t> bytes, 
 
 Status decode_pixels(const Context& context, std::span<const std::uint8_t> bytes, Image& image) {
   const bool has_alpha = image.format == PixelFormat::rgba8;
-  const std::unique_ptr<WebPIDecoder, FreeDecoder> decoder(
-      WebPINewRGB(has_alpha ? MODE_RGBA : MODE_RGB, image.bytes.data(), image.bytes.size(),
-                  static_cast<int>(image.row_bytes())));
+  const Owned<WebPIDecoder, WebPIDelete> decoder(WebPINewRGB(has_alpha ? MODE_RGBA : MODE_RGB,
+                                                             image.bytes.data(), image.bytes.size(),
+                                                             static_cast<int>(image.row_bytes())));
   if (!decoder) return no_memory();
   const std::size_t part = std::max<std::size_t>(bytes.size() / kParts, 1024);
   VP8StatusCode code = VP8_STATUS_SUSPENDED;

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cstring>
-#include <memory>
 #include <string_view>
 #include <utility>
 
 #include "base/limit_error.hpp"
+#include "base/owned.hpp"
 #include "base/poll.hpp"
 #include "base/public_verb.hpp"
 #include "base/table_memory.hpp"
@@ -31,11 +31,6 @@ constexpr std::size_t kOtherChunkBytes = std::size_t{16} << 20;
 constexpr std::size_t kSignatureBytes = 8;
 /// Length, type and CRC of a chunk.
 constexpr std::size_t kChunkFrameBytes = 12;
-
-struct ContextDeleter {
-  void operator()(spng_ctx* context) const { spng_ctx_free(context); }
-};
-using SpngContext = std::unique_ptr<spng_ctx, ContextDeleter>;
 
 class Decoder {
  public:
@@ -76,7 +71,7 @@ class Decoder {
   const std::string& file_;
   bool wants_alpha_;
   codecs::PhotoShrink shrink_;
-  SpngContext png_;
+  Owned<spng_ctx, spng_ctx_free> png_;
   spng_ihdr header_{};
   bool has_alpha_ = false;
   TableMemory memory_{"a PNG image"};
@@ -116,13 +111,11 @@ Status Decoder::read_header() {
     return error(StatusCode::bad_input,
                  text.empty() ? "is not a PNG image" : "is " + std::string(text) + "; use a PNG");
   }
-  Status status = status_of(spng_set_crc_action(png_.get(), SPNG_CRC_ERROR, SPNG_CRC_ERROR));
-  if (status) {
-    status = status_of(spng_set_chunk_limits(png_.get(), kOtherChunkBytes, kOtherChunkBytes));
-  }
-  if (status) status = status_of(spng_set_png_buffer(png_.get(), bytes_.data(), bytes_.size()));
-  if (status) status = status_of(spng_get_ihdr(png_.get(), &header_));
-  return status ? check_header() : status;
+  SFUMATO_TRY(status_of(spng_set_crc_action(png_.get(), SPNG_CRC_ERROR, SPNG_CRC_ERROR)));
+  SFUMATO_TRY(status_of(spng_set_chunk_limits(png_.get(), kOtherChunkBytes, kOtherChunkBytes)));
+  SFUMATO_TRY(status_of(spng_set_png_buffer(png_.get(), bytes_.data(), bytes_.size())));
+  SFUMATO_TRY(status_of(spng_get_ihdr(png_.get(), &header_)));
+  return check_header();
 }
 
 Status Decoder::check_header() {
@@ -229,20 +222,16 @@ Status Decoder::decode_smaller(int spng_format, int flags, Image& image) {
   codecs::RowShrinker shrinker;
   TableMemory memory("a PNG image");
   std::vector<std::uint8_t> bytes;
-  Status status = memory.resize(context_, bytes, image.row_bytes());
-  if (status) {
-    status = shrinker.create(context_, image.width, image.height, image.format, shrink_.side);
-  }
-  if (status) {
-    status = for_each_row(
-        spng_format, flags, bytes.size(), [&](const spng_row_info&) { return bytes.data(); },
-        [&](const spng_row_info& row) {
-          const auto pass = static_cast<std::size_t>(row.pass);
-          const codecs::RowShrinker::Columns all;
-          shrinker.add(row.row_num, bytes, is_interlaced ? kPasses[pass] : all);
-        });
-  }
-  return status ? shrinker.finish(context_, has_alpha, memory_, image) : status;
+  SFUMATO_TRY(memory.resize(context_, bytes, image.row_bytes()));
+  SFUMATO_TRY(shrinker.create(context_, image.width, image.height, image.format, shrink_.side));
+  SFUMATO_TRY(for_each_row(
+      spng_format, flags, bytes.size(), [&](const spng_row_info&) { return bytes.data(); },
+      [&](const spng_row_info& row) {
+        const auto pass = static_cast<std::size_t>(row.pass);
+        const codecs::RowShrinker::Columns all;
+        shrinker.add(row.row_num, bytes, is_interlaced ? kPasses[pass] : all);
+      }));
+  return shrinker.finish(context_, has_alpha, memory_, image);
 }
 
 Result<Image> Decoder::decode_as(int spng_format, PixelFormat format) {

@@ -2,10 +2,10 @@
 
 #include <webp/encode.h>
 
-#include <memory>
 #include <string>
 
 #include "base/charge.hpp"
+#include "base/owned.hpp"
 #include "base/public_verb.hpp"
 #include "base/table_memory.hpp"
 #include "base/try.hpp"
@@ -19,13 +19,6 @@ namespace {
 /// is an estimate.
 constexpr std::size_t kWebpEncoderBytesPerPixel = 40;
 constexpr std::size_t kWebpEncoderBytes = std::size_t{4} << 20;
-
-struct FreePicture {
-  void operator()(WebPPicture* picture) const { WebPPictureFree(picture); }
-};
-struct FreeWriter {
-  void operator()(WebPMemoryWriter* writer) const { WebPMemoryWriterClear(writer); }
-};
 
 int go_on(int, const WebPPicture* picture) {
   return static_cast<const Context*>(picture->user_data)->cancelled() ? 0 : 1;
@@ -85,10 +78,10 @@ Result<std::vector<std::uint8_t>> encode(Context& context, const Image& image,
   }
   WebPPicture picture;
   WebPPictureInit(&picture);
-  const std::unique_ptr<WebPPicture, FreePicture> picture_guard(&picture);
+  const Owned<WebPPicture, WebPPictureFree> picture_guard(&picture);
   WebPMemoryWriter writer;
   WebPMemoryWriterInit(&writer);
-  const std::unique_ptr<WebPMemoryWriter, FreeWriter> writer_guard(&writer);
+  const Owned<WebPMemoryWriter, WebPMemoryWriterClear> writer_guard(&writer);
   picture.width = image.width;
   picture.height = image.height;
   picture.writer = WebPMemoryWrite;

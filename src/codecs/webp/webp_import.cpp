@@ -4,8 +4,8 @@
 #include <atomic>
 #include <cstdint>
 #include <cstring>
-#include <memory>
 
+#include "base/owned.hpp"
 #include "base/parallel.hpp"
 #include "base/poll.hpp"
 #include "base/try.hpp"
@@ -21,10 +21,6 @@ constexpr int kMargin = 16;
 /// The memory of a part with its margins: ARGB, planes, and twice two tables of 16 bits and
 /// half-sized ones.
 constexpr std::size_t kBytesPerPixel = 4 + 3 + 14;
-
-struct FreePicture {
-  void operator()(WebPPicture* picture) const { WebPPictureFree(picture); }
-};
 
 /// Pixels [x0, x1) × [y0, y1).
 struct Part {
@@ -89,7 +85,7 @@ bool convert(const Image& image, const Part& part, WebPPicture& whole) {
                   std::min(image.height, part.y1 + kMargin)};
   WebPPicture picture;
   WebPPictureInit(&picture);
-  const std::unique_ptr<WebPPicture, FreePicture> guard(&picture);
+  const Owned<WebPPicture, WebPPictureFree> guard(&picture);
   picture.use_argb = 1;
   picture.width = seen.x1 - seen.x0;
   picture.height = seen.y1 - seen.y0;
@@ -137,16 +133,15 @@ Status import_yuv(Context& context, const Image& image, WebPPicture& picture) {
   const int columns = (image.width + kPartSide - 1) / kPartSide;
   const int rows = (image.height + kPartSide - 1) / kPartSide;
   std::atomic<bool> has_memory{true};
-  Status status =
-      parallel_for(context, static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), 1,
-                   [&](std::size_t begin, std::size_t) {
-                     const int x = static_cast<int>(begin) % columns * kPartSide;
-                     const int y = static_cast<int>(begin) / columns * kPartSide;
-                     const Part part{x, y, std::min(image.width, x + kPartSide),
-                                     std::min(image.height, y + kPartSide)};
-                     if (!convert(image, part, picture)) has_memory = false;
-                   });
-  if (!status) return status;
+  SFUMATO_TRY(parallel_for(context,
+                           static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), 1,
+                           [&](std::size_t begin, std::size_t) {
+                             const int x = static_cast<int>(begin) % columns * kPartSide;
+                             const int y = static_cast<int>(begin) / columns * kPartSide;
+                             const Part part{x, y, std::min(image.width, x + kPartSide),
+                                             std::min(image.height, y + kPartSide)};
+                             if (!convert(image, part, picture)) has_memory = false;
+                           }));
   return has_memory ? ok_status() : no_memory();
 }
 
