@@ -1,6 +1,7 @@
 #include "codecs/file_kind.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace sfumato::codecs {
 namespace {
@@ -28,6 +29,16 @@ constexpr Signature kSignatures[] = {
     {FileKind::solved, "SFPICT\x1a"},
 };
 
+/// In the order of FileKind.
+constexpr std::string_view kTexts[] = {"a PNG picture",          "a JPEG picture",
+                                       "a WebP picture",         "a GIF picture",
+                                       "a HEIC or AVIF picture", "a TIFF or raw file",
+                                       "a BMP picture",          "a PDF",
+                                       "a file packed by gzip",  "a ZIP archive",
+                                       "a solved picture",       "a drawing or other XML",
+                                       "an empty file",          {}};
+static_assert(std::size(kTexts) == static_cast<std::size_t>(FileKind::unknown) + 1);
+
 /// Returns whether the first non-blank character begins an element, in any of XML's encodings.
 bool begins_as_xml(std::string_view bytes) {
   if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
@@ -50,37 +61,7 @@ FileKind file_kind(std::string_view bytes) {
 }
 
 std::string_view kind_text(FileKind kind) {
-  switch (kind) {
-    case FileKind::png:
-      return "a PNG picture";
-    case FileKind::jpeg:
-      return "a JPEG picture";
-    case FileKind::webp:
-      return "a WebP picture";
-    case FileKind::gif:
-      return "a GIF picture";
-    case FileKind::heif:
-      return "a HEIC or AVIF picture";
-    case FileKind::tiff:
-      return "a TIFF or raw file";
-    case FileKind::bmp:
-      return "a BMP picture";
-    case FileKind::pdf:
-      return "a PDF";
-    case FileKind::gzip:
-      return "a file packed by gzip";
-    case FileKind::zip:
-      return "a ZIP archive";
-    case FileKind::solved:
-      return "a solved picture";
-    case FileKind::xml:
-      return "a drawing or other XML";
-    case FileKind::empty:
-      return "an empty file";
-    case FileKind::unknown:
-      return {};
-  }
-  return {};
+  return kTexts[static_cast<std::size_t>(kind)];
 }
 
 }  // namespace sfumato::codecs
