@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <span>
 
 #include "sfumato/base/affine.hpp"
 #include "sfumato/base/box.hpp"
@@ -19,6 +20,13 @@ inline Box mapped_box(const Affine& map, const Box& box) {
   for (const Vec2 corner : {box.min, box.max, Vec2{box.min.x, box.max.y}, {box.max.x, box.min.y}})
     mapped.extend(map(corner));
   return mapped;
+}
+
+/// Returns the smallest box that contains the points; empty without points.
+inline Box box_of_points(std::span<const Vec2> points) {
+  Box box;
+  for (const Vec2 p : points) box.extend(p);
+  return box;
 }
 
 /// Returns the length of the longer side.

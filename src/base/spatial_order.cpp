@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "base/boxes.hpp"
 #include "base/try.hpp"
 #include "sfumato/base/box.hpp"
 
@@ -28,8 +29,7 @@ Status spatial_order(const Context& context, std::span<const Vec2> points, Table
   SFUMATO_TRY(working.resize(context, cell, points.size()));
   SFUMATO_TRY(working.resize(context, next, (std::size_t{1} << (2 * side_bits)) + 1));
   SFUMATO_TRY(memory.resize(context, order, points.size()));
-  Box box;
-  for (Vec2 p : points) box.extend(p);
+  const Box box = box_of_points(points);
   const double side = static_cast<double>(1u << side_bits);
   const double size = std::max({box.width(), box.height(), 1e-300});
   for (std::size_t i = 0; i < points.size(); ++i) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/boxes.hpp"
 #include "base/try.hpp"
 #include "curves/bezier.hpp"
 #include "curves/blur_slope.hpp"
@@ -43,12 +44,6 @@ constexpr double kStrayPerDistance = 1.0 / 16384;
 /// A vertex where the tangent turns by more than this, its sine, is a corner.
 constexpr double kCornerSine = 0.02;
 
-Box bounds(const Cubic& cubic) {
-  Box box;
-  for (Vec2 p : cubic) box.extend(p);
-  return box;
-}
-
 /// Returns the distance between the boxes; 0 where they meet.
 double distance(const Box& a, const Box& b) {
   return length({std::max({0.0, a.min.x - b.max.x, b.min.x - a.max.x}),
@@ -80,7 +75,7 @@ class Divider {
     double most = options_.tolerance;
     bool is_seen = true;
     if (!options_.focuses.empty()) {
-      const Box box = bounds(cubic);
+      const Box box = box_of_points(cubic);
       most = std::numeric_limits<double>::infinity();
       is_seen = false;
       for (const FlattenFocus& focus : options_.focuses) {

@@ -14,19 +14,16 @@ namespace sfumato::outputs {
 namespace {
 
 Box reach(const LocalStroke& stroke) {
-  Box box;
-  for (const Vec2 p : stroke.curve.control_points) box.extend(p);
   float radius = 0;
   for (const auto& stop : stroke.curve.influence_radius.stops) {
     radius = std::max(radius, stop.value);
   }
-  box = box.grown_by(radius);
+  const Box box = box_of_points(stroke.curve.control_points).grown_by(radius);
   return box.empty() ? box : mapped_box(stroke.artboard_from_stroke, box);
 }
 
 Box reach(const PatchInstance& instance, const PatchLayer& layer) {
-  Box box;
-  for (const Vec2 p : layer.vertex_position) box.extend(p);
+  const Box box = box_of_points(layer.vertex_position);
   return box.empty() ? box : mapped_box(instance.artboard_from_layer, box);
 }
 

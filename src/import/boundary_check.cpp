@@ -4,6 +4,7 @@
 #include <numeric>
 #include <utility>
 
+#include "base/boxes.hpp"
 #include "base/poll.hpp"
 #include "base/segment.hpp"
 #include "base/try.hpp"
@@ -54,12 +55,6 @@ struct LoopParts {
 /// Returns the squared distance of a point from a part's chord.
 double squared_distance(Vec2 p, const Part& part) {
   return length_squared(p - nearest_on_segment(p, part.curve[0], part.curve[3]));
-}
-
-Box bounds_of(const Part& part) {
-  Box box;
-  for (const Vec2 p : part.curve) box.extend(p);
-  return box;
 }
 
 class BoundaryCheck {
@@ -190,8 +185,8 @@ Status BoundaryCheck::check_pair(std::size_t a, std::size_t b) {
   const Part &of_a = parts_[a], &of_b = parts_[b];
   const bool leak = (leaks_ == Leaks::all && are_too_near(of_a, of_b)) || cross_each_other(a, b);
   if (!leak) return ok_status();
-  Status status = memory_.push_back(context_, found_, of_a.of);
-  return status ? memory_.push_back(context_, found_, of_b.of) : status;
+  SFUMATO_TRY(memory_.push_back(context_, found_, of_a.of));
+  return memory_.push_back(context_, found_, of_b.of);
 }
 
 Status BoundaryCheck::check_pairs() {
@@ -239,20 +234,20 @@ Status BoundaryCheck::add_turned(std::span<const DrawnLoop> loops) {
 }
 
 Result<std::vector<LoopPiece>> BoundaryCheck::run(std::span<const DrawnLoop> loops) {
-  Status status = working_.reserve(context_, loops_, loops.size());
-  for (std::uint32_t i = 0; status && i < loops.size(); ++i) {
+  SFUMATO_TRY(working_.reserve(context_, loops_, loops.size()));
+  for (std::uint32_t i = 0; i < loops.size(); ++i) {
     LoopParts& loop = loops_.emplace_back();
     loop.first = parts_.size();
-    status = add_parts(*loops[i].chain, i);
+    SFUMATO_TRY(add_parts(*loops[i].chain, i));
     loop.end = parts_.size();
-    if (status) measure(loop);
+    measure(loop);
   }
-  if (status) status = working_.reserve(context_, boxes_, parts_.size());
-  if (!status) return status;
+  SFUMATO_TRY(working_.reserve(context_, boxes_, parts_.size()));
   RarePoll<1024> poll(context_);
   for (const Part& part : parts_) {
     if (poll.cancelled()) return context_.cancel_status();
-    boxes_.push_back(bounds_of(part).grown_by((3 + kDrawnOff) / 2 * weld_));  // half the reach
+    boxes_.push_back(
+        box_of_points(part.curve).grown_by((3 + kDrawnOff) / 2 * weld_));  // half the reach
   }
   SFUMATO_TRY(check_pairs());
   SFUMATO_TRY(add_turned(loops));

@@ -8,6 +8,7 @@
 #include <utility>
 #include <variant>
 
+#include "base/boxes.hpp"
 #include "base/limit_error.hpp"
 #include "base/public_verb.hpp"
 #include "base/table_memory.hpp"
@@ -279,9 +280,7 @@ Result<std::uint32_t> Importer::product_of(const svg::PlainShape& shape,
                                            const Contours& boundary) {
   if (factors.size() == 1) return factors.front();
   Box box;
-  for (const std::vector<Vec2>& contour : boundary) {
-    for (const Vec2 point : contour) box.extend(point);
-  }
+  for (const std::vector<Vec2>& contour : boundary) box = united(box, box_of_points(contour));
   SFUMATO_TRY_ASSIGN(auto&& product,
                      products_.draw(context_, plain_.document, factors, box, plain_.units_per_px,
                                     painter_, texture_memory_));
@@ -457,9 +456,7 @@ Status Importer::paint_all() {
   Document& document = plain_.document;
   TableMemory memory("the shapes");
   std::vector<Source> source_of;  // by layer
-  if (Status status = memory.resize(context_, source_of, document.layers.size()); !status) {
-    return status;
-  }
+  SFUMATO_TRY(memory.resize(context_, source_of, document.layers.size()));
   for (const svg::PlainShape& shape : plain_.content.shapes) {
     if (shape.fill) source_of[shape.fill_layer] = {&shape, false};
     if (shape.stroke) source_of[shape.stroke_layer] = {&shape, true};
@@ -484,9 +481,8 @@ Status Importer::paint_all() {
     const auto [entry, is_new] =
         kept.emplace(instance->layer, static_cast<std::uint32_t>(layers_.size()));
     if (is_new) {
-      Status status =
-          memory_.push_back(context_, layers_, std::move(document.layers[instance->layer]));
-      if (!status) return status;
+      SFUMATO_TRY(
+          memory_.push_back(context_, layers_, std::move(document.layers[instance->layer])));
     }
     std::get<LayerInstance>(stack_.back()).layer = entry->second;
   }

@@ -43,9 +43,7 @@ std::vector<bool> shaders_of(const Layer& layer, std::size_t shader_count) {
 
 Box bounds_of(std::span<const Curve> curves) {
   Box box;
-  for (const Curve& curve : curves) {
-    for (const Vec2 p : curve.control_points) box.extend(p);
-  }
+  for (const Curve& curve : curves) box = united(box, box_of_points(curve.control_points));
   return box;
 }
 
@@ -63,7 +61,7 @@ bool is_one_sided(const Curve& curve) {
 bool may_flood(const Layer& layer, const Box& sight) {
   Box largest;
   for (const Curve& curve : layer.curves) {
-    const Box box = bounds_of({&curve, 1});
+    const Box box = box_of_points(curve.control_points);
     const bool is_larger =
         largest.empty() || box.width() * box.height() > largest.width() * largest.height();
     if (is_one_sided(curve) && is_larger) largest = box;
@@ -75,7 +73,7 @@ bool may_flood(const Layer& layer, const Box& sight) {
            if (curve.right.opacity.kind != ShaderKind::open) return false;
            const bool has_color =
                curves::has_value(curve.left.color) || curves::has_value(curve.right.color);
-           const Box box = bounds_of({&curve, 1});
+           const Box box = box_of_points(curve.control_points);
            const bool is_within = largest.contains(box.min) && largest.contains(box.max);
            return is_one_sided(curve) || !has_color || is_within;
          });

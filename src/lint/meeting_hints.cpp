@@ -54,13 +54,6 @@ bool is_closed(const Curve& curve) {
   return curve.control_points.front() == curve.control_points.back();
 }
 
-/// Returns the longer side of the control points' box.
-double extent_of(const Curve& curve) {
-  Box box;
-  for (const Vec2 p : curve.control_points) box.extend(p);
-  return std::max(box.width(), box.height());
-}
-
 class MeetingCheck {
  public:
   explicit MeetingCheck(LayerUnderTest& test)
@@ -347,7 +340,7 @@ class MeetingCheck {
   /// Adds a hint about an overshoot. The reach is the distance back to the point where the curve
   /// meets another curve, or to its other end.
   void add_overshoot(Finds& overshoots, std::uint32_t own, const gather::FreeEnd& end) {
-    if (extent_of(test_.curves()[own]) < kSpurs * end.reach) return;
+    if (longer_side(box_of_points(test_.curves()[own].control_points)) < kSpurs * end.reach) return;
     add(overshoots, own, end.position,
         "its end at " + point_text(end.position) + " lies " + rounded_number_text(end.reach, 2) +
             " units beyond a curve that it crosses, so its colours leak there; move the end onto "

@@ -88,9 +88,7 @@ class StrokeCheck {
 
   /// Returns whether the curve's box, with this margin, meets the artboard.
   bool meets_artboard(double margin) const {
-    Box box;
-    for (const Vec2 p : curve_.control_points) box.extend(p);
-    const Box grown = box.grown_by(margin);
+    const Box grown = box_of_points(curve_.control_points).grown_by(margin);
     return overlap(mapped_box(stroke_.artboard_from_stroke, grown), document_.artboard);
   }
 

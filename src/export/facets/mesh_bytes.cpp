@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/boxes.hpp"
 #include "base/poll.hpp"
 #include "base/try.hpp"
 
@@ -108,9 +109,7 @@ Box triangles_box(const PatchLayer& layer) {
 }
 
 Box decode_box(const std::vector<Vec2>& positions) {
-  Box box;
-  for (Vec2 p : positions) box.extend(p);
-  return decode_box(box);
+  return decode_box(box_of_points(positions));
 }
 
 Box decode_box(Box box) {

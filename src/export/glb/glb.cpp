@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/boxes.hpp"
 #include "base/public_verb.hpp"
 #include "base/try.hpp"
 #include "document/rules.hpp"
@@ -113,9 +114,7 @@ Status GlbWriter::make_layer(std::uint32_t layer) {
   LayerMesh& made = layers_[layer];
   if (made.is_made) return ok_status();
   const PatchLayer& source = picture_.layers[layer];
-  Box box;
-  for (const Vec2 p : source.vertex_position) box.extend(p);
-  made.origin = box.center();
+  made.origin = box_of_points(source.vertex_position).center();
   SFUMATO_TRY_ASSIGN(const GlbMesh& mesh,
                      outputs::make_glb_layer(context_, source, picture_.interpolation, made.origin,
                                              options_.max_error / 255,
@@ -159,10 +158,9 @@ Status GlbWriter::add_stack() {
   const std::vector<PictureItem>& stack = picture_.stack;
   for (std::size_t i = 0; i < stack.size(); ++i) {
     if (context_.cancelled()) return context_.cancel_status();
-    Status status = ok_status();
     if (outputs::needs_pixels(picture_, stack[i])) {
       const std::size_t end = outputs::pixel_run_end(picture_, i);
-      status = add_pixels(i, end);
+      SFUMATO_TRY(add_pixels(i, end));
       i = end - 1;
     } else if (const auto* group = std::get_if<GroupBegin>(&stack[i])) {
       has_groups_ |= group->opacity != 1;
@@ -171,9 +169,8 @@ Status GlbWriter::add_stack() {
     } else if (std::holds_alternative<GroupEnd>(stack[i])) {
       group_opacity_.pop_back();
     } else {
-      status = add(std::get<PatchInstance>(stack[i]));
+      SFUMATO_TRY(add(std::get<PatchInstance>(stack[i])));
     }
-    if (!status) return status;
   }
   return ok_status();
 }

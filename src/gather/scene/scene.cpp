@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "base/boxes.hpp"
 #include "base/poll.hpp"
 #include "base/spatial_order.hpp"
 #include "base/try.hpp"
@@ -72,28 +73,24 @@ class SceneBuilder {
     }
     SFUMATO_TRY(scene_.is_extended ? take_back(before) : copy(before));
     begin_as(before);
-    Status status;
-    if (before.has_blind_edges) status = see_through_blind_edges();
-    if (status) status = list_changed(is_same);
+    if (before.has_blind_edges) SFUMATO_TRY(see_through_blind_edges());
+    SFUMATO_TRY(list_changed(is_same));
     for (const std::uint32_t t : changed_) {
-      if (poll_.cancelled()) status = context_.cancel_status();
-      if (status) status = find_codes_of(t);
+      if (poll_.cancelled()) return context_.cancel_status();
+      SFUMATO_TRY(find_codes_of(t));
     }
-    if (!status) return status;
     for (std::size_t i = before.hit_edge.size(); i < scene_.hit_edge.size(); ++i)
       if (scene_.hit_edge[i].weight > before.weight_unit) return false;
     if (before.blend.empty() && !is_plain_) return false;
     normalize_weights(before.hit_edge.size());
     drop_blend_if_plain();
-    status = scene_.memory.resize(context_, scene_.edge_beyond, passage_count_);
+    SFUMATO_TRY(scene_.memory.resize(context_, scene_.edge_beyond, passage_count_));
     for (const std::uint32_t t : changed_) {
-      if (poll_.cancelled()) status = context_.cancel_status();
-      if (!status) return status;
-      status = place_changed(t);
-      if (!status || is_watched.empty()) continue;
-      status = watch_triangle(context_, mesh_, is_watched, scene_.index[t], scene_);
+      if (poll_.cancelled()) return context_.cancel_status();
+      SFUMATO_TRY(place_changed(t));
+      if (is_watched.empty()) continue;
+      SFUMATO_TRY(watch_triangle(context_, mesh_, is_watched, scene_.index[t], scene_));
     }
-    if (!status) return status;
     scene_.is_extended = !before.has_blind_edges;
     return true;
   }
@@ -105,8 +102,7 @@ class SceneBuilder {
   }
 
   Vec2 center_of_mesh() const {
-    Box box;
-    for (Vec2 p : mesh_.vertex_position) box.extend(p);
+    const Box box = box_of_points(mesh_.vertex_position);
     return box.empty() ? Vec2{} : box.center();
   }
 

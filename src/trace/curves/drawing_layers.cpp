@@ -4,8 +4,10 @@
 #include <cmath>
 #include <utility>
 
+#include "base/boxes.hpp"
 #include "base/largest_scale.hpp"
 #include "base/poll.hpp"
+#include "base/segment.hpp"
 #include "base/try.hpp"
 #include "curves/attributes.hpp"
 #include "mesh/mesher.hpp"
@@ -77,8 +79,7 @@ Box box_of_opacity(const std::vector<Curve>& curves) {
   Box box;
   for (const Curve& curve : curves) {
     if (!curves::bears_opacity(curve)) continue;
-    Box around;
-    for (const Vec2 p : curve.control_points) around.extend(p);
+    const Box around = box_of_points(curve.control_points);
     box = united(box, around.grown_by(double{largest_radius(curve)}));
   }
   return box.empty() ? box : box.grown_by(1e-3 * (box.width() + box.height()));
@@ -86,42 +87,22 @@ Box box_of_opacity(const std::vector<Curve>& curves) {
 
 Status list_colors(const Context& context, const Document& drawing, std::uint32_t index,
                    DrawnLayer& layer) {
-  Status status;
   for (const Curve& curve : drawing.layers[index].curves) {
     for (const Side* side : {&curve.left, &curve.right}) {
       if (side->color.kind != ShaderKind::curve_domain) continue;
       for (const Stop<Rgb>& stop : side->color.stops.stops) {
         const Rgb color = from_srgb(drawing.interpolation, stop.value);
-        if (status) {
-          status = layer.memory.push_back(context, layer.color, {color.r, color.g, color.b, 0});
-        }
+        SFUMATO_TRY(layer.memory.push_back(context, layer.color, {color.r, color.g, color.b, 0}));
       }
     }
   }
-  return status;
+  return ok_status();
 }
 
 /// Returns the smallest radius of a side.
 double least_radius(const Side& side) {
   if (side.blur_radius.empty()) return 0;
   return std::ranges::min(side.blur_radius.stops, {}, &Stop<float>::value).value;
-}
-
-/// Returns the part of a segment, as fractions of its way, that lies in a box.
-std::pair<double, double> part_within(const Box& box, Vec2 a, Vec2 b) {
-  double from = 0, to = 1;
-  const auto cut = [&](double start, double step, double low, double high) {
-    if (step == 0) {
-      if (start < low || start > high) to = -1;
-      return;
-    }
-    const double first = (low - start) / step, second = (high - start) / step;
-    from = std::max(from, std::min(first, second));
-    to = std::min(to, std::max(first, second));
-  };
-  cut(a.x, b.x - a.x, box.min.x, box.max.x);
-  cut(a.y, b.y - a.y, box.min.y, box.max.y);
-  return {from, to};
 }
 
 }  // namespace
