@@ -222,6 +222,11 @@ Result<SegmentAttributes> sample_stop_places(const Context& context, const FlatC
   return attribute == StopAttribute::color ? sample(color_of) : sample(opacity_of);
 }
 
+bool is_blurred(const Side& side) {
+  return std::ranges::any_of(side.blur_radius.stops,
+                             [](const Stop<float>& stop) { return stop.value > 0; });
+}
+
 bool bears_opacity(const Curve& curve) {
   return curve.left.opacity.kind != ShaderKind::open ||
          curve.right.opacity.kind != ShaderKind::open;

@@ -105,6 +105,9 @@ bool has_value(const SideShader<Value>& shader) {
   return shader.kind == ShaderKind::curve_domain || shader.kind == ShaderKind::image_domain;
 }
 
+/// Returns whether the side has a blur radius above 0 anywhere.
+bool is_blurred(const Side& side);
+
 /// Returns whether a side of the curve is not open to opacity.
 bool bears_opacity(const Curve& curve);
 

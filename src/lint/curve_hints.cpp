@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/poll.hpp"
+#include "base/segment.hpp"
 #include "base/text/number_text.hpp"
 #include "base/try.hpp"
 
@@ -27,17 +28,8 @@ struct Outline {
 };
 
 bool touches(const Box& box, Vec2 a, Vec2 b) {
-  // Returns the segment's parameters inside the box, by clipping at the four sides.
-  double from = 0, to = 1;
-  const auto clip = [&](double start, double step, double low, double high) {
-    if (step == 0) return start >= low && start <= high;
-    double enter = (low - start) / step, leave = (high - start) / step;
-    if (enter > leave) std::swap(enter, leave);
-    from = std::max(from, enter);
-    to = std::min(to, leave);
-    return from <= to;
-  };
-  return clip(a.x, b.x - a.x, box.min.x, box.max.x) && clip(a.y, b.y - a.y, box.min.y, box.max.y);
+  const auto [from, to] = part_within(box, a, b);
+  return from <= to;
 }
 
 /// Returns whether a curve runs along most of a side of the artboard, or round it. Such a curve
@@ -134,13 +126,8 @@ void check_closed(LayerUnderTest& test, std::uint32_t index, const Outline& outl
                outer + " and sf:" + inner + ", if the inside was meant");
 }
 
-bool is_blurred(const ScalarStops& radius) {
-  return std::ranges::any_of(radius.stops, [](const auto& stop) { return stop.value > 0; });
-}
-
 void check_side(LayerUnderTest& test, std::uint32_t index, CurveSide which, const Side& side) {
-  if (!is_blurred(side.blur_radius) || curves::has_value(side.color) ||
-      curves::has_value(side.opacity))
+  if (!curves::is_blurred(side) || curves::has_value(side.color) || curves::has_value(side.opacity))
     return;
   test.add(
           HintKind::blur_without_shader, index,

@@ -37,11 +37,6 @@ bool leaves(const curves::Cubic& cubic, const Box& box) {
   return false;
 }
 
-bool is_blurred(const Side& side) {
-  return std::any_of(side.blur_radius.stops.begin(), side.blur_radius.stops.end(),
-                     [](const Stop<float>& stop) { return stop.value > 0; });
-}
-
 bool has_barrier(const Side& side) {
   return side.color.kind == ShaderKind::barrier || side.opacity.kind == ShaderKind::barrier;
 }
@@ -73,7 +68,7 @@ void count_curve(const Curve& curve, DocumentFacts& facts) {
     facts.color_stops += side->color.stops.stops.size();
     facts.opacity_stops += side->opacity.stops.stops.size();
   }
-  facts.blurred_curves += is_blurred(curve.left) || is_blurred(curve.right);
+  facts.blurred_curves += curves::is_blurred(curve.left) || curves::is_blurred(curve.right);
   facts.weighted_curves += curve.weight != 1;
 }
 
