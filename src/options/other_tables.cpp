@@ -1,7 +1,7 @@
-#include <array>
 #include <cstdint>
 #include <limits>
 
+#include "document/names.hpp"
 #include "options/tables.hpp"
 
 // The tables of the options that limit work and of the options that only the C interface has.
@@ -65,18 +65,15 @@ constexpr Option<LintSettings> kLintOptions[] = {
      [](LintSettings& s, const Value&) { s.verbose = true; }},
 };
 
-constexpr std::string_view kSpaces[] = {"srgb", "linear", "oklab"};
-
 constexpr Option<DocumentSettings> kDocumentOptions[] = {
     {{.key = "artboard",
       .kind = ValueKind::box,
       .expected = "x,y,width,height in user units, width and height above 0, no edge beyond 1e7",
       .calls = kNewDocument},
      [](DocumentSettings& s, const Value& v) { s.artboard = v.box; }},
-    {{.key = "interpolation", .kind = ValueKind::word, .words = kSpaces, .calls = kNewDocument},
+    {{.key = "interpolation", .kind = ValueKind::word, .words = kSpaceNames, .calls = kNewDocument},
      [](DocumentSettings& s, const Value& v) {
-       s.interpolation = std::array{InterpolationSpace::srgb, InterpolationSpace::linear,
-                                    InterpolationSpace::oklab}[v.word];
+       s.interpolation = static_cast<InterpolationSpace>(v.word);
      }},
     {{.key = "background",
       .kind = ValueKind::color,

@@ -11,6 +11,7 @@
 #include "cli/files/paths.hpp"
 #include "cli/files/solved_input.hpp"
 #include "cli/interrupt.hpp"
+#include "document/names.hpp"
 
 namespace sfumato::cli {
 namespace {
@@ -40,7 +41,7 @@ std::string as_table(const std::string& name, const ReadDocument& read) {
   const Vec2 size = picture_size(read.document);
   table.row("size", shortest(size.x) + " x " + shortest(size.y) + " px");
   table.row("background", background_text(read.document.background));
-  table.row("interpolation", interpolation_name(read.document.interpolation));
+  table.row("interpolation", std::string(space_name(read.document.interpolation)));
   table.row("layers", std::to_string(facts.layers) + " (" + std::to_string(facts.instances) +
                           (facts.instances == 1 ? " instance)" : " instances)"));
   table.count("groups", facts.groups);
@@ -99,7 +100,7 @@ std::string as_json(const std::string& name, const ReadDocument& read) {
   write_box(json, "artboard", read.document.artboard);
   write_size(json, picture_size(read.document));
   json.member("background", background_text(read.document.background))
-      .member("interpolation", interpolation_name(read.document.interpolation));
+      .member("interpolation", space_name(read.document.interpolation));
   write_counts(json, facts);
   json.key("textures").begin_array();
   for (const Texture* texture : facts.textures) {

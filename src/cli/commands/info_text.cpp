@@ -4,6 +4,7 @@
 
 #include "base/text/number_text.hpp"
 #include "cli/messages.hpp"
+#include "document/names.hpp"
 #include "picture/picture_counts.hpp"
 
 namespace sfumato::cli {
@@ -52,7 +53,7 @@ std::string table_of(const std::string& name, const SolvedInput& solved, std::si
   table.row("solved for", shortest(solved.origin.pixels_per_unit) + " pixels per user unit");
   table.row("max-error", max_error_text(solved.origin.max_error));
   table.row("background", background_text(picture.background));
-  table.row("interpolation", interpolation_name(picture.interpolation));
+  table.row("interpolation", std::string(space_name(picture.interpolation)));
   table.row("layers", std::to_string(picture.layers.size()) + " (" +
                           std::to_string(facts.instances) +
                           (facts.instances == 1 ? " instance)" : " instances)"));
@@ -80,7 +81,7 @@ std::string json_of(const std::string& name, const SolvedInput& solved, std::siz
   json.member("pixels_per_unit", solved.origin.pixels_per_unit)
       .member("max_error", solved.origin.max_error)
       .member("background", background_text(picture.background))
-      .member("interpolation", interpolation_name(picture.interpolation))
+      .member("interpolation", space_name(picture.interpolation))
       .member("layers", picture.layers.size())
       .member("instances", facts.instances)
       .member("groups", facts.groups)
@@ -127,11 +128,6 @@ std::string size_text(const Box& box) {
   std::string text = shortest(box.width()) + " x " + shortest(box.height());
   if (!(box.min == Vec2{})) text += " at " + shortest(box.min.x) + "," + shortest(box.min.y);
   return text;
-}
-
-const char* interpolation_name(InterpolationSpace space) {
-  constexpr const char* kNames[] = {"srgb", "linear", "oklab"};
-  return kNames[static_cast<std::size_t>(space)];
 }
 
 std::string background_text(const std::optional<Rgb>& background) {

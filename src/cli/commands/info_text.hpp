@@ -9,7 +9,6 @@
 #include "cli/files/solved_input.hpp"
 #include "sfumato/base/box.hpp"
 #include "sfumato/base/color.hpp"
-#include "sfumato/base/color_space.hpp"
 
 /// The text of `sfumato info`: the lines that drawings and solved pictures share, and all lines of
 /// solved pictures.
@@ -39,8 +38,6 @@ std::string shortest(double number);
 
 /// Returns "640 x 480", followed by " at 10,20" if the box does not begin at the origin.
 std::string size_text(const Box& box);
-
-const char* interpolation_name(InterpolationSpace space);
 
 /// Returns "#rrggbb" or "none".
 std::string background_text(const std::optional<Rgb>& background);

@@ -13,7 +13,7 @@
 #include "base/text/number_text.hpp"
 #include "base/try.hpp"
 #include "codecs/data_uri_write.hpp"
-#include "document/blend_names.hpp"
+#include "document/names.hpp"
 #include "document/rules.hpp"
 #include "export/page.hpp"
 #include "export/pixel_run.hpp"

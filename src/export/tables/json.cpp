@@ -9,7 +9,7 @@
 #include "base/public_verb.hpp"
 #include "base/text/number_text.hpp"
 #include "base/try.hpp"
-#include "document/blend_names.hpp"
+#include "document/names.hpp"
 #include "export/page.hpp"
 #include "export/poll_interval.hpp"
 #include "export/tables/table_list.hpp"

@@ -6,6 +6,7 @@
 #include "base/public_verb.hpp"
 #include "base/try.hpp"
 #include "codecs/zip_writer.hpp"
+#include "document/names.hpp"
 #include "export/page.hpp"
 #include "export/tables/table_list.hpp"
 #include "picture/check_picture.hpp"

@@ -12,6 +12,7 @@
 #include "base/poll.hpp"
 #include "base/public_verb.hpp"
 #include "base/try.hpp"
+#include "document/names.hpp"
 #include "export/joined_field.hpp"
 #include "export/page.hpp"
 #include "export/poll_interval.hpp"

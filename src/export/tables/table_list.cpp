@@ -6,7 +6,7 @@
 
 #include "base/poll.hpp"
 #include "base/try.hpp"
-#include "document/blend_names.hpp"
+#include "document/names.hpp"
 #include "export/poll_interval.hpp"
 #include "picture/patch.hpp"
 
@@ -69,13 +69,10 @@ Status find_node_positions(const Context& context, const PatchLayer& layer, cons
 
 Result<LayerTables> list_tables(const Context& context, const PatchLayer& layer) {
   LayerTables made;
-  Status status =
-      find_node_positions(context, layer, layer.color, made.memory, made.color_position);
-  if (status) {
-    status = find_node_positions(context, layer, layer.opacity, made.memory, made.opacity_position);
-  }
-  if (status) status = list_soft_edges(context, layer, made);
-  if (!status) return status;
+  SFUMATO_TRY(find_node_positions(context, layer, layer.color, made.memory, made.color_position));
+  SFUMATO_TRY(
+      find_node_positions(context, layer, layer.opacity, made.memory, made.opacity_position));
+  SFUMATO_TRY(list_soft_edges(context, layer, made));
   made.tables = {table_of("vertices", 2, layer.vertex_position),
                  table_of("triangles", 3, layer.triangle_vertex),
                  table_of("curve_edges", 3, layer.edge_is_curve)};
@@ -104,11 +101,6 @@ Result<InstanceTables> list_instances(const Context& context, const Picture& pic
                                      m.f, static_cast<double>(instance->opacity)});
   }
   return made;
-}
-
-std::string_view space_name(InterpolationSpace space) {
-  constexpr std::string_view kNames[] = {"srgb", "linear", "oklab"};
-  return kNames[static_cast<std::size_t>(space)];
 }
 
 void note_omissions(const Picture& picture, ExportNotes* notes) {

@@ -80,9 +80,6 @@ inline constexpr std::size_t kInstanceColumns = 8;
 /// Errors: limit (memory), cancelled.
 Result<InstanceTables> list_instances(const Context& context, const Picture& picture);
 
-/// CSS's name of the space: "srgb", "linear" or "oklab".
-std::string_view space_name(InterpolationSpace space);
-
 /// Adds to the notes, unless null, the parts of the picture that tables of meshes leave out.
 void note_omissions(const Picture& picture, ExportNotes* notes);
 

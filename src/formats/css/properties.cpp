@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <span>
 
-#include "document/blend_names.hpp"
+#include "document/names.hpp"
 #include "formats/css/basic_shape.hpp"
 #include "formats/css/color.hpp"
 #include "formats/css/length.hpp"

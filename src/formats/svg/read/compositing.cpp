@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "document/blend_names.hpp"
+#include "document/names.hpp"
 #include "formats/css/value.hpp"
 #include "formats/text/suggestion.hpp"
 

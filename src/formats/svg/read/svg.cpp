@@ -12,6 +12,7 @@
 #include "base/public_verb.hpp"
 #include "base/text/ascii.hpp"
 #include "base/try.hpp"
+#include "document/names.hpp"
 #include "formats/css/value.hpp"
 #include "formats/svg/paint/background.hpp"
 #include "formats/svg/paint/picture_size.hpp"
@@ -35,9 +36,6 @@ constexpr Vec2 kViewport{300, 150};
 using svg::Axis;
 using svg::Element;
 using svg::Input;
-
-/// In the order of InterpolationSpace.
-constexpr std::array<std::string_view, 3> kSpaces{"srgb", "linear", "oklab"};
 
 /// viewBox, else width and height.
 Result<Box> read_artboard(Input& input) {
@@ -79,12 +77,12 @@ Status read_version(Input& input) {
 Status read_interpolation(Input& input, Document& document) {
   const auto text = input.sf(input.root(), "interpolation");
   if (!text) return ok_status();
-  const auto found = std::ranges::find(kSpaces, ascii_trimmed(*text));
-  if (found == kSpaces.end()) {
+  const auto found = std::ranges::find(kSpaceNames, ascii_trimmed(*text));
+  if (found == kSpaceNames.end()) {
     return input.error(
         input.root(), "sf:interpolation is " + text::quoted(*text) + "; use srgb, linear or oklab");
   }
-  document.interpolation = static_cast<InterpolationSpace>(found - kSpaces.begin());
+  document.interpolation = static_cast<InterpolationSpace>(found - kSpaceNames.begin());
   return ok_status();
 }
 
@@ -269,8 +267,8 @@ Result<svg::PlainSvg> read_plain(Input& input, const ResourceLoader* loader, boo
   SFUMATO_TRY_ASSIGN(auto&& begun, begin_plain(input, open_size));
   svg::PlainSvg plain{std::move(begun.document), {}, {}, {}, open_size};
   plain.units_per_px = input.units_per_px();
-  Status status = read_interpolation(input, plain.document);
-  if (status) status = read_background(input, plain.document);
+  SFUMATO_TRY(read_interpolation(input, plain.document));
+  SFUMATO_TRY(read_background(input, plain.document));
   svg::PlainReader reader(input, plain.document, loader, plain.content);
   if (open_size) {
     reader.expect_no_background();
@@ -281,14 +279,11 @@ Result<svg::PlainSvg> read_plain(Input& input, const ResourceLoader* loader, boo
   }
   svg::TileQueue queue;
   if (with_tiles) reader.use_tiles(queue, input.units_per_px() / svg::TileQueue::kTexelsPerPx);
-  if (status) status = place_root(input, begun.frame, open_size.has_value(), reader);
-  if (status) {
-    status =
-        paint_root_background(input, begun.frame, open_size.has_value(), reader, plain.document);
-  }
-  if (status) status = reader.read();
-  if (status) status = read_tiles(input, loader, queue, plain);
-  if (!status) return status;
+  SFUMATO_TRY(place_root(input, begun.frame, open_size.has_value(), reader));
+  SFUMATO_TRY(
+      paint_root_background(input, begun.frame, open_size.has_value(), reader, plain.document));
+  SFUMATO_TRY(reader.read());
+  SFUMATO_TRY(read_tiles(input, loader, queue, plain));
   svg::show_in_frame(begun.frame, plain.document);
   plain.title = ascii_trimmed(input.root().child("title").child_value());
   plain.warnings = input.take_warnings();

@@ -9,7 +9,7 @@
 #include "base/table_memory.hpp"
 #include "base/text/number_text.hpp"
 #include "base/try.hpp"
-#include "document/blend_names.hpp"
+#include "document/names.hpp"
 #include "formats/svg/write/svg_write_curve.hpp"
 #include "formats/svg/write/svg_write_ids.hpp"
 #include "formats/svg/write/svg_write_shader.hpp"

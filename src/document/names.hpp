@@ -17,4 +17,11 @@ inline std::string_view blend_name(BlendMode mode) {
   return kBlendNames[static_cast<std::size_t>(mode)];
 }
 
+/// The names of InterpolationSpace's spaces in files and options, in the order of the enumeration.
+inline constexpr std::array<std::string_view, 3> kSpaceNames{"srgb", "linear", "oklab"};
+
+inline std::string_view space_name(InterpolationSpace space) {
+  return kSpaceNames[static_cast<std::size_t>(space)];
+}
+
 }  // namespace sfumato
