@@ -25,11 +25,8 @@ constexpr std::array<BoxName, 7> kBoxes{{{"fill-box", ReferenceBox::fill},
                                          {"view-box", ReferenceBox::view}}};
 
 std::optional<ReferenceBox> box_named(const Token& token) {
-  if (!token.is(ident)) return std::nullopt;
-  for (const BoxName& each : kBoxes) {
-    if (is_named(token.value, each.name)) return each.box;
-  }
-  return std::nullopt;
+  const BoxName* known = token.is(ident) ? find_named(kBoxes, token.value) : nullptr;
+  return known ? std::optional(known->box) : std::nullopt;
 }
 
 /// Reads the arguments of one function. `token` is the next one to be read.
@@ -130,14 +127,11 @@ constexpr std::array<SideName, 5> kSides{{{"left", true, false, false},
                                           {"center", true, true, false}}};
 
 std::optional<PositionPart> side_named(const Token& token) {
-  if (!token.is(ident)) return std::nullopt;
-  for (const SideName& side : kSides) {
-    if (!is_named(token.value, side.name)) continue;
-    PositionPart part{side.is_x, side.is_y, true};
-    if (!(side.is_x && side.is_y)) part.offset = {{0, Unit::percent}, side.is_end};
-    return part;
-  }
-  return std::nullopt;
+  const SideName* side = token.is(ident) ? find_named(kSides, token.value) : nullptr;
+  if (!side) return std::nullopt;
+  PositionPart part{side->is_x, side->is_y, true};
+  if (!(side->is_x && side->is_y)) part.offset = {{0, Unit::percent}, side->is_end};
+  return part;
 }
 
 /// A position: one or two words or lengths, or two words with a length behind each.
@@ -304,12 +298,10 @@ bool ShapeParser::read(std::string_view name, BasicShape& shape) {
                                                 {"xywh", &ShapeParser::read_xywh},
                                                 {"polygon", &ShapeParser::read_polygon},
                                                 {"path", &ShapeParser::read_path}}};
-  for (const Function& each : kFunctions) {
-    if (!is_named(name, each.name)) continue;
-    step();
-    return (this->*each.read)(shape) && at_end();
-  }
-  return false;
+  const Function* known = find_named(kFunctions, name);
+  if (!known) return false;
+  step();
+  return (this->*known->read)(shape) && at_end();
 }
 
 }  // namespace

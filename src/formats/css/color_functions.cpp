@@ -300,9 +300,8 @@ Result<Color> take_in_space(Tokenizer& tokens) {
 
 std::optional<Result<Color>> take_color_function(Tokenizer& tokens, std::string_view name) {
   if (is_named(name, kInSpace.name)) return take_in_space(tokens);
-  const auto has_name = [&](const FunctionInfo& info) { return is_named(name, info.name); };
-  const auto info = std::ranges::find_if(kFunctions, has_name);
-  if (info == kFunctions.end()) return std::nullopt;
+  const FunctionInfo* info = find_named(kFunctions, name);
+  if (!info) return std::nullopt;
   return take_components(tokens, *info, info->read);
 }
 

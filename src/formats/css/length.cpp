@@ -94,9 +94,7 @@ std::optional<double> font_size_of(std::string_view text, const UnitSizes& outer
   const auto token = only_token(text, poll);
   if (!token) return std::nullopt;
   if (token->is(ident)) {
-    for (const SizeWord& word : kSizeWords) {
-      if (is_named(token->value, word.name)) return word.pixels;
-    }
+    if (const SizeWord* word = find_named(kSizeWords, token->value)) return word->pixels;
     if (is_named(token->value, "larger")) return outer.em * kSizeStep;
     if (is_named(token->value, "smaller")) return outer.em / kSizeStep;
     return std::nullopt;

@@ -33,10 +33,8 @@ constexpr std::array<PseudoClass, 11> kPseudoClasses{{{"root", PartKind::root},
                                                       {"visited", PartKind::never}}};
 
 std::optional<SelectorPart> pseudo_class(std::string_view name) {
-  for (const PseudoClass& known : kPseudoClasses) {
-    if (is_named(name, known.name)) return SelectorPart{known.kind};
-  }
-  return std::nullopt;
+  const PseudoClass* known = find_named(kPseudoClasses, name);
+  return known ? std::optional(SelectorPart{known->kind}) : std::nullopt;
 }
 
 /// Returns the relation that the characters before "=" stand for.

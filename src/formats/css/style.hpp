@@ -32,6 +32,16 @@ class Style {
   }
   /// Returns the custom properties, by name.
   const std::map<std::string_view, Setting>& variables() const { return variables_; }
+  /// Calls sink(name, setting) for each property that the block sets, custom ones last.
+  template <class Sink>
+  void for_each(Sink sink) const {
+    for (std::size_t i = 0; i < kPropertyCount; ++i) {
+      if (settings_[i]) sink(PropertyName{static_cast<Property>(i)}, *settings_[i]);
+    }
+    for (const auto& [name, setting] : variables_) {
+      sink(PropertyName{Property::custom, name}, setting);
+    }
+  }
   /// Returns whether the block sets no property that is read.
   bool empty() const;
   /// Returns the number of declarations added, of any property.

@@ -201,34 +201,20 @@ void StyleSheet::add_rule(const Selector& selector, const Style& style, std::siz
   const std::size_t order = count_;
   if (!count(style.declaration_count(), most_values)) return;
   const std::string_view name = stored(selector.name);
-  const auto add = [&](const PropertyName& property, const Setting& setting) {
+  style.for_each([&](const PropertyName& property, const Setting& setting) {
     const RankedSetting added{setting, selector.specificity, order};
     const Key key{static_cast<Kind>(selector.kind), property, name};
     const auto [value, is_new] = values_.try_emplace(key, added);
     if (!is_new && added.outranks(value->second)) value->second = added;
     is_set_[static_cast<std::size_t>(property.property)] = true;
-  };
-  for (std::size_t i = 0; i < kPropertyCount; ++i) {
-    const auto property = static_cast<Property>(i);
-    if (style[property]) add({property}, *style[property]);
-  }
-  for (const auto& [variable, setting] : style.variables()) {
-    add({Property::custom, variable}, setting);
-  }
+  });
 }
 
 void StyleSheet::add_settings(const Style& style) {
-  const auto add = [&](const PropertyName& property, const Setting& setting) {
+  style.for_each([&](const PropertyName& property, const Setting& setting) {
     settings_.push_back({property, setting});
     is_set_[static_cast<std::size_t>(property.property)] = true;
-  };
-  for (std::size_t i = 0; i < kPropertyCount; ++i) {
-    const auto property = static_cast<Property>(i);
-    if (style[property]) add({property}, *style[property]);
-  }
-  for (const auto& [variable, setting] : style.variables()) {
-    add({Property::custom, variable}, setting);
-  }
+  });
 }
 
 void StyleSheet::add_complex_rule(const Selector& selector, std::span<const SelectorPart> parts,

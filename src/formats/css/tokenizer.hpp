@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <string>
 #include <string_view>
 
@@ -127,6 +129,14 @@ std::string unescaped(std::string_view raw);
 /// Returns whether a name equals `lower`, which is in lower case, apart from ASCII case and
 /// escapes.
 bool is_named(std::string_view raw, std::string_view lower);
+
+/// Returns the first item of a table whose `name` is_named() so; null if there is none.
+template <class Table>
+auto find_named(const Table& table, std::string_view raw) {
+  const auto is_it = [raw](const auto& item) { return is_named(raw, item.name); };
+  const auto found = std::ranges::find_if(table, is_it);
+  return found == std::end(table) ? nullptr : &*found;
+}
 
 /// Consumes the rest of the component that begins with `first`: for a bracket or a function
 /// everything up to its end, including nested brackets. Beyond 1,000 nested brackets the rest of

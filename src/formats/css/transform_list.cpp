@@ -99,11 +99,7 @@ TransformFunction function_of(const FunctionRule& rule, const TransformArguments
 }
 
 const FunctionRule* rule_of(const Token& token) {
-  if (!token.is(function)) return nullptr;
-  for (const FunctionRule& rule : kRules) {
-    if (is_named(token.value, rule.name)) return &rule;
-  }
-  return nullptr;
+  return token.is(function) ? find_named(kRules, token.value) : nullptr;
 }
 
 const FunctionRule* rule_of(Property property) {
