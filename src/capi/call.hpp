@@ -16,6 +16,9 @@ struct Outcome {
   Outcome(Status s) : code(static_cast<std::int32_t>(s.code)), status(std::move(s)) {}
   Outcome(std::int32_t c, Status s) : code(c), status(std::move(s)) {}
 
+  /// Whether the call succeeded.
+  explicit operator bool() const { return code == SFUMATO_OK; }
+
   std::int32_t code = SFUMATO_OK;
   Status status{};  ///< words and place
 };
@@ -48,3 +51,12 @@ Outcome caught(Body&& body) noexcept {
 }
 
 }  // namespace sfumato::capi
+
+namespace sfumato {
+
+/// As for a Status: SFUMATO_TRY() takes outcomes too.
+inline capi::Outcome&& status_of(capi::Outcome&& outcome) {
+  return std::move(outcome);
+}
+
+}  // namespace sfumato

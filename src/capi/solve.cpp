@@ -100,15 +100,12 @@ Outcome solve(Workshop& workshop, sfumato_context* context, const sfumato_docume
               const char* text, sfumato_picture** out) {
   options::Settings settings;
   options::PictureSettings own;
-  Outcome read = read_solve_options(text, options::kSolve, settings, &own);
-  if (read.code != SFUMATO_OK) return read;
+  SFUMATO_TRY(read_solve_options(text, options::kSolve, settings, &own));
   SFUMATO_TRY_ASSIGN(auto&& copy, copy_of(workshop.context, document.document));
   SFUMATO_TRY_ASSIGN(auto&& solution, Solution::create(workshop.context, std::move(copy)));
   auto handle = std::make_unique<sfumato_picture>(context->workshop, std::move(solution), settings);
   if (own.drag_triangles) handle->solution->expect_drags(*own.drag_triangles);
-  Status status =
-      bring_up(workshop.context, settings.coherent ? solve_frame : solve_exactly, *handle);
-  if (!status) return status;
+  SFUMATO_TRY(bring_up(workshop.context, settings.coherent ? solve_frame : solve_exactly, *handle));
   handle->shown = handle->applied = document.edits.now();
   *out = handle.release();
   return {};
@@ -182,21 +179,20 @@ Outcome solve_quickly(sfumato_context& context, const sfumato_document& document
   return solve_all(*context.workshop, document, solve_roughly, handle);
 }
 
-Outcome no_pair() {
-  return bad_usage("NULL given; pass a document and a picture");
+Outcome expect_pair(const sfumato_document* document, const sfumato_picture* handle) {
+  if (!document || !handle) return bad_usage("NULL given; pass a document and a picture");
+  return handle->solution ? Outcome() : no_solution();
 }
 
 Outcome solve_again(sfumato_context& context, const sfumato_document* document, std::int32_t quick,
                     sfumato_picture* handle) {
-  if (!document || !handle) return no_pair();
-  if (!handle->solution) return no_solution();
+  SFUMATO_TRY(expect_pair(document, handle));
   return quick != 0 ? solve_quickly(context, *document, kNoHurry, *handle)
                     : solve_all(*context.workshop, *document, solve_exactly, *handle);
 }
 
 Outcome solve_next(Workshop& workshop, const sfumato_document* document, sfumato_picture* handle) {
-  if (!document || !handle) return no_pair();
-  if (!handle->solution) return no_solution();
+  SFUMATO_TRY(expect_pair(document, handle));
   if (!handle->settings.coherent) {
     return bad_usage(
         "a picture that is not a frame of a film; pass one of sfumato_solve() with coherent");
@@ -206,8 +202,7 @@ Outcome solve_next(Workshop& workshop, const sfumato_document* document, sfumato
 
 Outcome solve_within(sfumato_context& context, const sfumato_document* document, double seconds,
                      sfumato_picture* handle) {
-  if (!document || !handle) return no_pair();
-  if (!handle->solution) return no_solution();
+  SFUMATO_TRY(expect_pair(document, handle));
   if (!(seconds >= 0)) return bad_usage("seconds: use at least 0");
   return solve_quickly(context, *document, seconds, *handle);
 }
@@ -227,9 +222,7 @@ void note_changes(const Picture& picture, const PictureDelta& delta,
     const auto known = std::ranges::lower_bound(delta.rows, layer, {}, &LayerRows::layer);
     const bool knows_rows = known != delta.rows.end() && known->layer == layer;
     for (std::uint32_t table = 0; table < changed[layer].size(); ++table) {
-      sfumato_view view{};
-      find_table(picture.layers[layer], table, view);
-      const auto count = static_cast<std::uint32_t>(view.rows);
+      const auto count = static_cast<std::uint32_t>(table_of(picture.layers[layer], table).rows);
       changed[layer][table] = knows_rows ? new_rows(*known, table, count) : ranges_from(0, count);
     }
   }

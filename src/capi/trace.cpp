@@ -50,23 +50,8 @@ class ForeignWatch final : public TraceWatch {
   const sfumato_trace_watch& watch_;
 };
 
-/// Copies the caller's pixels, row after row. Errors: limit (memory), cancelled.
-Status copy_rows(const Context& context, const sfumato_image& from, TableMemory& memory,
-                 Image& image) {
-  const auto height = static_cast<std::size_t>(from.height);
-  SFUMATO_TRY(memory.reserve(context, image.bytes, height * image.row_bytes()));
-  const auto* row = static_cast<const std::uint8_t*>(from.pixels);
-  for (std::size_t y = 0; y < height; ++y, row += from.row_bytes) {
-    if (context.cancelled()) return context.cancel_status();
-    image.bytes.insert(image.bytes.end(), row, row + image.row_bytes());
-  }
-  return ok_status();
-}
-
 Outcome read_settings(const char* text, options::Call call, options::TraceSettings& settings) {
-  if (Outcome read = read_options(text, call, options::trace_options(), settings);
-      read.code != SFUMATO_OK)
-    return read;
+  SFUMATO_TRY(read_options(text, call, options::trace_options(), settings));
   if (!settings.detail) return {};
   if (settings.trace.points > 0) return bad_usage("detail: cannot be combined with points");
   settings.trace.points = options::points_of_detail(*settings.detail);
@@ -95,9 +80,9 @@ Outcome read_wish(const Context& context, const sfumato_image* given, const char
                   options::Call call, Wish& wish) {
   const std::optional<PixelFormat> format = format_of(given);
   if (!format) return bad_usage(kNoImage);
-  if (Outcome read = read_settings(text, call, wish.settings); read.code != SFUMATO_OK) return read;
-  wish.image = {.width = given->width, .height = given->height, .format = *format, .bytes = {}};
-  return copy_rows(context, *given, wish.memory, wish.image);
+  SFUMATO_TRY(read_settings(text, call, wish.settings));
+  SFUMATO_TRY_ASSIGN(wish.image, copy_image(context, *given, *format, wish.memory));
+  return {};
 }
 
 Outcome trace_image(sfumato_context* context, const sfumato_image* given, const char* text,
@@ -105,8 +90,7 @@ Outcome trace_image(sfumato_context* context, const sfumato_image* given, const 
   if (watch && !watch->reached) return bad_usage("a watch without a function");
   Context& work = context->workshop->context;
   Wish wish;
-  if (Outcome read = read_wish(work, given, text, options::kTrace, wish); read.code != SFUMATO_OK)
-    return read;
+  SFUMATO_TRY(read_wish(work, given, text, options::kTrace, wish));
   std::optional<ForeignWatch> told;
   if (watch) wish.settings.trace.watch = &told.emplace(context, *watch);
   SFUMATO_TRY_ASSIGN(auto&& drawing, trace(work, wish.image, wish.settings.trace));
@@ -118,14 +102,10 @@ Outcome fit_image(sfumato_context* context, const sfumato_document* handle,
   if (!handle) return bad_usage("NULL given; pass a document");
   Context& work = context->workshop->context;
   Wish wish;
-  if (Outcome read = read_wish(work, given, text, options::kFitColors, wish);
-      read.code != SFUMATO_OK)
-    return read;
+  SFUMATO_TRY(read_wish(work, given, text, options::kFitColors, wish));
   ColorFit fit = options::color_fit_of(wish.settings);
   TableMemory only_memory("the curves to be fitted");
-  if (Outcome read = read_choice(work, wish.settings, only_memory, fit.only);
-      read.code != SFUMATO_OK)
-    return read;
+  SFUMATO_TRY(read_choice(work, wish.settings, only_memory, fit.only));
   SFUMATO_TRY_ASSIGN(auto&& drawing, fit_colors(work, handle->document, wish.image, fit));
   ScopedCharge charge;
   SFUMATO_TRY(charge.add(work, bytes_of(handle->origin), "a document"));

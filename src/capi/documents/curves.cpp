@@ -1,8 +1,8 @@
-#include <string>
 #include <utility>
 #include <vector>
 
 #include "base/limit_error.hpp"
+#include "base/try.hpp"
 #include "capi/documents/document.hpp"
 #include "capi/pictures/view.hpp"
 
@@ -27,7 +27,7 @@ Outcome set_points(const Context& context, sfumato_document* handle, std::uint32
   const Curve* old = find_curve(handle, layer, curve);
   if (!old) return no_such_curve(handle, layer, curve);
   std::vector<Vec2> points;
-  if (Outcome read = read_points(context, xy, count, points); read.code != SFUMATO_OK) return read;
+  SFUMATO_TRY(read_points(context, xy, count, points));
   Curve moved = *old;
   moved.control_points = std::move(points);
   return change(context, *handle, ReplaceCurve{layer, curve, std::move(moved)});
@@ -44,16 +44,12 @@ Outcome set_weight(const Context& context, sfumato_document* handle, std::uint32
 
 Outcome insert(const Context& context, sfumato_document* handle, std::uint32_t layer,
                std::uint32_t at, const double* xy, std::size_t count) {
-  if (!handle) return bad_usage("NULL given; pass a document");
-  if (layer >= handle->document.layers.size()) {
-    return bad_usage("there is no layer " + std::to_string(layer));
-  }
+  SFUMATO_TRY(expect_layer(handle, layer));
   const std::size_t size = handle->document.layers[layer].curves.size();
   if (at == UINT32_MAX) at = static_cast<std::uint32_t>(size);
   if (at > size) return no_such_curve(handle, layer, at);
   Curve added;
-  Outcome read = read_points(context, xy, count, added.control_points);
-  if (read.code != SFUMATO_OK) return read;
+  SFUMATO_TRY(read_points(context, xy, count, added.control_points));
   return change(context, *handle, InsertCurve{layer, at, std::move(added)});
 }
 

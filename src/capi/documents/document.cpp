@@ -52,10 +52,7 @@ Outcome copy(sfumato_context* context, Workshop& workshop, const sfumato_documen
 
 Outcome make_empty(sfumato_context* context, const char* text, sfumato_document** out) {
   options::DocumentSettings settings;
-  if (Outcome read =
-          read_options(text, options::kNewDocument, options::document_options(), settings);
-      read.code != SFUMATO_OK)
-    return read;
+  SFUMATO_TRY(read_options(text, options::kNewDocument, options::document_options(), settings));
   if (!settings.artboard) return bad_usage("no artboard: use artboard=X,Y,WIDTH,HEIGHT");
   Document document;
   document.artboard = *settings.artboard;
@@ -88,9 +85,8 @@ Outcome hand_out(sfumato_context* context, Document document, Origin origin,
 
 Outcome change(const Context& context, sfumato_document& handle, Change change) {
   const std::size_t bytes = bytes_of(change) + room_bytes(handle.document, change);
-  Status status =
-      handle.held.add(context, bytes_of(change) + room_bytes(handle.document, change), kPurpose);
-  if (!status) return status;
+  SFUMATO_TRY(
+      handle.held.add(context, bytes_of(change) + room_bytes(handle.document, change), kPurpose));
   handle.charged += bytes;
   const std::optional<Edit> edit = edit_of(change);
   const bool replaces = std::holds_alternative<ReplaceCurve>(change);
@@ -106,6 +102,12 @@ Outcome change(const Context& context, sfumato_document& handle, Change change) 
     release_spare(handle);
   }
   return inverse.status();
+}
+
+Outcome expect_layer(const sfumato_document* handle, std::uint32_t layer) {
+  if (!handle) return bad_usage("NULL given; pass a document");
+  if (layer < handle->document.layers.size()) return {};
+  return bad_usage("there is no layer " + std::to_string(layer));
 }
 
 const Curve* find_curve(const sfumato_document* handle, std::uint32_t layer, std::uint32_t curve) {

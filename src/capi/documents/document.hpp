@@ -31,6 +31,9 @@ Outcome hand_out(sfumato_context* context, Document document, Origin origin,
 /// Changes a document. If that fails, the document stays as it was.
 Outcome change(const Context& context, sfumato_document& handle, Change change);
 
+/// Returns bad usage if there is no document or no such layer.
+Outcome expect_layer(const sfumato_document* handle, std::uint32_t layer);
+
 /// Returns the curve; null if there is none.
 const Curve* find_curve(const sfumato_document* handle, std::uint32_t layer, std::uint32_t curve);
 

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -66,14 +65,10 @@ Status prepare_paints(Context& context, const Document& document, const DiffuseO
 
 Outcome make_field(sfumato_context* context, const sfumato_document* handle, std::uint32_t layer,
                    const char* text, sfumato_field** out) {
-  if (!handle) return bad_usage("NULL given; pass a document");
+  SFUMATO_TRY(expect_layer(handle, layer));
   const Document& document = handle->document;
-  if (layer >= document.layers.size()) {
-    return bad_usage("there is no layer " + std::to_string(layer));
-  }
   options::Settings settings;
-  Outcome read = read_solve_options(text, options::kField, settings);
-  if (read.code != SFUMATO_OK) return read;
+  SFUMATO_TRY(read_solve_options(text, options::kField, settings));
   Context& work = context->workshop->context;
   ScopedCharge charge;
   SFUMATO_TRY(charge.add(work, bytes_of(document), "a document"));

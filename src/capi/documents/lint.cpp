@@ -16,9 +16,7 @@ Outcome list_hints(Workshop& workshop, const sfumato_document* handle, const cha
                    sfumato_bytes** out) {
   if (!handle) return bad_usage("NULL given; pass a document");
   options::LintSettings settings;
-  if (Outcome read = read_options(text, options::kLint, options::lint_options(), settings);
-      read.code != SFUMATO_OK)
-    return read;
+  SFUMATO_TRY(read_options(text, options::kLint, options::lint_options(), settings));
   SFUMATO_TRY_ASSIGN(auto&& hints, lint(workshop.context, handle->document));
   if (!settings.verbose) std::erase_if(hints, [](const Hint& hint) { return is_note(hint.kind); });
   SFUMATO_TRY_ASSIGN(auto&& json, lint_detail::hints_json(workshop.context, handle->origin.name,

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <memory>
 #include <span>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -93,18 +92,14 @@ Status prepare_paints(Context& context, const Document& document, std::uint32_t 
 
 Outcome make_weights(sfumato_context* context, const sfumato_document* handle, std::uint32_t layer,
                      std::uint32_t attribute, const char* text, sfumato_weights** out) {
-  if (!handle) return bad_usage("NULL given; pass a document");
+  SFUMATO_TRY(expect_layer(handle, layer));
   const Document& document = handle->document;
-  if (layer >= document.layers.size()) {
-    return bad_usage("there is no layer " + std::to_string(layer));
-  }
   if (attribute != SFUMATO_COLOR && attribute != SFUMATO_OPACITY) {
     return bad_usage("weights are those of SFUMATO_COLOR or SFUMATO_OPACITY");
   }
   const auto of = attribute == SFUMATO_COLOR ? StopAttribute::color : StopAttribute::opacity;
   options::Settings settings;
-  Outcome read = read_solve_options(text, options::kWeights, settings);
-  if (read.code != SFUMATO_OK) return read;
+  SFUMATO_TRY(read_solve_options(text, options::kWeights, settings));
   Context& work = context->workshop->context;
   const DiffuseOptions options = solve_options(settings, document);
   SFUMATO_TRY_ASSIGN(auto&& stops, solve::StopWeights::create(work, document, layer, of, options));
@@ -158,28 +153,22 @@ Outcome find_rows(sfumato_context* context, sfumato_weights* weights, const doub
   return {};
 }
 
-bool find_weights_table(const sfumato_weights& weights, std::uint32_t table, sfumato_view& view) {
+sfumato_view weights_table(const sfumato_weights& weights, std::uint32_t table) {
   switch (table) {
     case SFUMATO_ROW_BEGINS:
-      view = view_of(weights.rows.begin, 1, SFUMATO_U32, sizeof(std::uint32_t));
-      return true;
+      return view_of(weights.rows.begin, 1, SFUMATO_U32, sizeof(std::uint32_t));
     case SFUMATO_COLUMNS:
-      view = view_of(weights.rows.column, 1, SFUMATO_U32, sizeof(std::uint32_t));
-      return true;
+      return view_of(weights.rows.column, 1, SFUMATO_U32, sizeof(std::uint32_t));
     case SFUMATO_WEIGHTS:
-      view = view_of(weights.rows.weight, 1, SFUMATO_F32, sizeof(float));
-      return true;
+      return view_of(weights.rows.weight, 1, SFUMATO_F32, sizeof(float));
     case SFUMATO_COLUMN_STOPS:
-      view = view_of(weights.column_stop, 3, SFUMATO_U32, sizeof(std::uint32_t));
-      return true;
+      return view_of(weights.column_stop, 3, SFUMATO_U32, sizeof(std::uint32_t));
     case SFUMATO_COLUMN_VALUES:
-      view = view_of(weights.column_value, weights.channels(), SFUMATO_F32, sizeof(float));
-      return true;
+      return view_of(weights.column_value, weights.channels(), SFUMATO_F32, sizeof(float));
     case SFUMATO_PAINT_VALUES:
-      view = view_of(weights.paint, weights.channels(), SFUMATO_F32, sizeof(float));
-      return true;
+      return view_of(weights.paint, weights.channels(), SFUMATO_F32, sizeof(float));
     default:
-      return false;
+      return {};
   }
 }
 
@@ -207,8 +196,7 @@ int32_t sfumato_weights_at(sfumato_context* context, sfumato_weights* weights, c
 
 int32_t sfumato_weights_table(const sfumato_weights* weights, uint32_t table, sfumato_view* view) {
   if (view) *view = {};
-  if (!weights || !view || !sfumato::capi::find_weights_table(*weights, table, *view)) {
-    return SFUMATO_BAD_USAGE;
-  }
+  if (!weights || !view || table > SFUMATO_PAINT_VALUES) return SFUMATO_BAD_USAGE;
+  *view = sfumato::capi::weights_table(*weights, table);
   return SFUMATO_OK;
 }

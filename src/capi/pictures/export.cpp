@@ -34,14 +34,8 @@ Outcome hand_out_bytes(Result<Bytes> file, sfumato_bytes** out) {
 /// Reads the options of a call that makes a file, and sets all other options to their defaults.
 Outcome read_file_options(const char* text, options::Call call, OutputKind kind,
                           options::Settings& settings) {
-  if (Outcome read = read_options(text, call, options::render_options(), settings);
-      read.code != SFUMATO_OK)
-    return read;
-  const options::Conflict conflict = options::find_conflict(settings, kind);
-  if (!conflict.key.empty()) {
-    return bad_usage(options::spelled(conflict.key, false) + ": " +
-                     options::spelled(conflict.complaint, false));
-  }
+  SFUMATO_TRY(read_options(text, call, options::render_options(), settings));
+  SFUMATO_TRY(expect_none(options::find_conflict(settings, kind)));
   if (settings.diffuse.viewport && !options::is_image(kind)) {
     return bad_usage("viewport: works with images only; others show what was solved");
   }
@@ -116,10 +110,9 @@ Outcome export_file(sfumato_context* context, const sfumato_picture* handle, con
   context->warnings.clear();
   if (!handle) return bad_usage("NULL given; pass a picture");
   OutputKind kind{};
-  if (Outcome read = read_format(format, kind); read.code != SFUMATO_OK) return read;
+  SFUMATO_TRY(read_format(format, kind));
   options::Settings settings;
-  Outcome read = read_file_options(text, options::kExport, kind, settings);
-  if (read.code != SFUMATO_OK) return read;
+  SFUMATO_TRY(read_file_options(text, options::kExport, kind, settings));
   Context& work = context->workshop->context;
   if (options::is_image(kind))
     return hand_out_bytes(make_image(work, *handle, kind, settings), out);
@@ -129,33 +122,17 @@ Outcome export_file(sfumato_context* context, const sfumato_picture* handle, con
   return hand_out_bytes(std::move(file), out);
 }
 
-/// Copies the caller's pixels, row after row.
-Result<Image> copy_pixels(const Context& context, const sfumato_image& pixels, PixelFormat format,
-                          TableMemory& memory) {
-  Image image{pixels.width, pixels.height, format, {}};
-  const std::size_t row_bytes = image.row_bytes();
-  const auto height = static_cast<std::size_t>(pixels.height);
-  SFUMATO_TRY(memory.reserve(context, image.bytes, row_bytes * height));
-  const auto* row = static_cast<const std::uint8_t*>(pixels.pixels);
-  for (std::size_t y = 0; y < height; ++y, row += pixels.row_bytes) {
-    if (context.cancelled()) return context.cancel_status();
-    image.bytes.insert(image.bytes.end(), row, row + row_bytes);
-  }
-  return image;
-}
-
 Outcome encode(Workshop& workshop, const sfumato_image* pixels, const char* format_name,
                const char* text, sfumato_bytes** out) {
   const std::optional<PixelFormat> format = format_of(pixels);
   if (!format) return bad_usage(kNoImage);
   OutputKind kind{};
-  if (Outcome read = read_format(format_name, kind); read.code != SFUMATO_OK) return read;
+  SFUMATO_TRY(read_format(format_name, kind));
   if (!options::is_image(kind)) return bad_usage("the format is not an image format");
   options::Settings settings;
-  Outcome read = read_file_options(text, options::kEncode, kind, settings);
-  if (read.code != SFUMATO_OK) return read;
+  SFUMATO_TRY(read_file_options(text, options::kEncode, kind, settings));
   TableMemory memory("the image");
-  SFUMATO_TRY_ASSIGN(auto&& image, copy_pixels(workshop.context, *pixels, *format, memory));
+  SFUMATO_TRY_ASSIGN(auto&& image, copy_image(workshop.context, *pixels, *format, memory));
   return hand_out_bytes(output::encode_image(workshop.context, image, kind, settings.output), out);
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 Outcome refuse(const char* format, const char* instead) {
   options::OutputKind kind{};
-  if (Outcome read = read_format(format, kind); read.code != SFUMATO_OK) return read;
+  SFUMATO_TRY(read_format(format, kind));
   return make_error(StatusCode::unavailable,
                     "WebAssembly writes no " + text::quoted(format) + " files; use " + instead);
 }

@@ -54,31 +54,24 @@ double statistic(const sfumato_picture& picture, std::uint32_t which) {
 
 }  // namespace
 
-bool find_table(const PatchLayer& layer, std::uint32_t table, sfumato_view& view) {
+sfumato_view table_of(const PatchLayer& layer, std::uint32_t table) {
   switch (table) {
     case SFUMATO_VERTICES:
-      view = view_of(layer.vertex_position, 2, SFUMATO_F64, sizeof(double));
-      return true;
+      return view_of(layer.vertex_position, 2, SFUMATO_F64, sizeof(double));
     case SFUMATO_TRIANGLES:
-      view = view_of(layer.triangle_vertex, 3, SFUMATO_U32, sizeof(std::uint32_t));
-      return true;
+      return view_of(layer.triangle_vertex, 3, SFUMATO_U32, sizeof(std::uint32_t));
     case SFUMATO_CURVE_EDGES:
-      view = view_of(layer.edge_is_curve, 3, SFUMATO_U8, sizeof(std::uint8_t));
-      return true;
+      return view_of(layer.edge_is_curve, 3, SFUMATO_U8, sizeof(std::uint8_t));
     case SFUMATO_COLOR_NODES:
-      view = view_of_nodes(layer.color);
-      return true;
+      return view_of_nodes(layer.color);
     case SFUMATO_COLOR_VALUES:
-      view = view_of_values(layer.color);
-      return true;
+      return view_of_values(layer.color);
     case SFUMATO_OPACITY_NODES:
-      view = view_of_nodes(layer.opacity);
-      return true;
+      return view_of_nodes(layer.opacity);
     case SFUMATO_OPACITY_VALUES:
-      view = view_of_values(layer.opacity);
-      return true;
+      return view_of_values(layer.opacity);
     default:
-      return false;
+      return {};
   }
 }
 
@@ -98,7 +91,8 @@ int32_t sfumato_picture_table(const sfumato_picture* picture, uint32_t layer, ui
                               sfumato_view* view) {
   if (view) *view = {};
   const sfumato::PatchLayer* found = sfumato::capi::find_layer(picture, layer);
-  if (!found || !view || !sfumato::capi::find_table(*found, table, *view)) return SFUMATO_BAD_USAGE;
+  if (!found || !view || table > SFUMATO_OPACITY_VALUES) return SFUMATO_BAD_USAGE;
+  *view = sfumato::capi::table_of(*found, table);
   return SFUMATO_OK;
 }
 

@@ -50,8 +50,8 @@ Outcome no_solution();
 /// Gathers waiting nodes of a picture that matches its document. Errors: as Solution::drag_more().
 Status show_more(sfumato_context& context, double seconds, sfumato_picture& handle);
 
-/// Gets a table of a layer. Returns false if there is no such table.
-bool find_table(const PatchLayer& layer, std::uint32_t table, sfumato_view& view);
+/// Returns a table of a layer; an empty view if there is no such table.
+sfumato_view table_of(const PatchLayer& layer, std::uint32_t table);
 
 }  // namespace sfumato::capi
 

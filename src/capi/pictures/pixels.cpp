@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include "base/try.hpp"
+
 namespace sfumato::capi {
 
 std::size_t row_pixel_bytes(PixelFormat format, std::int32_t width) {
@@ -17,6 +19,19 @@ std::optional<PixelFormat> format_of(const sfumato_image* image) {
   if (image->row_bytes < row_pixel_bytes(format, image->width)) return std::nullopt;
   if (image->row_bytes > PTRDIFF_MAX / static_cast<std::size_t>(image->height)) return std::nullopt;
   return format;
+}
+
+Result<Image> copy_image(const Context& context, const sfumato_image& from, PixelFormat format,
+                         TableMemory& memory) {
+  Image image{from.width, from.height, format, {}};
+  const auto height = static_cast<std::size_t>(from.height);
+  SFUMATO_TRY(memory.reserve(context, image.bytes, height * image.row_bytes()));
+  const auto* row = static_cast<const std::uint8_t*>(from.pixels);
+  for (std::size_t y = 0; y < height; ++y, row += from.row_bytes) {
+    if (context.cancelled()) return context.cancel_status();
+    image.bytes.insert(image.bytes.end(), row, row + image.row_bytes());
+  }
+  return image;
 }
 
 }  // namespace sfumato::capi

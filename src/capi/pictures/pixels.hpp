@@ -2,7 +2,10 @@
 
 #include <optional>
 
+#include "base/table_memory.hpp"
+#include "sfumato/base/context.hpp"
 #include "sfumato/base/image.hpp"
+#include "sfumato/base/status.hpp"
 #include "sfumato/sfumato.h"
 
 namespace sfumato::capi {
@@ -17,5 +20,9 @@ std::optional<PixelFormat> format_of(const sfumato_image* image);
 
 /// Returns the bytes of a row's pixels.
 std::size_t row_pixel_bytes(PixelFormat format, std::int32_t width);
+
+/// Copies the caller's pixels, row after row. Errors: limit (memory), cancelled.
+Result<Image> copy_image(const Context& context, const sfumato_image& from, PixelFormat format,
+                         TableMemory& memory);
 
 }  // namespace sfumato::capi

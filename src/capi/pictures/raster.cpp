@@ -14,11 +14,7 @@ namespace {
 Outcome set_size(const Limits& limits, const sfumato_picture& handle, const sfumato_image& image,
                  options::Settings& settings) {
   const options::SizeRequest& asked = settings.size;
-  const options::Conflict conflict = options::find_conflict(settings, options::OutputKind::png);
-  if (!conflict.key.empty()) {
-    return bad_usage(options::spelled(conflict.key, false) + ": " +
-                     options::spelled(conflict.complaint, false));
-  }
+  SFUMATO_TRY(expect_none(options::find_conflict(settings, options::OutputKind::png)));
   const output::OutputSize own_size{image.width, image.height};
   if (!settings.window) {
     if (asked.width || asked.height || asked.scale)
@@ -43,13 +39,9 @@ Outcome draw(Workshop& workshop, const sfumato_picture* handle, const sfumato_im
   const std::optional<PixelFormat> format = format_of(image);
   if (!format) return bad_usage(kNoImage);
   options::Settings settings;
-  if (Outcome read = read_options(text, options::kRaster, options::render_options(), settings);
-      read.code != SFUMATO_OK)
-    return read;
+  SFUMATO_TRY(read_options(text, options::kRaster, options::render_options(), settings));
   RasterOptions& options = settings.raster;
-  if (Outcome sized = set_size(workshop.context.limits, *handle, *image, settings);
-      sized.code != SFUMATO_OK)
-    return sized;
+  SFUMATO_TRY(set_size(workshop.context.limits, *handle, *image, settings));
   options.format = *format;
   options.viewport = settings.diffuse.viewport;
   options.dither = settings.dither.value_or(false);

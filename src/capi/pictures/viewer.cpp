@@ -19,9 +19,7 @@ Outcome make_payload(Writer write, Workshop& workshop, const sfumato_picture* ha
                      const char* text, sfumato_bytes** out) {
   if (!handle) return bad_usage("NULL given; pass a picture");
   options::Settings settings;
-  if (Outcome read = read_options(text, options::kPayload, options::render_options(), settings);
-      read.code != SFUMATO_OK)
-    return read;
+  SFUMATO_TRY(read_options(text, options::kPayload, options::render_options(), settings));
   const Picture& picture = handle->picture();
   const Rgb background = settings.no_background
                              ? Rgb{1, 1, 1}
