@@ -36,12 +36,10 @@ void settle_file_uses(const JobArguments& arguments, const JobWords& words,
     if (arguments.film && !outputs.empty()) continue;
     outputs.push_back({job.output, std::string("the ") + words.output, in_quotes(job.input)});
   }
-  std::string complaint = complaint_about(inputs, outputs);
   const bool has_folder = !arguments.output_folder.empty();
-  expect(complaint.empty(), has_folder ? "--out-dir" : "--output", complaint);
+  expect_none(has_folder ? "--out-dir" : "--output", complaint_about(inputs, outputs));
   if (!arguments.stats.empty()) outputs.push_back({arguments.stats, "the figures", "--stats"});
-  complaint = complaint_about(inputs, outputs);
-  expect(complaint.empty(), "--stats", complaint);
+  expect_none("--stats", complaint_about(inputs, outputs));
   for (const OutputFile& output : outputs) written.push_back(output.path);
 }
 

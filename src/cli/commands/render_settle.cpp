@@ -27,11 +27,7 @@ void settle_files(RenderArguments& arguments, const RenderChoices& choices) {
 
 void settle(RenderArguments& arguments, const RenderChoices& choices) {
   settle_files(arguments, choices);
-  const options::Conflict conflict = options::find_conflict(arguments.settings, arguments.kind);
-  if (!conflict.key.empty()) {
-    throw CLI::ValidationError(options::spelled(conflict.key, true),
-                               options::spelled(conflict.complaint, true));
-  }
+  expect_none(options::find_conflict(arguments.settings, arguments.kind));
   options::settle(arguments.settings, arguments.kind);
 }
 

@@ -77,8 +77,7 @@ void add_init(CommandSyntax& root, InitArguments& arguments) {
 
 void settle(InitArguments& arguments) {
   arguments.outputs = {arguments.output};
-  const std::string complaint = complaint_about_output(arguments.output, {.only = OutputKind::svg});
-  if (!complaint.empty()) throw CLI::ValidationError("OUT.svg", complaint);
+  expect_none("OUT.svg", complaint_about_output(arguments.output, {.only = OutputKind::svg}));
 }
 
 void add_watch(CommandSyntax& root, WatchArguments& arguments, RenderChoices& choices) {
@@ -103,9 +102,7 @@ void add_watch(CommandSyntax& root, WatchArguments& arguments, RenderChoices& ch
 }
 
 void settle(WatchArguments& arguments, const RenderChoices& choices) {
-  if (arguments.input == "-") {
-    throw CLI::ValidationError("IN", "stdin cannot be watched; use a file name");
-  }
+  expect(arguments.input != "-", "IN", "stdin cannot be watched; use a file name");
   if (!choices.output.empty()) arguments.outputs = {choices.output};
   RenderArguments& page = arguments.page;
   static_cast<DocumentArguments&>(page) = arguments;
@@ -139,10 +136,10 @@ void add_edit(CommandSyntax& root, EditArguments& arguments) {
 
 void settle(const EditArguments& arguments) {
   const std::string name = ascii_lower(arguments.input);
-  if (name.ends_with(".svg") || name.ends_with(".svgz")) return;
-  throw CLI::ValidationError("DRAWING", "cannot edit \"" + arguments.input +
-                                            "\"; use a file name that ends in .svg or .svgz "
-                                            "(`sfumato convert` makes an SVG of Orzan XML)");
+  expect(name.ends_with(".svg") || name.ends_with(".svgz"), "DRAWING",
+         "cannot edit \"" + arguments.input +
+             "\"; use a file name that ends in .svg or .svgz "
+             "(`sfumato convert` makes an SVG of Orzan XML)");
 }
 
 }  // namespace sfumato::cli

@@ -133,20 +133,17 @@ Result<const Picture*> PictureMaker::solve(Document& document) {
 /// A solution charges its own memory.
 Result<const Picture*> PictureMaker::solve_kept(Document document) {
   charge_ = {};
-  Status status;
   if (*kept_) {
-    status = (*kept_)->apply(context_, ReplaceDocument{std::move(document)}).status();
+    SFUMATO_TRY((*kept_)->apply(context_, ReplaceDocument{std::move(document)}));
   } else {
-    Result<Solution> made = Solution::create(context_, std::move(document));
-    if (made) kept_->emplace(std::move(*made));
-    status = made.status();
+    SFUMATO_TRY_ASSIGN(*kept_, Solution::create(context_, std::move(document)));
   }
-  if (status && settings_.coherent) {
-    status = (*kept_)->solve_next(context_, diffuse_, &stats_.layers.emplace(), &stats_.diffuse);
-  } else if (status) {
-    status = (*kept_)->solve(context_, diffuse_, &stats_.diffuse);
+  if (settings_.coherent) {
+    SFUMATO_TRY(
+        (*kept_)->solve_next(context_, diffuse_, &stats_.layers.emplace(), &stats_.diffuse));
+  } else {
+    SFUMATO_TRY((*kept_)->solve(context_, diffuse_, &stats_.diffuse));
   }
-  if (!status) return status;
   return &(*kept_)->picture();
 }
 
@@ -219,10 +216,9 @@ Result<Bytes> PictureMaker::make(SolvedInput solved) {
   stats_.diffuse.vertices = counts.vertices;
   stats_.diffuse.nodes = counts.nodes;
   choose_background(picture_.background);
-  Status status =
-      choose_options(picture_.viewport, solved.origin.own_scale, picture_.background.has_value());
-  if (status) status = charge_.add(context_, bytes_of(picture_), "the picture");
-  if (!status) return status;
+  SFUMATO_TRY(
+      choose_options(picture_.viewport, solved.origin.own_scale, picture_.background.has_value()));
+  SFUMATO_TRY(charge_.add(context_, bytes_of(picture_), "the picture"));
   diffuse_.max_error = solved.origin.max_error;
   warn_of_scale(solved.origin.pixels_per_unit);
   return options::is_image(arguments_.kind) ? make_image(picture_) : make_drawing(picture_);

@@ -84,24 +84,18 @@ void add_compare(CommandSyntax& root, CompareArguments& arguments) {
 }
 
 void settle(const CompareArguments& arguments) {
-  if (arguments.first == "-" && arguments.second == "-") {
-    throw CLI::ValidationError(
-        "B", "both pictures are '-', but stdin can be read only once; give a file name for one");
-  }
-  if (arguments.output == "-") {
-    throw CLI::ValidationError("--output", "stdout is taken by the figures; use a file name");
-  }
-  const std::string complaint =
-      complaint_about({{arguments.first, "the picture"}, {arguments.second, "the picture"}},
-                      {{arguments.output, "the picture of the differences", "--output"}});
-  if (!complaint.empty()) throw CLI::ValidationError("--output", complaint);
+  expect(arguments.first != "-" || arguments.second != "-", "B",
+         "both pictures are '-', but stdin can be read only once; give a file name for one");
+  expect(arguments.output != "-", "--output", "stdout is taken by the figures; use a file name");
+  expect_none("--output",
+              complaint_about({{arguments.first, "the picture"}, {arguments.second, "the picture"}},
+                              {{arguments.output, "the picture of the differences", "--output"}}));
 }
 
 void settle(ConvertArguments& arguments) {
-  const std::string complaint =
-      complaint_about({{arguments.input, "the drawing"}},
-                      {{arguments.output, "the converted drawing", "--output"}});
-  if (!complaint.empty()) throw CLI::ValidationError("--output", complaint);
+  expect_none("--output",
+              complaint_about({{arguments.input, "the drawing"}},
+                              {{arguments.output, "the converted drawing", "--output"}}));
   arguments.outputs = {arguments.output};
 }
 

@@ -7,29 +7,10 @@
 namespace sfumato::cli {
 namespace {
 
-const char* kind_name(options::ValueKind kind) {
-  switch (kind) {
-    case options::ValueKind::flag:
-      return "flag";
-    case options::ValueKind::number:
-      return "number";
-    case options::ValueKind::whole:
-      return "whole";
-    case options::ValueKind::fraction:
-      return "fraction";
-    case options::ValueKind::word:
-      return "choice";
-    case options::ValueKind::box:
-      return "box";
-    case options::ValueKind::pixels:
-      return "pixels";
-    case options::ValueKind::color:
-      return "color";
-    case options::ValueKind::text:
-      break;
-  }
-  return "text";
-}
+/// In the order of options::ValueKind.
+constexpr const char* kKindNames[] = {"flag", "number", "whole", "fraction", "choice",
+                                      "box",  "pixels", "color", "text"};
+static_assert(std::size(kKindNames) == static_cast<std::size_t>(options::ValueKind::text) + 1);
 
 void set_range(const options::OptionInfo& option, ValueForm& form) {
   if (option.kind == options::ValueKind::whole) {
@@ -71,7 +52,7 @@ std::string footer_of(const CommandTexts& texts) {
 }  // namespace
 
 ValueForm form_of(const options::OptionInfo& option) {
-  ValueForm form{.kind = kind_name(option.kind),
+  ValueForm form{.kind = kKindNames[static_cast<std::size_t>(option.kind)],
                  .expected = options::expected_value(option),
                  .choices = {option.words.begin(), option.words.end()}};
   if (option.instead) form.choices.emplace_back(option.instead);

@@ -11,6 +11,18 @@
 namespace sfumato::cli {
 namespace {
 
+/// In the order of options::Group.
+constexpr const char* kHeadings[] = {"Options",
+                                     "Drawing",
+                                     "Part and size",
+                                     "Solution",
+                                     "Mesh (no effect with --method pixels)",
+                                     "Image",
+                                     "HTML, PDF, EPS, SVG and GLB",
+                                     "Running",
+                                     "Limits"};
+static_assert(std::size(kHeadings) == static_cast<std::size_t>(options::Group::resources) + 1);
+
 /// Returns what is wrong with the name of a folder, or nothing.
 std::string complaint_about_folder(const std::string& path) {
   std::error_code ignored;
@@ -36,6 +48,15 @@ void expect(bool good, const char* option, const std::string& complaint) {
   if (!good) throw CLI::ValidationError(option, complaint);
 }
 
+void expect_none(const char* option, const std::string& complaint) {
+  expect(complaint.empty(), option, complaint);
+}
+
+void expect_none(const options::Conflict& conflict) {
+  expect(conflict.key.empty(), options::spelled(conflict.key, true).c_str(),
+         options::spelled(conflict.complaint, true));
+}
+
 CLI::Option* add_shard(CommandSyntax& command, std::optional<Shard>& shard, const char* help) {
   const options::OptionInfo info{.key = "shard",
                                  .kind = options::ValueKind::text,
@@ -51,8 +72,7 @@ CLI::Option* add_shard(CommandSyntax& command, std::optional<Shard>& shard, cons
 CLI::Option* add_output(CommandSyntax& command, std::string& output, const OutputNames& names,
                         const std::string& value_name, const std::string& help) {
   const auto read = [&output, names](const std::string& name) {
-    const std::string complaint = complaint_about_output(name, names);
-    if (!complaint.empty()) throw CLI::ValidationError("--output", complaint);
+    expect_none("--output", complaint_about_output(name, names));
     output = name;
   };
   CLI::Option* const added = command.add_option_function<std::string>("-o,--output", read, help);
@@ -95,27 +115,7 @@ void add_stats(CommandSyntax& command, std::string& stats, const char* help) {
 }
 
 const char* heading(options::Group group) {
-  switch (group) {
-    case options::Group::none:
-      break;
-    case options::Group::drawing:
-      return "Drawing";
-    case options::Group::place:
-      return "Part and size";
-    case options::Group::solution:
-      return "Solution";
-    case options::Group::mesh:
-      return "Mesh (no effect with --method pixels)";
-    case options::Group::image:
-      return "Image";
-    case options::Group::vector:
-      return "HTML, PDF, EPS, SVG and GLB";
-    case options::Group::running:
-      return "Running";
-    case options::Group::resources:
-      return "Limits";
-  }
-  return "Options";
+  return kHeadings[static_cast<std::size_t>(group)];
 }
 
 CLI::Option* add_option(CommandSyntax& command, const options::OptionInfo& option,

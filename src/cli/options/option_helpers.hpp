@@ -8,12 +8,19 @@
 #include "cli/options/arguments.hpp"
 #include "cli/options/command_syntax.hpp"
 #include "options/option.hpp"
+#include "options/settle.hpp"
 
 /// Helpers for options whose values our own parsers read, so that each error says what to use.
 namespace sfumato::cli {
 
 /// Throws CLI::ValidationError for `option` unless `good`.
 void expect(bool good, const char* option, const std::string& complaint);
+
+/// Throws CLI::ValidationError for `option` unless the complaint is empty.
+void expect_none(const char* option, const std::string& complaint);
+
+/// Throws CLI::ValidationError for a conflict, if there is one.
+void expect_none(const options::Conflict& conflict);
 
 /// Adds --shard; "3/16" is the fourth of sixteen.
 CLI::Option* add_shard(CommandSyntax& command, std::optional<Shard>& shard, const char* help);

@@ -91,10 +91,7 @@ std::vector<std::string> given_drawing_options(const CLI::App& render) {
 
 void settle(SolveArguments& arguments, const JobChoices& choices) {
   settle_jobs(choices, kSolvedExtension, kSolveWords, {}, arguments, arguments.outputs);
-  const options::Conflict conflict = options::find_solve_conflict(arguments.settings);
-  if (conflict.key.empty()) return;
-  throw CLI::ValidationError(options::spelled(conflict.key, true),
-                             options::spelled(conflict.complaint, true));
+  expect_none(options::find_solve_conflict(arguments.settings));
 }
 
 }  // namespace sfumato::cli

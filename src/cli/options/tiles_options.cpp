@@ -134,15 +134,12 @@ void settle(TilesArguments& arguments, const TilesChoices& choices) {
   } else if (!has_extension(arguments.output, ".dzi")) {
     arguments.output = description_in(arguments.output, arguments.input);
   }
-  const std::string complaint = complaint_about(
-      {{arguments.input, "the solved picture"}},
-      {{arguments.output, "the tiles", "--output"}, {arguments.stats, "the figures", "--stats"}});
-  expect(complaint.empty(), "--output", complaint);
+  expect_none("--output", complaint_about({{arguments.input, "the solved picture"}},
+                                          {{arguments.output, "the tiles", "--output"},
+                                           {arguments.stats, "the figures", "--stats"}}));
   expect(arguments.overlap < arguments.tile_side, "--overlap", "use less than the side of a tile");
   const OutputKind kind = *options::kind_of_extension(arguments.extension);
-  const options::Conflict conflict = options::find_conflict(arguments.settings, kind);
-  expect(conflict.key.empty(), options::spelled(conflict.key, true).c_str(),
-         options::spelled(conflict.complaint, true));
+  expect_none(options::find_conflict(arguments.settings, kind));
   options::settle(arguments.settings, kind);
 }
 

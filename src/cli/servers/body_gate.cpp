@@ -7,11 +7,12 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <charconv>
+#include <cstdint>
 #include <new>
 #include <utility>
 
 #include "base/text/ascii.hpp"
+#include "options/values.hpp"
 
 namespace sfumato::cli {
 namespace {
@@ -50,11 +51,9 @@ bool put_once(std::string_view value, std::string_view& header) {
 }
 
 bool parse_size(std::string_view value, std::optional<std::size_t>& size) {
-  std::size_t number = 0;
-  const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
-  if (size || error != std::errc() || end != value.data() + value.size()) return false;
-  size = number;
-  return true;
+  if (size) return false;
+  size = options::parse_whole(value, 0, SIZE_MAX);
+  return size.has_value();
 }
 
 bool parse_header(std::string_view line, RequestHead& head) {

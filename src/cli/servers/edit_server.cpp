@@ -5,7 +5,6 @@
 #include <sys/random.h>
 
 #include <array>
-#include <charconv>
 #include <cstdlib>
 #include <optional>
 #include <span>
@@ -17,6 +16,7 @@
 #include "cli/servers/edited_file.hpp"
 #include "cli/servers/local_server.hpp"
 #include "codecs/file_kind.hpp"
+#include "options/values.hpp"
 
 namespace sfumato::cli {
 namespace {
@@ -61,10 +61,8 @@ std::string tag_of(std::uint64_t version) {
 
 /// Returns the version in a tag; 0, which no file has, if the tag is not one of ours.
 std::uint64_t version_of(std::string_view tag) {
-  std::uint64_t version = 0;
   if (tag.size() < 3 || tag.front() != '"' || tag.back() != '"') return 0;
-  const auto [end, error] = std::from_chars(tag.data() + 1, tag.data() + tag.size() - 1, version);
-  return error == std::errc() && end == tag.data() + tag.size() - 1 ? version : 0;
+  return options::parse_whole(tag.substr(1, tag.size() - 2), 0, UINT64_MAX).value_or(0);
 }
 
 /// What If-Match asks for; empty: that the file be replaced whatever it holds.
