@@ -103,9 +103,8 @@ Status GradientReader::read_spread() {
 }
 
 Status GradientReader::length(const char* name, Axis axis, double share_by_default, double& value) {
-  const Result<double> read = attributes_.length(name, in_box_, viewport_, axis, share_by_default);
-  if (read) value = *read;
-  return read.status();
+  SFUMATO_TRY_ASSIGN(value, attributes_.length(name, in_box_, viewport_, axis, share_by_default));
+  return ok_status();
 }
 
 /// A negative radius is 0 where it is forgiven, as in browsers.
@@ -130,24 +129,22 @@ Status GradientReader::read_linear() {
 
 Status GradientReader::read_radial() {
   RadialGradient shape;
-  Status status = length("cx", Axis::x, 0.5, shape.center.x);
-  if (status) status = length("cy", Axis::y, 0.5, shape.center.y);
-  if (status) status = length("r", Axis::diagonal, 0.5, shape.radius);
+  SFUMATO_TRY(length("cx", Axis::x, 0.5, shape.center.x));
+  SFUMATO_TRY(length("cy", Axis::y, 0.5, shape.center.y));
+  SFUMATO_TRY(length("r", Axis::diagonal, 0.5, shape.radius));
   shape.focus = shape.center;
-  if (status && attributes_.bearer("fx", true)) status = length("fx", Axis::x, 0, shape.focus.x);
-  if (status && attributes_.bearer("fy", true)) status = length("fy", Axis::y, 0, shape.focus.y);
-  if (status && attributes_.bearer("fr", true)) {
-    status = length("fr", Axis::diagonal, 0, shape.focal_radius);
+  if (attributes_.bearer("fx", true)) SFUMATO_TRY(length("fx", Axis::x, 0, shape.focus.x));
+  if (attributes_.bearer("fy", true)) SFUMATO_TRY(length("fy", Axis::y, 0, shape.focus.y));
+  if (attributes_.bearer("fr", true)) {
+    SFUMATO_TRY(length("fr", Axis::diagonal, 0, shape.focal_radius));
   }
-  if (!status) return status;
-  status = not_negative("r", shape.radius);
-  if (status) status = not_negative("fr", shape.focal_radius);
-  if (!status) return status;
+  SFUMATO_TRY(not_negative("r", shape.radius));
+  SFUMATO_TRY(not_negative("fr", shape.focal_radius));
   move_focus_off_circle(shape);
   part_equal_circles(shape);
   fill_.shape = shape;
   if (shape.radius == 0) make_solid();
-  return status;
+  return ok_status();
 }
 
 void GradientReader::make_solid() {

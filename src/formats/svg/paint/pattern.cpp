@@ -123,9 +123,8 @@ Status PatternReader::find_image() {
                         "the pattern holds something else; use exactly one <image>");
   }
   image_ = content.front();
-  const Result<const TextureFile*> file = files_.find(image_);
-  if (file) place_.file = *file;
-  return file.status();
+  SFUMATO_TRY_ASSIGN(place_.file, files_.find(image_));
+  return ok_status();
 }
 
 Status PatternReader::read_tile() {
@@ -137,10 +136,9 @@ Status PatternReader::read_tile() {
     user_from_tile = user_from_box;
   }
   Vec2 corner, size;
-  const auto length = [&](const char* name, Axis axis, double& value) {
-    const Result<double> read = attributes_.length(name, in_box, shape_.viewport, axis, 0);
-    if (read) value = *read;
-    return read.status();
+  const auto length = [&](const char* name, Axis axis, double& value) -> Status {
+    SFUMATO_TRY_ASSIGN(value, attributes_.length(name, in_box, shape_.viewport, axis, 0));
+    return ok_status();
   };
   SFUMATO_TRY(length("x", Axis::x, corner.x));
   SFUMATO_TRY(length("y", Axis::y, corner.y));
@@ -158,10 +156,10 @@ Status PatternReader::read_content() {
   if (const Element bearer = attributes_.bearer("viewBox")) {
     const Result<Box> box = parse_view_box(bearer.attribute("viewBox").value());
     if (!box) return input_.in(bearer, "viewBox", box.status());
-    const Result<AspectRatio> ratio =
-        read_aspect_ratio(input_, attributes_.bearer("preserveAspectRatio"));
-    if (ratio) pattern_from_content_ = fit(*box, tile_, *ratio);
-    return ratio.status();
+    SFUMATO_TRY_ASSIGN(const AspectRatio& ratio,
+                       read_aspect_ratio(input_, attributes_.bearer("preserveAspectRatio")));
+    pattern_from_content_ = fit(*box, tile_, ratio);
+    return ok_status();
   }
   SFUMATO_TRY_ASSIGN(const bool in_box, attributes_.in_bounding_box("patternContentUnits", false));
   pattern_from_content_ = {1, 0, 0, 1, tile_.min.x, tile_.min.y};

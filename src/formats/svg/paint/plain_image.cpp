@@ -71,17 +71,9 @@ Status PlainReader::read_image(Element element, const Place& place) {
   const auto outline = box_outline(input_.context(), image.visible, memory);
   if (!outline) return input_.placed(element, outline.status());
   SFUMATO_TRY_ASSIGN(const std::uint32_t shader, paints_.texture(element, image.texture));
-  PlainShape shape;
-  shape.id = id_for(element, place);
-  shape.offset = input_.offset(element);
-  shape.artboard_from_user = place.frame_from_user;
-  shape.clip = place.clip;
-  shape.mask = place.mask;
+  PlainShape shape = unpainted(element, place);
   shape.fill = PlainPaint{std::nullopt, shader, 1};
-  if (marker_) {
-    SFUMATO_TRY_ASSIGN(const ClipPaths::Index& clip, clip_to_markers(shape, image.visible));
-    shape.clip = clip;
-  }
+  SFUMATO_TRY_ASSIGN(shape.clip, clip_to_markers(shape, image.visible));
   return keep_plain(element, place, std::move(shape), *outline, css::kNormalPaintOrder, {});
 }
 

@@ -144,22 +144,18 @@ Status read_side(Input& input, Paints& paints, const PaintedShape& shape, const 
                  TableMemory& memory, WrittenSide& side) {
   AttributeReader reader(input, shape.element, memory);
   if (const auto found = reader.find(names.color)) {
-    const Result<bool> whole = read_whole(input, paints, shape, *found, side.color);
-    Status status = whole.status();
-    if (whole && !*whole) {
+    SFUMATO_TRY_ASSIGN(const bool whole, read_whole(input, paints, shape, *found, side.color));
+    if (!whole) {
       side.color.kind = ShaderKind::curve_domain;
-      status = reader.read_colors(*found, side.color.stops);
+      SFUMATO_TRY(reader.read_colors(*found, side.color.stops));
     }
-    if (!status) return status;
   }
   if (const auto found = reader.find(names.opacity, "opacity")) {
-    const Result<bool> whole = read_whole(input, paints, shape, *found, side.opacity);
-    Status status = whole.status();
-    if (whole && !*whole) {
+    SFUMATO_TRY_ASSIGN(const bool whole, read_whole(input, paints, shape, *found, side.opacity));
+    if (!whole) {
       side.opacity.kind = ShaderKind::curve_domain;
-      status = reader.read_numbers(*found, 1, "opacity", side.opacity.stops);
+      SFUMATO_TRY(reader.read_numbers(*found, 1, "opacity", side.opacity.stops));
     }
-    if (!status) return status;
   }
   const auto found = reader.find(names.blur, "blur");
   if (!found) return ok_status();
@@ -200,34 +196,31 @@ Result<CurveAttributes> read_curve_attributes(Input& input, Paints& paints,
 Result<LocalAttributes> read_local_attributes(Input& input, Element shape, TableMemory& memory) {
   LocalAttributes attributes;
   AttributeReader reader(input, shape, memory);
-  Status status = ok_status();
   const auto read_side_colors = [&](const char* name, std::vector<WrittenStop<Rgb>>& stops) {
     const auto found = reader.find(name);
-    if (!found || !status) return;
+    if (!found) return ok_status();
     css::TextPoll& poll = input.text_poll();
     const bool is_list =
         css::keyword_of(found->text, poll) != "none" && !css::url_of(found->text, poll).has_value();
-    status = is_list ? reader.read_colors(*found, stops) : no_color_list(input, shape, *found);
+    return is_list ? reader.read_colors(*found, stops) : no_color_list(input, shape, *found);
   };
-  read_side_colors("left", attributes.left_color);
-  read_side_colors("right", attributes.right_color);
-  if (!status) return status;
+  SFUMATO_TRY(read_side_colors("left", attributes.left_color));
+  SFUMATO_TRY(read_side_colors("right", attributes.right_color));
   if (attributes.left_color.empty() && attributes.right_color.empty()) {
     return input.error(shape, "the local curve has no colour; add sf:left, sf:right or both");
   }
   std::vector<WrittenStop<Rgb>>&left = attributes.left_color, &right = attributes.right_color;
+  Status status;
   if (left.empty()) status = memory.append(input.context(), right, left);
   if (right.empty()) status = memory.append(input.context(), left, right);
   if (!status) return input.placed(shape, std::move(status));
   if (const auto found = reader.find("radius")) {
-    status = reader.read_lengths(*found, "radius of influence", attributes.influence_radius);
+    SFUMATO_TRY(reader.read_lengths(*found, "radius of influence", attributes.influence_radius));
   }
-  const auto blur = reader.find("blur");
-  if (status && blur) {
-    status = reader.read_lengths(*blur, "blur radius", attributes.blur_radius);
+  if (const auto found = reader.find("blur")) {
+    SFUMATO_TRY(reader.read_lengths(*found, "blur radius", attributes.blur_radius));
   }
-  if (status) status = reader.read_number("alpha", "0 or more", true, attributes.alpha);
-  if (!status) return status;
+  SFUMATO_TRY(reader.read_number("alpha", "0 or more", true, attributes.alpha));
   const auto is_wide = [](const WrittenStop<float>& stop) { return stop.value > 0; };
   if (std::ranges::none_of(attributes.influence_radius, is_wide)) {
     return input.error(shape, "sf:radius of " + tag(shape) + " is nowhere above 0");

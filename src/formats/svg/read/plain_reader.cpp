@@ -59,16 +59,13 @@ Result<Affine> PlainReader::own_transform(Element element, const Place& place) {
 /// The clip-path of an ordinary element.
 Status PlainReader::clip_to(Element element, Place& place) {
   if (!is_ordinary(place)) return ok_status();
-  const Result<ClipPaths::Index> clip = clips_.read(element, place.frame_from_user, place.clip);
-  if (clip) place.clip = *clip;
-  return clip.status();
+  SFUMATO_TRY_ASSIGN(place.clip, clips_.read(element, place.frame_from_user, place.clip));
+  return ok_status();
 }
 
 Status PlainReader::clip_to_box(Element element, const Box& box, Place& place) {
-  const Result<ClipPaths::Index> clip =
-      clips_.add_box(element, box, place.frame_from_user, place.clip);
-  if (clip) place.clip = *clip;
-  return clip.status();
+  SFUMATO_TRY_ASSIGN(place.clip, clips_.add_box(element, box, place.frame_from_user, place.clip));
+  return ok_status();
 }
 
 /// Its clip, its mask, and warnings of other effects.
@@ -212,6 +209,16 @@ Result<ClipPaths::Index> PlainReader::clip_to_markers(const PlainShape& shape, c
   return clip;
 }
 
+PlainShape PlainReader::unpainted(Element element, const Place& place) {
+  PlainShape shape;
+  shape.id = id_for(element, place);
+  shape.offset = input_.offset(element);
+  shape.artboard_from_user = place.frame_from_user;
+  shape.clip = place.clip;
+  shape.mask = place.mask;
+  return shape;
+}
+
 Status PlainReader::read_plain(Element element, const Place& place) {
   TableMemory memory("control points");
   levels_.set(elements_around(open_.size()));
@@ -223,12 +230,7 @@ Status PlainReader::read_plain(Element element, const Place& place) {
     SFUMATO_TRY_ASSIGN(const auto& context, context_around(open_.size()));
     style.set_context(context);
   }
-  PlainShape shape;
-  shape.id = id_for(element, place);
-  shape.offset = input_.offset(element);
-  shape.artboard_from_user = place.frame_from_user;
-  shape.clip = place.clip;
-  shape.mask = place.mask;
+  PlainShape shape = unpainted(element, place);
   shape.even_odd = style.even_odd();
   SFUMATO_TRY_ASSIGN(const Box& box, bounds(input_.context(), subpaths));
   const PaintedShape painted{element, place.frame_from_user, box, viewport_in(place)};
@@ -249,10 +251,7 @@ Status PlainReader::read_plain(Element element, const Place& place) {
   }
   if (!is_painted && !markers.any) return ok_status();
   style.warn_of_rendering(css::Property::shape_rendering);
-  if (marker_) {
-    SFUMATO_TRY_ASSIGN(const ClipPaths::Index& clip, clip_to_markers(shape, box));
-    shape.clip = clip;
-  }
+  SFUMATO_TRY_ASSIGN(shape.clip, clip_to_markers(shape, box));
   read_blur(painted, shape, markers.any);
   const std::span<const Subpath> painted_subpaths =
       is_painted ? std::span<const Subpath>(subpaths) : std::span<const Subpath>();

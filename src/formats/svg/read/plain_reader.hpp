@@ -139,6 +139,7 @@ class PlainReader final : private StackReader {
   std::vector<Element> elements_around(std::size_t open_end) const;
   Result<std::optional<ContextPaints>> context_around(std::size_t open_end);
   Result<ContextPaints> paints_of_use(std::size_t open_index);
+  PlainShape unpainted(Element element, const Place& place);
   Result<ClipPaths::Index> clip_to_markers(const PlainShape& shape, const Box& box);
   Status add_plain(Element element, const Place& place, PlainShape shape,
                    const css::PaintOrder& order, const ShapeMarkers& markers);

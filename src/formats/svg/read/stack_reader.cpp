@@ -370,15 +370,12 @@ Status StackReader::draw_strokes(Element element, const Place& place) {
   warn_of_uncut(element, place);
   std::vector<LocalCurve> strokes;
   SFUMATO_TRY_ASSIGN(const OpenGroup& group, open_group(element, place));
-  Status status = curves_.read_local_curves(element, id_for(element, place), strokes);
+  SFUMATO_TRY(curves_.read_local_curves(element, id_for(element, place), strokes));
   for (LocalCurve& stroke : strokes) {
-    if (status) {
-      status = push_item(element, LocalStroke{std::move(stroke), place.frame_from_user});
-    }
-    if (!status) return status;
+    SFUMATO_TRY(push_item(element, LocalStroke{std::move(stroke), place.frame_from_user}));
   }
   input_.memory().curves.free(strokes);
-  return status ? close_group(element, group) : status;
+  return close_group(element, group);
 }
 
 Status StackReader::draw_layer(Element element, const Place& place) {
@@ -424,12 +421,9 @@ Result<std::uint32_t> StackReader::layer_of(Element element, const Place& place)
     return input_.over_limit(element, &Limits::shaders_per_layer, "paints in one layer");
   }
   const auto index = static_cast<std::uint32_t>(document_.layers.size());
-  Status status =
-      input_.push_back(element, input_.memory().stack, document_.layers, std::move(layer));
-  if (status) {
-    status = input_.push_back(element, input_.memory().stack, sources_, std::move(sources));
-  }
-  if (!status) return status;
+  TableMemory& memory = input_.memory().stack;
+  SFUMATO_TRY(input_.push_back(element, memory, document_.layers, std::move(layer)));
+  SFUMATO_TRY(input_.push_back(element, memory, sources_, std::move(sources)));
   layer_of_.emplace(element.internal_object(), index);
   return index;
 }

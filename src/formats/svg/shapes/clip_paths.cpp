@@ -200,8 +200,8 @@ Status ClipPaths::add_contours(Element element, const std::vector<Subpath>& subp
                                const Affine& map, TableMemory& memory, PlainClip::Part& part) {
   for (const Subpath& subpath : subpaths) {
     std::vector<Vec2>& points = part.contours.emplace_back();
-    Status status = memory.append(input_.context(), subpath.control_points, points);
-    if (!status) return input_.placed(element, std::move(status));
+    SFUMATO_TRY(
+        input_.placed(element, memory.append(input_.context(), subpath.control_points, points)));
     for (Vec2& point : points) point = map(point);
     if (!std::ranges::all_of(points, is_in_range)) {
       return input_.error(element, tag(element) +

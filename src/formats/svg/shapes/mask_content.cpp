@@ -164,8 +164,7 @@ Status ContentReader::add_part(const SketchedPart& part, TableMemory& memory, Pl
   if (part.is_stroke) added.stroke = shape.style;
   for (const std::vector<Vec2>& chain : shape.subpaths) {
     std::vector<Vec2>& points = added.contours.emplace_back();
-    Status status = memory.append(input_.context(), chain, points);
-    if (!status) return input_.placed(mask_, std::move(status));
+    SFUMATO_TRY(input_.placed(mask_, memory.append(input_.context(), chain, points)));
     for (Vec2& point : points) {
       const Vec2 mapped = shape.artboard_from_user(point);
       if (std::abs(mapped.x) > limits::kCoordinate || std::abs(mapped.y) > limits::kCoordinate) {

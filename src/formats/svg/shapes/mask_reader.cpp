@@ -168,10 +168,9 @@ Status PlainReader::apply_mask(const NamedMask& mask, Element target, Place& pla
                                  PlainMask{shader, place.mask}));
     place.mask = index;
   }
-  const auto clip =
-      clips_.add_box(mask.element, frame.region, place.frame_from_user, place.clip, content->clip);
-  if (clip) place.clip = *clip;
-  return clip.status();
+  SFUMATO_TRY_ASSIGN(place.clip, clips_.add_box(mask.element, frame.region, place.frame_from_user,
+                                                place.clip, content->clip));
+  return ok_status();
 }
 
 /// Returns the box of the masked element, in its user space.

@@ -120,16 +120,14 @@ Status PathReader::draw() {
 
 Status PathReader::draw_line() {
   Vec2 point = builder_.current();
-  Status status = ok_status();
   if (command_ == 'H' || command_ == 'V') {
     double& axis = command_ == 'H' ? point.x : point.y;
     const double origin = relative_ ? axis : 0;
-    status = take_number(axis);
+    SFUMATO_TRY(take_number(axis));
     axis += origin;
   } else {
-    status = take_point(point);
+    SFUMATO_TRY(take_point(point));
   }
-  if (!status) return status;
   if (command_ == 'M') {
     builder_.move_to(point);
   } else {

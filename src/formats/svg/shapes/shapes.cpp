@@ -76,9 +76,8 @@ Result<Subpaths> ShapeReader::read() {
 
 /// `value` stays where the attribute is absent.
 Status ShapeReader::length(const char* name, Axis axis, double& value) {
-  const Result<double> read = length_of(input_, scope_, name, viewport_, axis, value);
-  if (read) value = *read;
-  return read.status();
+  SFUMATO_TRY_ASSIGN(value, length_of(input_, scope_, name, viewport_, axis, value));
+  return ok_status();
 }
 
 Status ShapeReader::not_negative(const char* name, double value) {

@@ -48,25 +48,15 @@ constexpr std::array<Attribute, 17> kAttributes{{
     {"repeats", Bearer::pattern},
 }};
 
-std::string_view description(Bearer bearer) {
-  switch (bearer) {
-    case Bearer::root:
-      return "it belongs on the outermost <svg>";
-    case Bearer::group:
-      return "it belongs on a <g>";
-    case Bearer::any_curve:
-      return "it belongs on a shape: path, line, polyline, polygon, circle, ellipse, rect";
-    case Bearer::diffusion_curve:
-      return "it belongs on a shape in a layer, one without sf:radius";
-    case Bearer::local_curve:
-      return "it belongs on a shape with sf:radius, a local curve";
-    case Bearer::image:
-      return "it belongs on an <image>";
-    case Bearer::pattern:
-      return "it belongs on a <pattern>";
-  }
-  return {};
-}
+/// In the order of Bearer.
+constexpr const char* kPlaces[] = {"the outermost <svg>",
+                                   "a <g>",
+                                   "a shape: path, line, polyline, polygon, circle, ellipse, rect",
+                                   "a shape in a layer, one without sf:radius",
+                                   "a shape with sf:radius, a local curve",
+                                   "an <image>",
+                                   "a <pattern>"};
+static_assert(std::size(kPlaces) == static_cast<std::size_t>(Bearer::pattern) + 1);
 
 bool fits(std::string_view name, bool is_root, bool has_radius, Bearer bearer) {
   switch (bearer) {
@@ -115,8 +105,8 @@ Status check_sf_attributes(Input& input, Element element) {
       return input.error(element, "there is no attribute " + shown + suggestion(name));
     }
     if (!fits(element.name(), is_root, has_radius, known->bearer)) {
-      return input.error(element, shown + " on " + tag(element) + " means nothing; " +
-                                      std::string(description(known->bearer)));
+      return input.error(element, shown + " on " + tag(element) + " means nothing; it belongs on " +
+                                      kPlaces[static_cast<std::size_t>(known->bearer)]);
     }
   }
   return ok_status();

@@ -159,19 +159,18 @@ Status add_path_data(const Context& context, Attributes& attributes, std::span<c
   std::string text;
   // To move tens of megabytes to a larger place takes longer than the flag may go without a look.
   TableMemory& memory = attributes.memory();
-  Status status = memory.reserve(context, text, kUsualPointBytes * points.size() + kPointBytes);
+  SFUMATO_TRY(memory.reserve(context, text, kUsualPointBytes * points.size() + kPointBytes));
   RarePoll<1024> poll(context);
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (status) status = memory.make_room(context, text, kPointBytes);
-    if (!status) return status;
+    SFUMATO_TRY(memory.make_room(context, text, kPointBytes));
     if (poll.cancelled()) return context.cancel_status();
     text += i == 0 ? "M" : i == 1 ? "\nC" : "\n";
     text += number_text(points[i].x) + ' ' + number_text(points[i].y);
   }
-  if (status = memory.make_room(context, text, kPointBytes); !status) return status;
+  SFUMATO_TRY(memory.make_room(context, text, kPointBytes));
   if (points.front() == points.back()) text += "\nZ";
   attributes.add("d", std::move(text));
-  return status;
+  return ok_status();
 }
 
 }  // namespace

@@ -52,9 +52,7 @@ Status write_texture(Context& context, ElementWriter& writer, const Texture& tex
                      const std::string& id) {
   Attributes image;
   SFUMATO_TRY_ASSIGN(auto&& uri, codecs::data_uri(context, texture, image.memory()));
-  if (Status status = check_length(context, writer.text().size() + uri.size()); !status) {
-    return status;
-  }
+  SFUMATO_TRY(check_length(context, writer.text().size() + uri.size()));
   const bool has_period = texture.repeats && texture.period.x > 0;
   const Vec2 period =
       has_period ? texture.period
