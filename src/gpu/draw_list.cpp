@@ -18,35 +18,16 @@ constexpr std::size_t kSegmentTexels = 7;
 void append_segment(const curves::StrokeSegment& s, Vec2 origin, std::vector<float>* values) {
   const Vec2 start = s.start - origin;
   const auto& c = s.coefficient;
-  const float all[4 * kSegmentTexels] = {static_cast<float>(start.x),
-                                         static_cast<float>(start.y),
-                                         c[0][0],
-                                         c[0][1],
-                                         c[1][0],
-                                         c[1][1],
-                                         c[2][0],
-                                         c[2][1],
-                                         s.length_per_speed,
-                                         static_cast<float>(s.node_count),
-                                         s.influence_radius.start,
-                                         s.influence_radius.end,
-                                         s.blur_radius.start,
-                                         s.blur_radius.end,
-                                         s.left.start.r,
-                                         s.left.start.g,
-                                         s.left.start.b,
-                                         s.left.end.r,
-                                         s.left.end.g,
-                                         s.left.end.b,
-                                         s.right.start.r,
-                                         s.right.start.g,
-                                         s.right.start.b,
-                                         s.right.end.r,
-                                         s.right.end.g,
-                                         s.right.end.b,
-                                         0,
-                                         0};
-  values->insert(values->end(), all, all + 4 * kSegmentTexels);
+  const auto put = [values](auto... number) {
+    (values->push_back(static_cast<float>(number)), ...);
+  };
+  put(start.x, start.y, c[0][0], c[0][1], c[1][0], c[1][1], c[2][0], c[2][1]);
+  put(s.length_per_speed, s.node_count, s.influence_radius.start, s.influence_radius.end);
+  put(s.blur_radius.start, s.blur_radius.end);
+  for (const auto* side : {&s.left, &s.right}) {
+    put(side->start.r, side->start.g, side->start.b, side->end.r, side->end.g, side->end.b);
+  }
+  put(0, 0);
 }
 
 bool has_shaders(const PatchLayer& layer) {

@@ -18,9 +18,8 @@ class Uploader {
   Uploader(Context& context, const Device& device) : context_(context), device_(device) {}
 
   Status make(const TableFormat& format, std::size_t texels, Table* table) {
-    Result<Table> made = Table::create(context_, device_, format, texels, kPurpose);
-    if (made) *table = std::move(*made);
-    return made.status();
+    SFUMATO_TRY_ASSIGN(*table, Table::create(context_, device_, format, texels, kPurpose));
+    return ok_status();
   }
 
   template <class Index>
