@@ -3,6 +3,7 @@
 #include <signal.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <thread>
@@ -89,6 +90,26 @@ TEST(BadInput, missing_file_is_named) {
     EXPECT_EQ(result.err, missing + ": error: cannot be read: No such file or directory\n");
   }
   EXPECT_EQ(folder.names(), Names{});
+}
+
+TEST(BadInput, message_about_a_missing_file_names_the_one_that_was_meant) {
+  const TemporaryFolder folder;
+  folder.add("lady_bug.xml", "");
+  folder.add("icon.svgz", "");
+  const auto hint = [&folder](const std::string& name) {
+    const std::string missing = folder.path(name);
+    const std::string message = run_sfumato({"info", missing}).err;
+    const std::string begin = missing + ": error: cannot be read: No such file or directory";
+    EXPECT_TRUE(message.starts_with(begin)) << message;
+    return message.substr(std::min(begin.size(), message.size()));
+  };
+  const std::string drawing = "; did you mean " + folder.path("lady_bug.xml") + "?\n";
+  EXPECT_EQ(hint("ladybug.xml"), drawing) << "a small mistake";
+  EXPECT_EQ(hint("lady_bug.svg"), drawing) << "another extension";
+  EXPECT_EQ(hint("lady_bug"), drawing) << "no extension";
+  EXPECT_EQ(hint("icon.svg"), "; did you mean " + folder.path("icon.svgz") + "?\n");
+  EXPECT_EQ(hint("portrait.svg"), "\n") << "nothing is similar";
+  EXPECT_EQ(hint("nowhere/lady_bug.xml"), "\n") << "there is no such folder";
 }
 
 TEST(BadInput, a_folder_is_not_a_file) {

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -37,6 +38,35 @@ std::string expected_name(const OutputNames& names) {
 
 Status cannot_write(const std::string& path, const std::string& why) {
   return make_error(StatusCode::io, "cannot be written: " + why, {path});
+}
+
+/// Returns the names of a folder's files, sorted; none if they are too many to look at.
+std::vector<std::string> file_names(const fs::path& folder) {
+  constexpr std::size_t kMostNames = 10'000;
+  std::vector<std::string> names;
+  std::error_code error, ignored;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error)) {
+    if (names.size() == kMostNames) return {};
+    if (entry->is_regular_file(ignored)) names.push_back(entry->path().filename().string());
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+/// Returns "; did you mean pictures/icon.svg?" for a file that does not exist beside one whose name
+/// is similar, or differs in its extension alone; else nothing.
+std::string hint_at_file(const fs::path& path) {
+  std::error_code ignored;
+  if (fs::exists(fs::symlink_status(path, ignored))) return {};
+  const fs::path folder = path.parent_path();
+  const std::vector<std::string> names = file_names(folder.empty() ? "." : folder);
+  const std::vector<std::string_view> candidates(names.begin(), names.end());
+  std::string_view meant = text::nearest(path.filename().string(), candidates);
+  const auto same = std::ranges::find_if(
+      candidates, [&](const fs::path& name) { return name.stem() == path.stem(); });
+  if (meant.empty() && same != candidates.end()) meant = *same;
+  return meant.empty() ? std::string() : "; did you mean " + (folder / meant).string() + "?";
 }
 
 }  // namespace
@@ -118,6 +148,7 @@ Result<std::string> read_input(const Context& context, const std::string& path,
   if (bytes || bytes.status().code != StatusCode::io) return bytes;
   Status status = bytes.status();
   status.code = StatusCode::bad_input;
+  if (path != "-") status.message += hint_at_file(path);
   return status;
 }
 

@@ -47,7 +47,7 @@ std::string complaint_about_output(const std::string& name, const OutputNames& n
 Status check_output(const std::string& path);
 
 /// Reads the whole input, up to max_bytes; "-" is standard input. Errors: bad_input if it cannot be
-/// read, limit, cancelled.
+/// read, with the file that was probably meant; limit, cancelled.
 Result<std::string> read_input(const Context& context, const std::string& path,
                                std::size_t max_bytes);
 
