@@ -197,10 +197,7 @@ class SegmentMaker {
         walked_ += part_length;
         if (!seen) continue;
         const int count = static_cast<int>(std::clamp<double>(nodes, 1, kStrokeNodes));
-        if (Status status = append(part_cubic, part_length, stretch, influence, count, reach);
-            !status) {
-          return status;
-        }
+        SFUMATO_TRY(append(part_cubic, part_length, stretch, influence, count, reach));
         continue;
       }
       const double middle = 0.5 * (part.t0 + part.t1);

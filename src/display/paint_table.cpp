@@ -99,17 +99,15 @@ Result<PaintTable> make_paint_table(Context& context, const Picture& picture, Pa
   TableMemory mark_memory("the table of paints");
   std::vector<std::uint8_t> is_made;
   const std::size_t count = picture.shaders.size();
-  Status status =
-      table.memory.resize_all(context, count, table.first_value, table.paint_from_layer);
-  if (status) status = mark_memory.resize(context, is_made, count);
-  if (!status) return status;
+  SFUMATO_TRY(table.memory.resize_all(context, count, table.first_value, table.paint_from_layer));
+  SFUMATO_TRY(mark_memory.resize(context, is_made, count));
   TableMaker maker(context, texels, table);
   for (const PatchLayer& layer : picture.layers) {
     for (const PatchField* field : {&layer.color, &layer.opacity}) {
       for (std::uint32_t index : field->shader) {
         if (is_made[index]) continue;
         is_made[index] = true;
-        if (status = maker.add(index, picture.shaders[index]); !status) return status;
+        SFUMATO_TRY(maker.add(index, picture.shaders[index]));
       }
     }
   }

@@ -98,15 +98,11 @@ Status check_shader(const Context& context, const SideShader<Value>& shader,
 
 Status check_side(const Context& context, const Side& side, std::size_t piece_count,
                   std::size_t shader_count) {
-  Status status =
-      inside("colour", check_shader(context, side.color, piece_count, shader_count, is_color));
-  if (status) {
-    status =
-        inside("opacity", check_shader(context, side.opacity, piece_count, shader_count, is_share));
-  }
-  if (status)
-    status = inside("blur radius", check_stops(context, side.blur_radius, piece_count, is_length));
-  return status;
+  SFUMATO_TRY(
+      inside("colour", check_shader(context, side.color, piece_count, shader_count, is_color)));
+  SFUMATO_TRY(
+      inside("opacity", check_shader(context, side.opacity, piece_count, shader_count, is_share)));
+  return inside("blur radius", check_stops(context, side.blur_radius, piece_count, is_length));
 }
 
 Status check_curve(const Context& context, const Curve& curve, std::size_t shader_count) {

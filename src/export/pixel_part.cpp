@@ -174,9 +174,7 @@ Result<PixelPart> stroke_pixels(Context& context, std::span<const PictureItem> s
   Picture picture;
   picture.interpolation = space;
   ScopedCharge charge;
-  if (Status status = charge.add(context, stroke_bytes(strokes), "local curves"); !status) {
-    return status;
-  }
+  SFUMATO_TRY(charge.add(context, stroke_bytes(strokes), "local curves"));
   picture.stack.reserve(strokes.size());
   for (const PictureItem& item : strokes) {
     const auto& stroke = std::get<LocalStroke>(item);

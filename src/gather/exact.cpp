@@ -60,9 +60,8 @@ class ExactGather {
     for (std::size_t i = begin; i < end; i += packets_per_poll_) {
       if (context_.cancelled()) return context_.cancel_status();
       const std::size_t count = std::min(packets_per_poll_, end - i);
-      Status status =
-          walk({input + (i - begin), result + (i - begin), static_cast<int>(count)}, stack);
-      if (!status) return status;
+      SFUMATO_TRY(
+          walk({input + (i - begin), result + (i - begin), static_cast<int>(count)}, stack));
     }
     for (std::size_t i = begin; i < end; ++i) store(packing_.packet[i], result[i - begin]);
     return ok_status();

@@ -287,12 +287,11 @@ Status Boundary::write_stretch(const Stretch& stretch, std::size_t loop, Vec2 en
   const auto& [contour, begin, last] = stretch.run;
   TableMemory working(kBoundaryPurpose);
   std::vector<Vec2> points;
-  Status status = append_stretch(context_, contours_[contour], std::min(begin, last),
-                                 std::max(begin, last), working, points);
-  if (!status || points.empty()) return status;
+  SFUMATO_TRY(append_stretch(context_, contours_[contour], std::min(begin, last),
+                             std::max(begin, last), working, points));
+  if (points.empty()) return ok_status();
   if (last < begin) std::ranges::reverse(points);
-  status = written_memory_.append(context_, std::span(points).subspan(1), written.chain);
-  if (!status) return status;
+  SFUMATO_TRY(written_memory_.append(context_, std::span(points).subspan(1), written.chain));
   written.chain.back() = end;
   return note_steps(stretch, loop, (points.size() - 1) / 3, written);
 }
@@ -300,9 +299,8 @@ Status Boundary::write_stretch(const Stretch& stretch, std::size_t loop, Vec2 en
 Status Boundary::write_line(const Stretch& stretch, Vec2 end, WrittenLoop& written) {
   const Vec2 from = written.chain.back();
   const std::array<Vec2, 3> line{lerp(from, end, 1.0 / 3), lerp(from, end, 2.0 / 3), end};
-  Status status = written_memory_.append(context_, line, written.chain);
-  const PieceSteps steps{stretch.first, stretch.first};
-  return status ? written_memory_.push_back(context_, written.pieces, steps) : status;
+  SFUMATO_TRY(written_memory_.append(context_, line, written.chain));
+  return written_memory_.push_back(context_, written.pieces, {stretch.first, stretch.first});
 }
 
 /// For each piece of a stretch that was written, the steps that it stands for.
@@ -323,9 +321,7 @@ Status Boundary::note_steps(const Stretch& stretch, std::size_t loop, std::size_
     };
     const std::size_t first = step;
     while (step + 1 < stretch.count && ends_before(step)) ++step;
-    Status status =
-        written_memory_.push_back(context_, written.pieces, {index(first), index(step)});
-    if (!status) return status;
+    SFUMATO_TRY(written_memory_.push_back(context_, written.pieces, {index(first), index(step)}));
     if (step + 1 < stretch.count && steps[index(step)].source.end == at) ++step;
   }
   return ok_status();
@@ -505,8 +501,8 @@ Status Boundary::find(const Contours& contours, const RegionRule& rule, Vertices
   SFUMATO_TRY_ASSIGN(edges_, boundary_edges(context_, chords, rule, tolerance_ / 64, vertices));
   SFUMATO_TRY_ASSIGN(steps_, link_edges(context_, edges_));
   SFUMATO_TRY(find_touches());
-  Status status = memory_.resize(context_, is_line_, steps_.step.size());
-  return status ? write_loops() : status;
+  SFUMATO_TRY(memory_.resize(context_, is_line_, steps_.step.size()));
+  return write_loops();
 }
 
 Result<Contours> Boundary::take(TableMemory& memory) {

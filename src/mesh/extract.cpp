@@ -211,12 +211,12 @@ class MeshUpdate {
         out_(out) {}
 
   Status run() {
-    Status status = free_constraints();
-    if (status) status = grow_tables();
-    if (status) status = copy_changed();
-    if (status) status = place_constraints();
-    if (status) freed_.empty_rest(out_);
-    return status ? context_.check() : status;
+    SFUMATO_TRY(free_constraints());
+    SFUMATO_TRY(grow_tables());
+    SFUMATO_TRY(copy_changed());
+    SFUMATO_TRY(place_constraints());
+    freed_.empty_rest(out_);
+    return context_.check();
   }
 
  private:

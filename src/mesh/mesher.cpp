@@ -217,14 +217,12 @@ Status Mesher::update_patch_mesh(const Context& context, TriangleMesh& mesh, Tab
     std::iota(changed.begin(), changed.end(), 0u);
     return ok_status();
   }
-  Status status = number_inside(context, s.mesh, s.numbering);
-  if (status) {
-    status =
-        s.memory.grow(context, s.patched, s.numbering.triangle_count, s.mesh.triangle.capacity());
-  }
+  SFUMATO_TRY(number_inside(context, s.mesh, s.numbering));
+  SFUMATO_TRY(
+      s.memory.grow(context, s.patched, s.numbering.triangle_count, s.mesh.triangle.capacity()));
   changed.clear();
-  if (status) status = memory.reserve(context, changed, s.mesh.changed.size());
-  if (!status) return status;
+  SFUMATO_TRY(memory.reserve(context, changed, s.mesh.changed.size()));
+  Status status;
   RarePoll<65536> poll(context);
   s.mesh.take_changed([&](std::int32_t slot) {
     if (status && poll.cancelled()) status = context.cancel_status();
@@ -233,11 +231,11 @@ Status Mesher::update_patch_mesh(const Context& context, TriangleMesh& mesh, Tab
     s.patched[t] = {slot, s.mesh.triangle[slot].stamp};
     changed.push_back(static_cast<std::uint32_t>(t));
   });
-  if (status) status = TableMemory::sort(context, changed, std::less<>());
+  SFUMATO_TRY(status);
+  SFUMATO_TRY(TableMemory::sort(context, changed, std::less<>()));
   TableMemory scratch("the triangle mesh");
   std::vector<std::int32_t> slots;
-  if (status) status = scratch.resize(context, slots, changed.size());
-  if (!status) return status;
+  SFUMATO_TRY(scratch.resize(context, slots, changed.size()));
   for (std::size_t i = 0; i < slots.size(); ++i) {
     if (poll.cancelled()) return context.cancel_status();
     slots[i] = s.patched[changed[i]].triangle;

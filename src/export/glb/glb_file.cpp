@@ -120,16 +120,14 @@ Result<std::uint32_t> GlbFile::number_of(const typename Map::key_type& key, cons
 }
 
 Result<std::uint32_t> GlbFile::add_mesh(std::uint32_t geometry, const Material& material) {
-  const auto of_material = number_of(material, material, known_materials_, materials_);
-  if (!of_material) return of_material;
-  return number_of({geometry, *of_material}, Mesh{geometry, *of_material}, known_meshes_, meshes_);
+  SFUMATO_TRY_ASSIGN(const std::uint32_t of_material,
+                     number_of(material, material, known_materials_, materials_));
+  return number_of({geometry, of_material}, Mesh{geometry, of_material}, known_meshes_, meshes_);
 }
 
 Status GlbFile::add_node(std::uint32_t mesh, const Affine& place, double z) {
-  Status status =
-      memory_.push_back(context_, top_nodes_, static_cast<std::uint32_t>(nodes_.size()));
-  if (status) status = memory_.make_room(context_, nodes_, 2);
-  if (!status) return status;
+  SFUMATO_TRY(memory_.push_back(context_, top_nodes_, static_cast<std::uint32_t>(nodes_.size())));
+  SFUMATO_TRY(memory_.make_room(context_, nodes_, 2));
   if (is_scaled_rotation(place)) {
     nodes_.push_back({mesh, matrix_of(place, z)});
     return ok_status();

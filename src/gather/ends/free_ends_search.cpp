@@ -83,26 +83,24 @@ Status EndSearch::find_meetings() {
 }
 
 Status EndSearch::update_meetings(std::span<const std::uint8_t> is_same) {
-  Status status = size_tables();
+  SFUMATO_TRY(size_tables());
   const std::size_t vertices = mesh_.vertex_position.size();
-  if (status) {
-    status = tables_.memory.grow(context_, tables_.meeting, vertices, vertices / 4 * 5);
-  }
+  SFUMATO_TRY(tables_.memory.grow(context_, tables_.meeting, vertices, vertices / 4 * 5));
   std::vector<std::uint64_t> spokes;  // the vertex, then a half-edge that begins there
-  for (std::uint32_t t = 0; status && t < mesh_.triangle_count(); ++t) {
+  for (std::uint32_t t = 0; t < mesh_.triangle_count(); ++t) {
     if (t < is_same.size() && is_same[t]) continue;
-    status = memory_.make_room(context_, spokes, 3);
-    for (std::uint32_t h = 3 * t; status && h < 3 * t + 3; ++h)
+    SFUMATO_TRY(memory_.make_room(context_, spokes, 3));
+    for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h)
       spokes.push_back(std::uint64_t{mesh_.origin(h)} << 32 | h);
   }
-  if (status) status = TableMemory::sort(context_, spokes, std::less<>());
-  for (std::size_t i = 0; status && i < spokes.size(); ++i) {
+  SFUMATO_TRY(TableMemory::sort(context_, spokes, std::less<>()));
+  for (std::size_t i = 0; i < spokes.size(); ++i) {
     if (poll_.cancelled()) return context_.cancel_status();
     const bool is_known = i > 0 && spokes[i] >> 32 == spokes[i - 1] >> 32;
     if (!is_known) meet_around(static_cast<std::uint32_t>(spokes[i]));
   }
   memory_.free(spokes);
-  return status;
+  return ok_status();
 }
 
 /// Visits the edges that meet at the origin of a half-edge.
@@ -225,9 +223,7 @@ Result<double> EndSearch::follow_curve(std::uint32_t v) {
   for (std::uint32_t h = tables_.meeting[v].all;;) {
     if (poll_.cancelled()) return context_.cancel_status();
     const bool origin_is_near = mesh_.origin(h) == at;
-    if (Status status = memory_.push_back(context_, chain_, {h, origin_is_near, arc}); !status) {
-      return status;
-    }
+    SFUMATO_TRY(memory_.push_back(context_, chain_, {h, origin_is_near, arc}));
     tables_.mark[h] = ++tables_.marks;
     const std::uint32_t next = origin_is_near ? mesh_.target(h) : mesh_.origin(h);
     arc += length(position(next) - position(at));

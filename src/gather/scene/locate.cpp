@@ -128,10 +128,9 @@ std::uint32_t Locator::start_triangle(float x, float y) const {
 
 Result<LocatedPoints> Locator::locate(Context& context, const PointList& points) const {
   LocatedPoints located;
-  Status status =
-      located.memory.resize_all(context, points.size(), located.x, located.y, located.triangle);
-  if (!status) return status;
-  status = parallel_for(context, points.size(), kChunk, [&](std::size_t begin, std::size_t end) {
+  SFUMATO_TRY(
+      located.memory.resize_all(context, points.size(), located.x, located.y, located.triangle));
+  SFUMATO_TRY(parallel_for(context, points.size(), kChunk, [&](std::size_t begin, std::size_t end) {
     float last_x = std::numeric_limits<float>::infinity(), last_y = 0;
     std::uint32_t t = 0;
     for (std::size_t i = begin; i < end; ++i) {
@@ -147,8 +146,7 @@ Result<LocatedPoints> Locator::locate(Context& context, const PointList& points)
       located.y[i] = y;
       located.triangle[i] = t;
     }
-  });
-  if (!status) return status;
+  }));
   return located;
 }
 

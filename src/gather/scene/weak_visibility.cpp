@@ -40,9 +40,8 @@ class ViewerSearch {
     RarePoll<1024> poll(context);
     const std::size_t most = steps_per_triangle_ * scene_.triangle.size();
     std::size_t steps = 0;
-    Status status = memory_.reserve(context, waiting_, 64);
+    SFUMATO_TRY(memory_.reserve(context, waiting_, 64));
     for (const std::uint32_t h : scene_.watched) {
-      if (!status) return status;
       start_from(h);
       while (!waiting_.empty()) {
         PortalWindow window = waiting_.back();
@@ -54,13 +53,12 @@ class ViewerSearch {
             return ok_status();
           }
           if (waiting_.size() == waiting_.capacity()) {
-            status = memory_.make_room(context, waiting_, 2);
-            if (!status) return status;
+            SFUMATO_TRY(memory_.make_room(context, waiting_, 2));
           }
         } while (follow(window));
       }
     }
-    return status;
+    return ok_status();
   }
 
  private:

@@ -167,16 +167,13 @@ Status DrawingFit::solve(const Equations& equations, std::span<TracedCurve> curv
                           ties_, kTolerance},
                          values);
   };
-  Status status;
+  std::vector<FourFloats> opacities;
   if (picture_.opacity) {
-    std::vector<FourFloats> opacities = x;
-    status = solve_one(equations.opacity, opacities);
-    if (status) status = solve_one(equations.color, x);
-    for (std::size_t i = 0; i < x.size(); ++i) x[i][3] = opacities[i][3];
-  } else {
-    status = solve_one(equations.color, x);
+    opacities = x;
+    SFUMATO_TRY(solve_one(equations.opacity, opacities));
   }
-  if (!status) return status;
+  SFUMATO_TRY(solve_one(equations.color, x));
+  for (std::size_t i = 0; i < opacities.size(); ++i) x[i][3] = opacities[i][3];
   for (const Tie& tie : ties_) x[tie.second] = x[tie.first];
   std::size_t at = 0;
   for (TracedCurve& curve : curves) {
@@ -184,7 +181,7 @@ Status DrawingFit::solve(const Equations& equations, std::span<TracedCurve> curv
       for (SideValue& value : side.value) value = x[at++];
     }
   }
-  return status;
+  return ok_status();
 }
 
 Status DrawingFit::build_matrix(std::span<const TracedCurve> curves) {
@@ -264,18 +261,17 @@ Status DrawingFit::fit_to_all(std::span<TracedCurve> curves, const FitBudget& bu
   SFUMATO_TRY_ASSIGN(marks_, mark_curves(context_, picture_.width(), picture_.height(), curves));
   SFUMATO_TRY_ASSIGN(const double one_in, this->one_in(curves, budget, seed, kNegligible));
   Equations equations;
-  Status status =
+  SFUMATO_TRY(
       for_each_band(curves, one_in, seed, [&](const PixelRows& seen, const SparseMatrix& rows) {
         Targets targets;
         Status found = find_targets(seen.pixels, one_in > 1, targets);
         return found ? add(rows, targets, equations) : found;
-      });
-  if (status) status = solve(equations, curves);
-  for (; times > 0 && status; --times) {
-    status = prune(curves, share, equations);
-    if (status) status = solve(equations, curves);
+      }));
+  SFUMATO_TRY(solve(equations, curves));
+  for (; times > 0; --times) {
+    SFUMATO_TRY(prune(curves, share, equations));
+    SFUMATO_TRY(solve(equations, curves));
   }
-  if (!status) return status;
   SFUMATO_TRY_ASSIGN(const double square, mean_square(equations, values_of(curves)));
   psnr_db_ = decibels(square);
   return ok_status();

@@ -79,19 +79,19 @@ Status lay_on(const Context& context, const Rgb& backdrop, Picture& picture) {
 }
 
 Status take_turns(const Document& drawing, const ColorFit& options, StopFit& fit) {
-  Status status;
   if (options.keeps_colors) {
     for (int turn = 0; turn < kRadiusTurns; ++turn) SFUMATO_TRY(fit.fit_radii());
     return ok_status();
   }
   const bool is_in_srgb = drawing.interpolation == InterpolationSpace::srgb;
   const int turns = is_in_srgb ? kTurns : kCurvedTurns;
-  for (int turn = 0; turn < turns && status; ++turn) {
-    if (turn > 0 && turn < kTurns && options.blur == TraceBlur::fitted) status = fit.fit_radii();
-    if (!status) break;
-    status = turn > 0 && !is_in_srgb ? fit.improve_colors() : fit.fit_colors();
+  for (int turn = 0; turn < turns; ++turn) {
+    if (turn > 0 && turn < kTurns && options.blur == TraceBlur::fitted) {
+      SFUMATO_TRY(fit.fit_radii());
+    }
+    SFUMATO_TRY(turn > 0 && !is_in_srgb ? fit.improve_colors() : fit.fit_colors());
   }
-  return status;
+  return ok_status();
 }
 
 Result<Document> fit(Context& context, const Document& drawing, const Image& image,

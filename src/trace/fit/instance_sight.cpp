@@ -97,24 +97,22 @@ Result<InstanceSight> LayerLooker::look(std::uint32_t layer, const Affine& layer
   InstanceSight sight;
   sight.layer_from_pixel = layer_from_pixel;
   SFUMATO_TRY_ASSIGN(const Box& reach, reach_of(layer, layer_from_pixel));
-  Status status =
-      prepare_shaders(drawn.color_places.shader, drawing_.interpolation, color_shaders_);
+  SFUMATO_TRY(prepare_shaders(drawn.color_places.shader, drawing_.interpolation, color_shaders_));
   TableMemory memory("what a drawing shows");
   std::vector<Vec2> place;
   RarePoll<4096> poll(context_);
-  for (std::uint32_t p = 0; p < pixels_.point.size() && status; ++p) {
+  for (std::uint32_t p = 0; p < pixels_.point.size(); ++p) {
     if (poll.cancelled()) return context_.cancel_status();
     if (!is_open(p)) continue;
     const Vec2 at = layer_from_pixel(pixels_.point[p]);
     if (!reach.contains(at) || !drawn.frame.contains(at)) continue;
-    status = sight.memory.push_back(context_, sight.point, p);
-    if (status) status = memory.push_back(context_, place, at);
+    SFUMATO_TRY(sight.memory.push_back(context_, sight.point, p));
+    SFUMATO_TRY(memory.push_back(context_, place, at));
   }
-  if (status) status = sight.memory.resize(context_, sight.opacity, place.size(), 1.0f);
-  if (status && drawn.opacities) {
-    status = find_opacities(drawn, place, layer_from_pixel, sight.opacity);
+  SFUMATO_TRY(sight.memory.resize(context_, sight.opacity, place.size(), 1.0f));
+  if (drawn.opacities) {
+    SFUMATO_TRY(find_opacities(drawn, place, layer_from_pixel, sight.opacity));
   }
-  if (!status) return status;
   std::size_t kept = 0;
   for (std::size_t i = 0; i < place.size(); ++i) {
     if (sight.opacity[i] < kUnseen) continue;

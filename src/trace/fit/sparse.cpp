@@ -100,20 +100,19 @@ Result<SparseMatrix> try_build_rows(Context& context, std::size_t row_count,
   SparseMatrix out;
   out.column_count = column_count;
   std::vector<RowBlock> blocks((row_count + kRowsPerTask - 1) / kRowsPerTask);
-  Status status =
-      try_parallel_for(context, row_count, kRowsPerTask, [&](std::size_t i, std::size_t end) {
-        RowSummer sum(column_count);
-        RowBlock& block = blocks[i / kRowsPerTask];
-        for (; i < end; ++i) {
-          if (context.cancelled()) return context.cancel_status();
-          SFUMATO_TRY(fill(i, sum));
-          block.count.push_back(sum.list(block.column, block.value));
-        }
-        return block.memory.settle(context, capacity_bytes(block.count, block.column, block.value),
-                                   block.bytes);
-      });
-  if (status) status = join(context, blocks, out);
-  if (!status) return status;
+  const auto fill_block = [&](std::size_t i, std::size_t end) -> Status {
+    RowSummer sum(column_count);
+    RowBlock& block = blocks[i / kRowsPerTask];
+    for (; i < end; ++i) {
+      if (context.cancelled()) return context.cancel_status();
+      SFUMATO_TRY(fill(i, sum));
+      block.count.push_back(sum.list(block.column, block.value));
+    }
+    return block.memory.settle(context, capacity_bytes(block.count, block.column, block.value),
+                               block.bytes);
+  };
+  SFUMATO_TRY(try_parallel_for(context, row_count, kRowsPerTask, fill_block));
+  SFUMATO_TRY(join(context, blocks, out));
   return out;
 }
 

@@ -116,12 +116,10 @@ Status StackWalk::follow() {
   for (std::size_t i = drawing_.stack.size(); i-- > 0;) {
     SFUMATO_TRY(context_.check());
     const StackItem& item = drawing_.stack[i];
-    Status status;
-    if (const auto* instance = std::get_if<LayerInstance>(&item)) status = add(*instance);
-    if (const auto* stroke = std::get_if<LocalStroke>(&item)) status = add(*stroke);
-    if (begin_of_[i]) status = enter(*begin_of_[i]);
-    if (std::holds_alternative<GroupBegin>(item)) status = leave();
-    if (!status) return status;
+    if (const auto* instance = std::get_if<LayerInstance>(&item)) SFUMATO_TRY(add(*instance));
+    if (const auto* stroke = std::get_if<LocalStroke>(&item)) SFUMATO_TRY(add(*stroke));
+    if (begin_of_[i]) SFUMATO_TRY(enter(*begin_of_[i]));
+    if (std::holds_alternative<GroupBegin>(item)) SFUMATO_TRY(leave());
   }
   return ok_status();
 }
@@ -164,12 +162,11 @@ Status StackWalk::enter(const GroupBegin& group) {
   Level level;
   level.group = group;
   level.is_source = group.blend != BlendMode::normal;
-  Status status = level.memory.assign(context_, through_, level.through);
-  if (status && level.is_source) {
-    status = level.memory.assign(context_, out_.fixed, level.fixed);
+  SFUMATO_TRY(level.memory.assign(context_, through_, level.through));
+  if (level.is_source) {
+    SFUMATO_TRY(level.memory.assign(context_, out_.fixed, level.fixed));
     std::ranges::fill(out_.fixed, FourFloats{});
   }
-  if (!status) return status;
   for (FourFloats& through : through_) {
     for (std::size_t c = 0; c < 3; ++c) {
       through[c] =
@@ -267,15 +264,13 @@ Result<PixelRect> StackWalk::paint(const LocalStroke& stroke) {
   const PixelRect rect{
       within(std::floor(box.min.x), picture_.width), within(std::floor(box.min.y), picture_.height),
       within(std::ceil(box.max.x), picture_.width), within(std::ceil(box.max.y), picture_.height)};
-  Status status;
   for (Plane& plane : stroke_) {
-    if (!status || !plane.value.empty()) continue;
-    status = make_plane(context_, picture_.width, picture_.height, memory_, plane);
+    if (!plane.value.empty()) continue;
+    SFUMATO_TRY(make_plane(context_, picture_.width, picture_.height, memory_, plane));
   }
-  if (!status) return status;
   if (rect.empty()) return rect;
   const auto rows = static_cast<std::size_t>(rect.y1 - rect.y0);
-  status = try_parallel_for(context_, rows, kPixelRows, [&](std::size_t begin, std::size_t end) {
+  SFUMATO_TRY(try_parallel_for(context_, rows, kPixelRows, [&](std::size_t begin, std::size_t end) {
     const int top = rect.y0 + static_cast<int>(begin), height = static_cast<int>(end - begin);
     for (Plane& plane : stroke_) {
       for (int y = top; y < top + height; ++y) {
@@ -285,8 +280,7 @@ Result<PixelRect> StackWalk::paint(const LocalStroke& stroke) {
     const auto at = [&](std::size_t i) { return stroke_[i].row(top) + rect.x0; };
     return painter.paint(context_, rect.x0, top, rect.x1 - rect.x0, height, at(0), at(1), at(2),
                          at(3), static_cast<std::size_t>(picture_.width));
-  });
-  if (!status) return status;
+  }));
   return rect;
 }
 

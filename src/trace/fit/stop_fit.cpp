@@ -157,18 +157,16 @@ Status StopFit::look_at(const Document& drawing) {
   std::vector<float> radius;
   TableMemory memory("the colours of a fit");
   SFUMATO_TRY(memory.reserve(context_, radius, factor_.size()));
-  Status status = for_each_curve(
-      context_, drawing, [&](const Curve& curve) { radius.push_back(largest_radius(curve)); });
+  SFUMATO_TRY(for_each_curve(context_, drawing,
+                             [&](const Curve& curve) { radius.push_back(largest_radius(curve)); }));
   std::size_t curve = 0;
-  if (status) {
-    status = for_each_curve(context_, drawing_, [&](const Curve& before) {
-      const float was = largest_radius(before);
-      factor_[curve] = was > 0 ? radius[curve] / was : 1;
-      ++curve;
-    });
-  }
-  if (status) status = build_matrix();
-  return status ? find_missing() : status;
+  SFUMATO_TRY(for_each_curve(context_, drawing_, [&](const Curve& before) {
+    const float was = largest_radius(before);
+    factor_[curve] = was > 0 ? radius[curve] / was : 1;
+    ++curve;
+  }));
+  SFUMATO_TRY(build_matrix());
+  return find_missing();
 }
 
 Status StopFit::build_matrix() {
@@ -309,11 +307,10 @@ StopFit::Missing StopFit::missing_of(std::size_t pixel) const {
 }
 
 Status StopFit::find_missing() {
-  Status status =
+  SFUMATO_TRY(
       parallel_for(context_, missing_.size(), kPixelsPerTask, [&](std::size_t i, std::size_t end) {
         for (; i < end; ++i) missing_[i] = missing_of(i);
-      });
-  if (!status) return status;
+      }));
   double sum = 0, count = 0;
   for (std::size_t i = 0; i < missing_.size(); ++i) {
     if (points_.is_left_out[i]) continue;
@@ -339,11 +336,10 @@ Status StopFit::fit_colors() {
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     for (std::size_t c = 0; c < 3; ++c) wanted[i][c] += missing_[i].color[c];
   }
-  Status status = multiply(context_, transpose, wanted, right_side);
-  if (status) {
-    status = solve_bounded(context_, {normal, right_side, has_next_, low_, high_, pull, kEven}, x_);
-  }
-  return status ? find_missing() : status;
+  SFUMATO_TRY(multiply(context_, transpose, wanted, right_side));
+  SFUMATO_TRY(
+      solve_bounded(context_, {normal, right_side, has_next_, low_, high_, pull, kEven}, x_));
+  return find_missing();
 }
 
 }  // namespace sfumato::tracing

@@ -109,17 +109,14 @@ class GradientFilter {
   Status run(std::span<const Plane> channels, TableMemory& memory) {
     const int width = channels[0].width, height = channels[0].height;
     TableMemory scratch("the edges of a picture");
-    Status status;
     for (Plane* plane : {&out_.strength, &out_.normal_x, &out_.normal_y}) {
-      if (status) status = make_plane(context_, width, height, memory, *plane);
-      std::fill(plane->value.begin(), plane->value.end(), 0.0f);
+      SFUMATO_TRY(make_plane(context_, width, height, memory, *plane));
+      std::ranges::fill(plane->value, 0.0f);
     }
-    if (status) status = make_plane(context_, width, height, scratch, smoothed_);
-    if (status) status = make_plane(context_, width, height, scratch, changed_);
-    for (const Plane& channel : channels) {
-      if (status) status = add(channel);
-    }
-    return status ? finish() : status;
+    SFUMATO_TRY(make_plane(context_, width, height, scratch, smoothed_));
+    SFUMATO_TRY(make_plane(context_, width, height, scratch, changed_));
+    for (const Plane& channel : channels) SFUMATO_TRY(add(channel));
+    return finish();
   }
 
  private:
@@ -128,15 +125,14 @@ class GradientFilter {
   /// Sums the tensor: xx in `strength`, xy in `normal_x`, yy in `normal_y`.
   Status add(const Plane& channel) {
     const int width = channel.width;
-    Status status =
+    SFUMATO_TRY(
         parallel_for(context_, row_count(), kFilteredRows, [&](std::size_t y, std::size_t end) {
           std::vector<float> padded;
           for (int row = static_cast<int>(y); row < static_cast<int>(end); ++row) {
             filter_row(channel.row(row), width, even_, odd_, padded, smoothed_.row(row),
                        changed_.row(row));
           }
-        });
-    if (!status) return status;
+        }));
     return parallel_for(context_, row_count(), kFilteredRows, [&](std::size_t y, std::size_t end) {
       std::vector<float> dx(static_cast<std::size_t>(width)), dy(dx.size());
       for (int row = static_cast<int>(y); row < static_cast<int>(end); ++row) {

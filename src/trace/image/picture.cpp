@@ -160,17 +160,14 @@ Result<Picture> look_at(Context& context, const Image& image, int max_side, bool
     return std::max(1, static_cast<int>(std::lround(side * picture.scale)));
   };
   const int width = scaled(image.width), height = scaled(image.height);
-  Status status;
   for (Plane& plane : picture.code) {
-    if (status) status = make_plane(context, width, height, picture.memory, plane);
+    SFUMATO_TRY(make_plane(context, width, height, picture.memory, plane));
   }
   const bool has_alpha = keeps_opacity && channel_count(image.format) == 4;
-  if (has_alpha) picture.opacity.emplace();
-  if (status && has_alpha) {
-    status = make_plane(context, width, height, picture.memory, *picture.opacity);
+  if (has_alpha) {
+    SFUMATO_TRY(make_plane(context, width, height, picture.memory, picture.opacity.emplace()));
   }
-  if (status) status = scale_down(context, image, has_alpha, picture);
-  if (!status) return status;
+  SFUMATO_TRY(scale_down(context, image, has_alpha, picture));
   if (has_alpha && !is_transparent_somewhere(*picture.opacity)) picture.opacity.reset();
   if (picture.opacity) spread_colors(picture);
   return picture;
@@ -197,22 +194,17 @@ Result<Noise> estimate_noise(Context& context, const Plane& channel) {
   Plane rough;
   SFUMATO_TRY(make_plane(context, channel.width, channel.height, memory, rough));
   const auto height = static_cast<std::size_t>(channel.height);
-  Status status =
-      parallel_for(context, height, kPictureRows, [&](std::size_t begin, std::size_t end) {
-        for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y) {
-          const float* rows[3] = {channel.row(std::max(y - 1, 0)), channel.row(y),
-                                  channel.row(std::min(y + 1, channel.height - 1))};
-          for (int x = 0; x < channel.width; ++x) {
-            const int left = std::max(x - 1, 0), right = std::min(x + 1, channel.width - 1);
-            const auto across = [&](const float* row) {
-              return row[left] - 2 * row[x] + row[right];
-            };
-            rough.row(y)[x] =
-                std::fabs(across(rows[0]) - 2 * across(rows[1]) + across(rows[2])) / 6;
-          }
-        }
-      });
-  if (!status) return status;
+  SFUMATO_TRY(parallel_for(context, height, kPictureRows, [&](std::size_t begin, std::size_t end) {
+    for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y) {
+      const float* rows[3] = {channel.row(std::max(y - 1, 0)), channel.row(y),
+                              channel.row(std::min(y + 1, channel.height - 1))};
+      for (int x = 0; x < channel.width; ++x) {
+        const int left = std::max(x - 1, 0), right = std::min(x + 1, channel.width - 1);
+        const auto across = [&](const float* row) { return row[left] - 2 * row[x] + row[right]; };
+        rough.row(y)[x] = std::fabs(across(rows[0]) - 2 * across(rows[1]) + across(rows[2])) / 6;
+      }
+    }
+  }));
   const auto quantile = [&](double share) {
     const auto at = rough.value.begin() +
                     static_cast<std::ptrdiff_t>(share * static_cast<double>(rough.value.size()));

@@ -84,31 +84,30 @@ Result<PixelMarks> mark_curves(Context& context, int width, int height,
 Result<SamplePixels> choose_pixels(Context& context, const PixelMarks& marks,
                                    const PixelChoice& choice) {
   SamplePixels out;
-  Status status = out.memory.push_back(context, out.point_begin, 0);
+  SFUMATO_TRY(out.memory.push_back(context, out.point_begin, 0));
   RarePoll<4096> poll(context);
   const double most = kAllChances / choice.one_in;
-  const auto consider = [&](int x, int y) {
+  const auto consider = [&](int x, int y) -> Status {
     const auto pixel = static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(marks.width()) +
                        static_cast<std::uint32_t>(x);
     const auto chance = static_cast<double>(scrambled(choice.seed * 0x2545f4914f6cdd1d + pixel));
     const double limit = marks.is_near(pixel) ? 2 * most : most;
-    if (chance > limit || !status) return;
-    status = out.memory.push_back(context, out.pixel, pixel);
+    if (chance > limit) return ok_status();
+    SFUMATO_TRY(out.memory.push_back(context, out.pixel, pixel));
     const auto stands_for = static_cast<float>(std::max(1.0, kAllChances / limit));
-    if (status) status = out.memory.push_back(context, out.stands_for, stands_for);
-    if (status) status = add_points(context, x, y, marks.is_crossed(pixel), out);
+    SFUMATO_TRY(out.memory.push_back(context, out.stands_for, stands_for));
+    return add_points(context, x, y, marks.is_crossed(pixel), out);
   };
   for (int y0 = choice.first_row; y0 < choice.end_row; y0 += kTile) {
     for (int x0 = 0; x0 < marks.width(); x0 += kTile) {
       for (int y = y0; y < std::min(y0 + kTile, choice.end_row); ++y) {
         for (int x = x0; x < std::min(x0 + kTile, marks.width()); ++x) {
           if (poll.cancelled()) return context.cancel_status();
-          consider(x, y);
+          SFUMATO_TRY(consider(x, y));
         }
       }
     }
   }
-  if (!status) return status;
   return out;
 }
 

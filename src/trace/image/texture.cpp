@@ -132,14 +132,14 @@ Status TextureMaker::make(Context& context, Texture& color, Texture* mask, doubl
   std::vector<Misses> misses;
   TableMemory memory("what a texture misses");
   SFUMATO_TRY(memory.resize(context, misses, rows));
-  Status status =
+  SFUMATO_TRY(
       try_parallel_for(context, rows, kTextureRows, [&](std::size_t begin, std::size_t end) {
         for (std::size_t row = begin; row < end; ++row) {
           if (context.cancelled()) return context.cancel_status();
           fill_row(row, color, mask, misses[row]);
         }
         return ok_status();
-      });
+      }));
   Misses all;
   for (const Misses& row : misses) {
     all.sum += row.sum;
@@ -147,7 +147,7 @@ Status TextureMaker::make(Context& context, Texture& color, Texture* mask, doubl
   }
   psnr_db =
       all.sum > 0 ? 10 * std::log10(all.count / all.sum) : std::numeric_limits<double>::infinity();
-  return status;
+  return ok_status();
 }
 
 /// All white, so that the margin lies around the artboard. Errors: limit (memory), cancelled.
