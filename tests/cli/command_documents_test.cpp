@@ -215,8 +215,8 @@ TEST(CommandDocuments, fish_completes_every_option) {
   const std::string document = file_text("completions/sfumato.fish");
   for (const std::string command : kCommands) {
     NameSet named;
-    const NameSet long_names = matches(
-        document, "'__fish_seen_subcommand_from " + command + "'(?: -s [a-z])? -l ([a-z-]+)");
+    const NameSet long_names =
+        matches(document, "'__sfumato_command_is " + command + "'(?: -s [a-z])? -l ([a-z-]+)");
     for (const std::string& name : long_names) named.insert("--" + name);
     EXPECT_EQ(named, options_of(command)) << command;
     expect_words(choices_of(command), document, " in the completion for fish");
@@ -236,6 +236,8 @@ TEST(CommandDocuments, fish_offers_what_fits) {
   EXPECT_EQ(offered("sfumato render --or"), "--order\n");
   EXPECT_EQ(offered("sfumato tiles --format "), "jpg\npng\nwebp\n");
   EXPECT_EQ(offered("sfumato lint --limit tex"), "texels=\ntextures=\n");
+  EXPECT_EQ(offered("sfumato help tr"), "trace\n");
+  EXPECT_EQ(offered("sfumato help render --"), "--help\n--json\n");
 }
 
 }  // namespace
