@@ -189,6 +189,19 @@ TEST_F(SvgInput, format_is_told_and_render_draws) {
   EXPECT_EQ(image_of(read_whole(picture)).width, 64);
 }
 
+TEST_F(SvgInput, render_warns_of_an_ordinary_drawing_and_names_the_import) {
+  const CommandResult result =
+      run_sfumato({"render", "-", "-o", folder_.path("a.png")},
+                  "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 4 4'><rect width='2' "
+                  "height='2'/></svg>");
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_NE(result.err.find("the picture is empty; it contains no curves of Sfumato"),
+            std::string::npos)
+      << result.err;
+  EXPECT_NE(result.err.find("use `sfumato init --from IN.svg OUT.svg`"), std::string::npos)
+      << result.err;
+}
+
 TEST_F(SvgInput, packed_documents_are_read) {
   const std::string path = folder_.path("art/drawing.svgz");
   const std::string text = textured_drawing("wood.png");
