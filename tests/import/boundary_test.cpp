@@ -12,6 +12,7 @@
 
 #include "base/segment.hpp"
 #include "curves/bezier.hpp"
+#include "import/stroke_outline.hpp"
 
 namespace sfumato::svg_import {
 namespace {
@@ -99,6 +100,22 @@ TEST(FillBoundary, meets_where_straight_curves_of_uneven_speed_cross) {
         farthest = std::max(farthest, distance_from(star, p));
     EXPECT_LE(farthest, kBoundaryTolerance) << "speeds " << first << ", " << second;
   }
+}
+
+/// The parameters of the chord's ends are far apart: the curve nearly stops at the corner.
+TEST(FillBoundary, of_a_stroke_ends_near_a_corner_where_the_curves_stop) {
+  const std::vector<Vec2> teeth{{287.15045, 416.40848}, {287.15045, 416.40848},
+                                {249.13214, 407.80025}, {246.11842, 392.73167},
+                                {245.39136, 401.10125}, {241.09556, 423.57924},
+                                {241.09556, 423.57924}, {241.09556, 423.57924},
+                                {209.95384, 383.69053}, {208.94927, 373.64481}};
+  const double tolerance = 733.0 / 16384;
+  Context context;
+  const auto outline = stroke_outline(context, {teeth}, {.width = 1}, tolerance);
+  ASSERT_TRUE(outline);
+  const auto boundary = fill_boundary(context, *outline, false, tolerance);
+  ASSERT_TRUE(boundary);
+  EXPECT_LE(farthest_from(teeth, *boundary), 2.1) << "the miter limit, 4 × 1/2";
 }
 
 TEST(FillBoundary, follows_crescents_with_nearly_tangent_tips) {
