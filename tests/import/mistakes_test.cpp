@@ -144,6 +144,23 @@ TEST(ImportMistakes, a_gradient_does_without_a_faulty_attribute) {
   }
 }
 
+TEST(ImportMistakes, a_transform_that_cannot_be_read_is_inherited) {
+  const auto heir = [](const std::string& attributes, const std::string& between = "") {
+    return mistaken("<linearGradient id='i' gradientTransform='scale(3)'>" + kStops +
+                    "</linearGradient><linearGradient id='h' href='#i' " + between +
+                    "/><linearGradient id='g' href='#h' " + attributes + "/>" + kPainted);
+  };
+  const std::string inherited = facts_of(heir(""));
+  EXPECT_NE(inherited, facts_of(heir("gradientTransform=''")));
+  for (const char* turned : {"", "gradientTransform='turn(4)'"}) {
+    const ImportedSvg made = heir("gradientTransform='turn(3)'", turned);
+    EXPECT_EQ(facts_of(made), inherited) << turned;
+    EXPECT_NE(warning_of(made).find("; it is ignored"), std::string::npos) << warning_of(made);
+  }
+  EXPECT_EQ(facts_of(heir("gradientTransform='turn(3)'", "gradientTransform='scale(2)'")),
+            facts_of(heir("gradientTransform='scale(2)'")));
+}
+
 TEST(ImportMistakes, an_empty_transform_is_the_identity) {
   const std::string scaled =
       "<linearGradient id='h' gradientTransform='scale(3)'>" + kStops + "</linearGradient>";

@@ -100,26 +100,27 @@ Result<double> PaintAttributes::length(const char* name, bool in_box, const Box&
   return status ? Result<double>(share_by_default * extent(box, axis)) : Result<double>(status);
 }
 
-/// Returns the first in the chain that has the attribute or the property.
-Element PaintAttributes::transform_bearer(const char* name) const {
-  return first_with([&](Element element) {
-    return element.attribute(name) || has_transform_style(*input_, element);
-  });
+/// Returns the transform of one of the chain; none if it has none that can be read.
+Result<std::optional<Affine>> PaintAttributes::transform_of(Element element, const char* name,
+                                                            const Box& viewport) const {
+  if (!element.attribute(name) && !has_transform_style(*input_, element))
+    return std::optional<Affine>();
+  const Result<Affine> map = paint_transform(*input_, element, name, viewport);
+  if (!map) {
+    SFUMATO_TRY(input_->ignore(element, map.status()));
+    return std::optional<Affine>();
+  }
+  if (is_usable(*map)) return std::optional(*map);
+  return input_->error(element, std::string(name) + " of " + tag(element) +
+                                    " cannot be inverted; use a transform that can");
 }
 
 Result<Affine> PaintAttributes::transform(const char* name, const Box& viewport) const {
-  const Element element = transform_bearer(name);
-  if (!element) return Affine{};
-  const Result<Affine> map = paint_transform(*input_, element, name, viewport);
-  if (!map) {
-    Status status = input_->ignore(element, map.status());
-    return status ? Result<Affine>(Affine{}) : Result<Affine>(status);
+  for (const Element element : chain_) {
+    SFUMATO_TRY_ASSIGN(const std::optional<Affine>& map, transform_of(element, name, viewport));
+    if (map) return *map;
   }
-  if (!is_usable(*map)) {
-    return input_->error(element, std::string(name) + " of " + tag(element) +
-                                      " cannot be inverted; use a transform that can");
-  }
-  return *map;
+  return Affine{};
 }
 
 Result<Affine> user_from_bounds(Input& input, const PaintedShape& shape, Element paint) {

@@ -37,15 +37,17 @@ class PaintAttributes {
   /// Returns a length in user units or, if `in_box`, as a fraction of the bounding box.
   Result<double> length(const char* name, bool in_box, const Box& viewport, Axis axis,
                         double share_by_default) const;
-  /// gradientTransform or patternTransform, or the property `transform` of a style, about
-  /// transform-origin. Errors: bad_input, also if it has no inverse.
+  /// Returns gradientTransform or patternTransform, or the property `transform` of a style, about
+  /// transform-origin, of the first in the chain where it can be read. Errors: bad_input, also if
+  /// it has no inverse.
   Result<Affine> transform(const char* name, const Box& viewport) const;
 
  private:
   PaintAttributes(Input& input, std::vector<Element> chain)
       : input_(&input), chain_(std::move(chain)) {}
 
-  Element transform_bearer(const char* name) const;
+  Result<std::optional<Affine>> transform_of(Element element, const char* name,
+                                             const Box& viewport) const;
 
   Input* input_;
   std::vector<Element> chain_;
