@@ -1,6 +1,7 @@
 #include "import/boundary_check.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -23,7 +24,7 @@ using curves::Cubic;
 constexpr const char* kCheckPurpose = "the check of a boundary";
 constexpr std::uint64_t kPairsFactor =
     2;                                ///< pairs that are compared, counted for Limits::chord_pairs
-constexpr double kFlat = 1.0 / 4096;  ///< of the weld: a crossing of straight lines
+constexpr double kFlat = 1.0 / 4096;  ///< of the weld: where straight lines cross or coincide
 /// A multiple of the weld: crossings nearer to a common point of curves count as that point.
 constexpr double kPoint = 1.0 / 8;
 /// A multiple of the weld: the tolerance of the renderer's chords.
@@ -81,6 +82,7 @@ class BoundaryCheck {
   bool are_too_near(const Part& a, const Part& b) const;
   bool begins_near(const Part& of, const Part& other) const;
   bool lies_on(const Part& part, const Part& other) const;
+  bool coincide(const Part& a, const Part& b) const;
   bool is_at_touch(Vec2 p, double reach) const;
   double length_between(double place, const Part& part) const;
 
@@ -163,6 +165,22 @@ bool BoundaryCheck::lies_on(const Part& part, const Part& other) const {
          squared_distance(part.curve[3], other) < most;
 }
 
+/// Returns whether two straight parts share a stretch. No curves cross there, but the outside of
+/// one covers the inside of the other.
+bool BoundaryCheck::coincide(const Part& a, const Part& b) const {
+  const double reach = kFlat * weld_;
+  const Vec2 begin = a.curve[0], chord = a.curve[3] - begin;
+  const double size = length(chord);
+  if (!(size > kNeighbors * weld_)) return false;
+  const Vec2 along = chord / size;
+  const Vec2 from = b.curve[0] - begin, to = b.curve[3] - begin;
+  if (std::abs(cross(along, from)) > reach || std::abs(cross(along, to)) > reach) return false;
+  const auto [low, high] = std::minmax({dot(along, from), dot(along, to)});
+  if (!(std::min(high, size) - std::max(low, 0.0) > kNeighbors * weld_)) return false;
+  return curves::chord_deviation(a.curve).across <= reach &&
+         curves::chord_deviation(b.curve).across <= reach;
+}
+
 bool BoundaryCheck::is_at_touch(Vec2 p, double reach) const {
   const auto x_of = [](Vec2 touch) { return touch.x; };
   const auto low = std::ranges::lower_bound(touches_, p.x - reach, {}, x_of);
@@ -183,7 +201,8 @@ bool BoundaryCheck::are_too_near(const Part& a, const Part& b) const {
 
 Status BoundaryCheck::check_pair(std::size_t a, std::size_t b) {
   const Part &of_a = parts_[a], &of_b = parts_[b];
-  const bool leak = (leaks_ == Leaks::all && are_too_near(of_a, of_b)) || cross_each_other(a, b);
+  const bool leak = (leaks_ == Leaks::all && are_too_near(of_a, of_b)) || cross_each_other(a, b) ||
+                    coincide(of_a, of_b);
   if (!leak) return ok_status();
   SFUMATO_TRY(memory_.push_back(context_, found_, of_a.of));
   return memory_.push_back(context_, found_, of_b.of);

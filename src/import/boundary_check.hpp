@@ -19,7 +19,8 @@ struct LoopPiece {
   bool operator==(const LoopPiece&) const = default;
 };
 
-/// The leaks to search for: only crossings, or also parts that come too near to each other.
+/// The leaks to search for: crossings and shared straight stretches, or also parts that come too
+/// near to each other.
 enum class Leaks : std::uint8_t { crossings, all };
 
 /// A closed loop, as it is drawn.
@@ -43,8 +44,8 @@ Result<std::vector<LoopPiece>> leaking_pieces(Context& context, std::span<const 
                                               double weld, std::span<const Vec2> touches,
                                               TableMemory& memory, Leaks leaks = Leaks::all);
 
-/// Returns success if no loop crosses another or itself, and every inside is inside. Errors:
-/// bad_input, with the message for the shape's author; as above.
+/// Returns success if no loop crosses another or itself or shares a straight stretch with one, and
+/// every inside is inside. Errors: bad_input, with the message for the shape's author; as above.
 Status refuse_crossings(Context& context, std::span<const DrawnLoop> loops, double weld,
                         std::span<const Vec2> touches);
 

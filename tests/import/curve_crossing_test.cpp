@@ -97,5 +97,15 @@ TEST(BoundaryCheck, refuses_loops_that_cross_or_are_turned) {
   EXPECT_EQ(refused({{&kEight, 5}}), crosses);
 }
 
+TEST(BoundaryCheck, refuses_loops_that_share_a_straight_stretch) {
+  Context context;
+  const Loop first = square_from(0);
+  for (const double left : {9.0, 10.0, 10.02}) {
+    const Loop second = square_from(left);
+    const std::vector<svg_import::DrawnLoop> loops{{&first, 100}, {&second, 100}};
+    EXPECT_EQ(svg_import::refuse_crossings(context, loops, 0.01, {}).ok(), left > 10) << left;
+  }
+}
+
 }  // namespace
 }  // namespace sfumato
