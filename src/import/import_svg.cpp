@@ -25,6 +25,7 @@
 #include "import/paint_opacity.hpp"
 #include "import/painted_layer.hpp"
 #include "import/placed_contours.hpp"
+#include "import/unseen_stops.hpp"
 #include "sfumato/base/limits.hpp"
 
 namespace sfumato {
@@ -35,6 +36,7 @@ using svg_import::Fit;
 using svg_import::Outline;
 using svg_import::PaintedLayer;
 using svg_import::Region;
+using svg_import::UnseenStops;
 
 /// A share of the artboard's longer side: the accuracy of crossings and offsets.
 constexpr double kTolerance = 1.0 / 16384;
@@ -115,8 +117,10 @@ class Importer {
                            Contours boundary);
   Result<std::optional<std::uint32_t>> opacity_of(std::uint32_t shader);
   Result<std::uint32_t> shader_of_mask(std::uint32_t mask_shader);
+  std::uint32_t seen_shader(std::uint32_t index, const Contours& boundary);
   Result<std::vector<std::uint32_t>> opacities_of(const svg::PlainShape& shape,
-                                                  const svg::PlainPaint& paint);
+                                                  const svg::PlainPaint& paint,
+                                                  const Contours& boundary);
   Result<std::uint32_t> product_of(const svg::PlainShape& shape,
                                    const std::vector<std::uint32_t>& factors,
                                    const Contours& boundary);
@@ -140,6 +144,7 @@ class Importer {
   int intricate_ = 0;            ///< shapes that crossed themselves too often
   std::map<std::uint32_t, std::optional<std::uint32_t>> opacity_shader_;  ///< by colour
   std::map<std::uint32_t, std::uint32_t> mask_shader_;  ///< of the document, by the mask's shader
+  std::map<std::pair<std::uint32_t, UnseenStops>, std::uint32_t> seen_shader_;
   svg_import::MaskProducts products_;
   svg_import::ClipRegions clip_regions_;
   TableMemory memory_{"the curves"};  ///< of the layers and the stack
@@ -257,13 +262,33 @@ Result<std::uint32_t> Importer::shader_of_mask(std::uint32_t mask_shader) {
   return added;
 }
 
+/// Returns the shader without the stops that the region does not show.
+std::uint32_t Importer::seen_shader(std::uint32_t index, const Contours& boundary) {
+  std::vector<Shader>& shaders = plain_.document.shaders;
+  const auto* fill = std::get_if<GradientFill>(&shaders[index].paint);
+  if (!fill) return index;
+  const UnseenStops unseen = svg_import::unseen_stops(*fill, boundary, tolerance_);
+  if (unseen == UnseenStops{}) return index;
+  const auto [entry, is_new] =
+      seen_shader_.emplace(std::pair(index, unseen), static_cast<std::uint32_t>(shaders.size()));
+  if (!is_new) return entry->second;
+  GradientFill seen = *fill;
+  seen.stops.erase(seen.stops.end() - static_cast<std::ptrdiff_t>(unseen.last), seen.stops.end());
+  seen.stops.erase(seen.stops.begin(),
+                   seen.stops.begin() + static_cast<std::ptrdiff_t>(unseen.first));
+  Shader added{shaders[index].id, std::move(seen)};
+  shaders.push_back(std::move(added));
+  return entry->second;
+}
+
 /// Returns the shaders of the document that multiply to the opacity of a paint.
 Result<std::vector<std::uint32_t>> Importer::opacities_of(const svg::PlainShape& shape,
-                                                          const svg::PlainPaint& paint) {
+                                                          const svg::PlainPaint& paint,
+                                                          const Contours& boundary) {
   std::vector<std::uint32_t> opacities;
   if (!paint.color) {
     SFUMATO_TRY_ASSIGN(const std::optional<std::uint32_t>& own, opacity_of(paint.shader));
-    if (own) opacities.push_back(*own);
+    if (own) opacities.push_back(seen_shader(*own, boundary));
   }
   for (auto mask = shape.mask; mask; mask = plain_.content.masks[*mask].outer) {
     SFUMATO_TRY_ASSIGN(const std::uint32_t shader,
@@ -306,12 +331,13 @@ Result<Region> Importer::region_of(const svg::PlainShape& shape, const svg::Plai
   region.id = shape.id;
   region.opacity = constant_opacity(1);
   region.boundary = std::move(boundary);
+  SFUMATO_TRY_ASSIGN(const std::vector<std::uint32_t>& opacities,
+                     opacities_of(shape, paint, region.boundary));
   if (paint.color) {
     region.color = {ShaderKind::curve_domain, {StopSpace::parameter, {{0, *paint.color}}}, 0};
-  } else {
-    region.color = {ShaderKind::image_domain, {}, paint.shader};
+  } else {  // opacities_of() has taken its alphas
+    region.color = {ShaderKind::image_domain, {}, seen_shader(paint.shader, region.boundary)};
   }
-  SFUMATO_TRY_ASSIGN(const std::vector<std::uint32_t>& opacities, opacities_of(shape, paint));
   if (opacities.empty()) return region;
   SFUMATO_TRY_ASSIGN(const std::uint32_t opacity, product_of(shape, opacities, region.boundary));
   region.opacity = {ShaderKind::image_domain, {}, opacity};
