@@ -9,6 +9,11 @@
 namespace sfumato::svg_import {
 namespace {
 
+/// Tolerances: the area over the length of a loop, about a quarter of its width. A hole may be
+/// thinner, because holes between crossing lines are many and show together.
+constexpr double kThinPart = 2;
+constexpr double kThinHole = 0.5;
+
 /// Twice the area between a cubic, seen from its first point, and its chord: the integral of
 /// cross(p, p').
 double bulge(const curves::Cubic& cubic) {
@@ -36,7 +41,7 @@ bool is_sliver(const std::vector<Vec2>& loop, double tolerance) {
     around += length(end - before);
     before = end;
   });
-  return std::abs(area) <= 2 * tolerance * around;
+  return std::abs(area) <= (area < 0 ? kThinHole : kThinPart) * tolerance * around;
 }
 
 }  // namespace sfumato::svg_import

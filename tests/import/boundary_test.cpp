@@ -118,6 +118,26 @@ TEST(FillBoundary, of_a_stroke_ends_near_a_corner_where_the_curves_stop) {
   EXPECT_LE(farthest_from(teeth, *boundary), 2.1) << "the miter limit, 4 × 1/2";
 }
 
+TEST(FillBoundary, keeps_holes_that_are_wider_than_two_tolerances) {
+  const auto outline_of = [](const std::vector<Vec2>& corners) {
+    std::vector<Vec2> chain{corners.front()};
+    for (std::size_t i = 1; i <= corners.size(); ++i) {
+      const Vec2 from = chain.back(), to = corners[i % corners.size()];
+      chain.insert(chain.end(), {lerp(from, to, 1.0 / 3), lerp(from, to, 2.0 / 3), to});
+    }
+    return chain;
+  };
+  for (const double width : {1.0, 3.0, 6.0}) {
+    const double half = width * kBoundaryTolerance / 2;
+    const Contours contours{outline_of({{10, 10}, {50, 10}, {50, 50}, {10, 50}}),
+                            outline_of({{30 - half, 30}, {30, 29}, {30 + half, 30}, {30, 31}})};
+    Context context;
+    const auto boundary = fill_boundary(context, contours, true, kBoundaryTolerance);
+    ASSERT_TRUE(boundary);
+    EXPECT_EQ(boundary->size(), width < 2 ? 1u : 2u) << "width " << width;
+  }
+}
+
 TEST(FillBoundary, follows_crescents_with_nearly_tangent_tips) {
   std::mt19937 random(7);
   const auto number = [&](double low, double high) {
