@@ -11,7 +11,7 @@ namespace {
 
 /// Tolerances: the area over the length of a loop, about a quarter of its width. A hole may be
 /// thinner, because holes between crossing lines are many and show together.
-constexpr double kThinPart = 2;
+constexpr double kThinPart = 1;
 constexpr double kThinHole = 0.5;
 
 /// Twice the area between a cubic, seen from its first point, and its chord: the integral of

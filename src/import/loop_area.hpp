@@ -10,7 +10,7 @@ namespace sfumato::svg_import {
 /// (the y axis points down).
 double signed_area(const std::vector<Vec2>& chain);
 
-/// Returns whether a loop is too thin to be seen: a part of about 8 tolerances, a hole of 2. Such
+/// Returns whether a loop is too thin to be seen: a part of about 4 tolerances, a hole of 2. Such
 /// loops remain where contours nearly touch.
 bool is_sliver(const std::vector<Vec2>& loop, double tolerance);
 

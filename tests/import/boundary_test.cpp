@@ -118,23 +118,28 @@ TEST(FillBoundary, of_a_stroke_ends_near_a_corner_where_the_curves_stop) {
   EXPECT_LE(farthest_from(teeth, *boundary), 2.1) << "the miter limit, 4 × 1/2";
 }
 
-TEST(FillBoundary, keeps_holes_that_are_wider_than_two_tolerances) {
-  const auto outline_of = [](const std::vector<Vec2>& corners) {
-    std::vector<Vec2> chain{corners.front()};
-    for (std::size_t i = 1; i <= corners.size(); ++i) {
-      const Vec2 from = chain.back(), to = corners[i % corners.size()];
-      chain.insert(chain.end(), {lerp(from, to, 1.0 / 3), lerp(from, to, 2.0 / 3), to});
-    }
-    return chain;
-  };
+std::vector<Vec2> polygon(const std::vector<Vec2>& corners) {
+  std::vector<Vec2> chain{corners.front()};
+  for (std::size_t i = 1; i <= corners.size(); ++i) {
+    const Vec2 from = chain.back(), to = corners[i % corners.size()];
+    chain.insert(chain.end(), {lerp(from, to, 1.0 / 3), lerp(from, to, 2.0 / 3), to});
+  }
+  return chain;
+}
+
+TEST(FillBoundary, keeps_thin_parts_and_thinner_holes) {
+  const std::vector<Vec2> square = polygon({{10, 10}, {50, 10}, {50, 50}, {10, 50}});
   for (const double width : {1.0, 3.0, 6.0}) {
     const double half = width * kBoundaryTolerance / 2;
-    const Contours contours{outline_of({{10, 10}, {50, 10}, {50, 50}, {10, 50}}),
-                            outline_of({{30 - half, 30}, {30, 29}, {30 + half, 30}, {30, 31}})};
+    const auto diamond = polygon({{30 - half, 5}, {30, 4}, {30 + half, 5}, {30, 6}});
+    auto hole = diamond;
+    for (Vec2& p : hole) p.y += 25;
     Context context;
-    const auto boundary = fill_boundary(context, contours, true, kBoundaryTolerance);
-    ASSERT_TRUE(boundary);
-    EXPECT_EQ(boundary->size(), width < 2 ? 1u : 2u) << "width " << width;
+    const auto part = fill_boundary(context, {square, diamond}, true, kBoundaryTolerance);
+    const auto holed = fill_boundary(context, {square, hole}, true, kBoundaryTolerance);
+    ASSERT_TRUE(part && holed);
+    EXPECT_EQ(part->size(), width < 4 ? 1u : 2u) << "width " << width;
+    EXPECT_EQ(holed->size(), width < 2 ? 1u : 2u) << "width " << width;
   }
 }
 
