@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
 #include <optional>
 #include <span>
 #include <utility>
@@ -30,26 +29,12 @@ constexpr double kFinerToClose = 4;      ///< chords, where curves have leaked
 constexpr int kMostRounds = 8;           ///< of writing lines where curves leak
 constexpr const char* kBoundaryPurpose = "the boundary of a shape";
 constexpr double kParallel = 1e-9;  ///< sine of an angle
-constexpr int kHalvings = 40;       ///< of an interval of parameters
 
 bool is_corner(double parameter) {
   return parameter == std::floor(parameter);
 }
 
 using curves::Cubic;
-
-/// Returns the parameter between `low` and `high` where a curve is beside a point: neither ahead of
-/// the point nor behind it, along the chord. Halves the interval, because Newton's method may leave
-/// it.
-double parameter_beside(const Cubic& cubic, double low, double high, Vec2 point) {
-  const Vec2 along = curves::point_at(cubic, high) - curves::point_at(cubic, low);
-  for (int i = 0; i < kHalvings; ++i) {
-    const double middle = std::midpoint(low, high);
-    const bool is_behind = dot(along, curves::point_at(cubic, middle) - point) < 0;
-    (is_behind ? low : high) = middle;
-  }
-  return std::midpoint(low, high);
-}
 
 /// Closes a gap by a straight line, for which there is room, or, if the gap is tiny, by moving the
 /// end.

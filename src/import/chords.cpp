@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "base/try.hpp"
 
@@ -9,6 +10,7 @@ namespace sfumato::svg_import {
 namespace {
 
 constexpr int kMostChords = 64;  ///< of one Bézier piece
+constexpr int kHalvings = 40;    ///< of an interval of parameters
 
 }  // namespace
 
@@ -44,6 +46,16 @@ int chord_count(const curves::Cubic& cubic, double tolerance) {
   const curves::ChordDeviation deviation = curves::chord_deviation(cubic);
   const double wanted = std::sqrt(std::max(deviation.across, deviation.along / 8) / tolerance);
   return static_cast<int>(std::clamp(std::ceil(wanted), 1.0, double{kMostChords}));
+}
+
+double parameter_beside(const curves::Cubic& cubic, double low, double high, Vec2 point) {
+  const Vec2 along = curves::point_at(cubic, high) - curves::point_at(cubic, low);
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = std::midpoint(low, high);
+    const bool is_behind = dot(along, curves::point_at(cubic, middle) - point) < 0;
+    (is_behind ? low : high) = middle;
+  }
+  return std::midpoint(low, high);
 }
 
 }  // namespace sfumato::svg_import

@@ -43,4 +43,9 @@ void for_each_chord_end(const std::vector<Vec2>& chain, double tolerance, Visit 
   }
 }
 
+/// Returns the parameter between `low` and `high` where a curve is beside a point: neither ahead of
+/// the point nor behind it, along the chord between the two. Halves the interval, because Newton's
+/// method may leave it where the curve stops.
+double parameter_beside(const curves::Cubic& cubic, double low, double high, Vec2 point);
+
 }  // namespace sfumato::svg_import
