@@ -290,13 +290,13 @@ typedef struct sfumato_picture sfumato_picture;
  *
  * options: viewport, width, height, scale, detail, method=exact|rays, rays, seed, tolerance, ends,
  * no-blur, max-error, max-area, min-angle, order. width, height and scale give the size of the
- * largest output, as in sfumato_export(); detail=NUMBER [1] multiplies it. Use drags where curves
- * or stops will be dragged: exact pictures then keep the tables that quick pictures start from, if
- * all calls for the picture get this context. The tables take four to five times the memory of the
- * picture. Without this option the first quick picture makes them. drag-triangles=N keeps them only
- * for layers of at most N triangles in all: the layers dragged last, then the largest ones; always
- * for the last one, and for the only one. That takes about 1 kB a triangle. Use coherent for the
- * first frame of a film: sfumato_solve_next(). */
+ * largest output, as in sfumato_export(); detail=NUMBER [1] multiplies it. pixel-grid makes the
+ * picture for images of 8 bits and that size alone, faster; other outputs refuse it. Use drags
+ * where curves or stops will be dragged: exact pictures then keep the tables that quick pictures
+ * start from, if all calls for the picture get this context: four to five times its memory.
+ * drag-triangles=N keeps them only for layers of at most N triangles in all, 1 kB for each: the
+ * layers dragged last, then the largest ones; always for the last one, and for the only one. Use
+ * coherent for the first frame of a film: sfumato_solve_next(). */
 SFUMATO_API int32_t sfumato_solve(sfumato_context* context, const sfumato_document* document,
                                   const char* options, sfumato_picture** picture);
 /** Solves a document again, with the options that the picture was solved with. Solves only the

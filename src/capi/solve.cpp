@@ -101,6 +101,7 @@ Outcome solve(Workshop& workshop, sfumato_context* context, const sfumato_docume
   options::Settings settings;
   options::PictureSettings own;
   SFUMATO_TRY(read_solve_options(text, options::kSolve, settings, &own));
+  settings.diffuse.pixel_grid = own.pixel_grid;
   SFUMATO_TRY_ASSIGN(auto&& copy, copy_of(workshop.context, document.document));
   SFUMATO_TRY_ASSIGN(auto&& solution, Solution::create(workshop.context, std::move(copy)));
   auto handle = std::make_unique<sfumato_picture>(context->workshop, std::move(solution), settings);

@@ -3,14 +3,18 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "base/boxes.hpp"
+#include "base/charge.hpp"
 #include "base/try.hpp"
 #include "curves/bezier.hpp"
 #include "curves/blur_slope.hpp"
 #include "curves/junctions.hpp"
+#include "curves/near_curves.hpp"
 #include "curves/polyline_builder.hpp"
 #include "curves/stop_parameters.hpp"
+#include "curves/stop_slope.hpp"
 #include "curves/tips.hpp"
 
 namespace sfumato::curves {
@@ -22,6 +26,16 @@ constexpr double kStraight = 1.0 / 16;
 /// A chord may shift along its curve by this factor more than across it: that moves a colour along
 /// the curve, where it changes slowly.
 constexpr double kAlongPerAcross = 4;
+/// The same for the coarse chords that keep bows, and the change of a colour in code values up to
+/// which they may shift farther.
+constexpr double kAlongPerBow = 0.8;
+constexpr double kAlongCodes = 1;
+
+/// A chord of a pixel grid may stray from its curve by this share of the distance to the nearest
+/// other curve, between which colours may change by all they can…
+constexpr double kStrayPerGap = 1.0 / 12;
+/// …but need not be finer than by this share of the tolerance: those of other pictures are not.
+constexpr double kLeastShare = 0.2;
 
 /// No part is cut more often than this, for any control points.
 constexpr int kMaxCuts = 16;
@@ -44,6 +58,9 @@ constexpr double kStrayPerDistance = 1.0 / 16384;
 /// A vertex where the tangent turns by more than this, its sine, is a corner.
 constexpr double kCornerSine = 0.02;
 
+/// The middle of a chord's arc counts as at least this share of the chord away from its ends.
+constexpr double kLeastMiddle = 0.25;
+
 /// Returns the distance between the boxes; 0 where they meet.
 double distance(const Box& a, const Box& b) {
   return length({std::max({0.0, a.min.x - b.max.x, b.min.x - a.max.x}),
@@ -53,14 +70,25 @@ double distance(const Box& a, const Box& b) {
 /// The first step: the vertices that the shapes of the curves require, on the curves.
 class Divider {
  public:
-  Divider(const FlattenOptions& options, PolylineBuilder& out) : options_(options), out_(out) {}
+  /// near   null: it does not matter how near curves pass each other
+  Divider(const FlattenOptions& options, const NearCurves* near, PolylineBuilder& out)
+      : options_(options), near_(near), out_(out) {}
 
   void add_curve(const Curve& curve) {
-    const BlurSlope slope(curve, options_.sharp_radius);
-    out_.begin_curve();
-    out_.push(curve.control_points.front(), 0.0);
-    for (std::size_t i = 0; i < curve.piece_count() && out_.status().ok(); ++i) {
-      add_piece(piece(curve.control_points, i), static_cast<double>(i), slope);
+    begin_curve(curve);
+    for (std::size_t i = 0; i < curve.piece_count() && out_.status().ok(); ++i)
+      add_part(piece(curve.control_points, i), static_cast<double>(i), {0, 1, 0, 0});
+  }
+
+  /// Adds a curve that was divided without regard to its neighbours.
+  void refine_curve(const Curve& curve, const FlatCurves& coarse, std::uint32_t index) {
+    begin_curve(curve);
+    const std::uint32_t last = coarse.curve_begin[index + 1] - 1;
+    for (std::uint32_t s = coarse.curve_begin[index]; s < last && out_.status().ok(); ++s) {
+      const double begin = std::floor(coarse.parameter[s]);
+      const double from = coarse.parameter[s] - begin, to = coarse.parameter[s + 1] - begin;
+      const int cuts = from == 0 && to == 1 ? 0 : 1;
+      add_part(piece_of(curve, begin), begin, {from, to, cuts, s});
     }
   }
 
@@ -69,7 +97,21 @@ class Divider {
   struct Part {
     double t0, t1;
     int cuts;
+    std::uint32_t segment;  ///< the one of `near` that it belongs to
   };
+
+  void begin_curve(const Curve& curve) {
+    slope_.emplace(curve, options_.sharp_radius);
+    if (options_.keeps_bows) along_.emplace(curve);
+    out_.begin_curve();
+    out_.push(curve.control_points.front(), 0.0);
+  }
+
+  /// Returns by how much more than across its curve a chord may shift along it.
+  double along_per_across(double tolerance, double from, double to) const {
+    if (!along_) return kAlongPerAcross;
+    return std::max(kAlongPerBow, kAlongCodes / (along_->between(from, to) * tolerance));
+  }
 
   double tolerance_of(const Cubic& cubic, double slope) const {
     double most = options_.tolerance;
@@ -89,28 +131,39 @@ class Divider {
     return is_seen && slope > 0 ? std::clamp(kBlurStray / slope, most / kFinestBlur, most) : most;
   }
 
+  /// Returns the share of the tolerance that a part may use beside its neighbours.
+  double share_of_tolerance(const Cubic& cubic, const Part& part, double across,
+                            double tolerance) const {
+    if (!near_ || across <= kLeastShare * tolerance) return 1;
+    const double gap = near_->distance(part.segment, cubic.front(), cubic.back());
+    return std::clamp(kStrayPerGap * gap / tolerance, kLeastShare, 1.0);
+  }
+
   /// Returns the number of parts to cut a stretch into: 1 where it is flat.
-  int parts_of(const Cubic& cubic, const Part& part, double slope) const {
+  int parts_of(const Cubic& cubic, const Part& part, double begin) const {
+    const double from = begin + part.t0, to = begin + part.t1;
     // A whole piece may lie between corners, which do not move.
     const double centered = part.cuts > 0 ? kCentered : 1;
-    const double tolerance = centered * tolerance_of(cubic, slope);
+    const double tolerance = centered * tolerance_of(cubic, slope_->between(from, to));
     const ChordDeviation deviation = chord_deviation(cubic);
-    const double stray = std::max(deviation.across, deviation.along / kAlongPerAcross);
+    const double share = share_of_tolerance(cubic, part, deviation.across, tolerance);
+    const double stray =
+        std::max(deviation.across / share, deviation.along / along_per_across(tolerance, from, to));
     if (stray <= tolerance || part.cuts == kMaxCuts) return 1;
     // Each of n equal parts deviates n² times less.
     const double of_parts = kCentered / centered * tolerance;
     return stray > 4 * of_parts && stray <= 9 * of_parts ? 3 : 2;
   }
 
-  /// Cuts the piece until each part is flat, left part first: the same points from either end.
-  void add_piece(const Cubic& cubic, double begin, const BlurSlope& slope) {
+  /// Cuts a part of a piece until each part is flat, left part first: the same points from either
+  /// end.
+  void add_part(const Cubic& cubic, double begin, const Part& whole) {
     Part stack[2 * kMaxCuts + 1];
     int depth = 0;
-    stack[depth++] = {0, 1, 0};
+    stack[depth++] = whole;
     while (depth > 0 && out_.status().ok()) {
       const Part part = stack[--depth];
-      const int parts = parts_of(subcurve(cubic, part.t0, part.t1), part,
-                                 slope.between(begin + part.t0, begin + part.t1));
+      const int parts = parts_of(subcurve(cubic, part.t0, part.t1), part, begin);
       if (parts == 1) {
         out_.push(point_at(cubic, part.t1), begin + part.t1);
         continue;
@@ -118,16 +171,26 @@ class Divider {
       const double step = (part.t1 - part.t0) / parts;
       double end = part.t1;
       for (int i = parts - 1; i > 0; --i) {
-        stack[depth++] = {part.t0 + i * step, end, part.cuts + 1};
+        stack[depth++] = {part.t0 + i * step, end, part.cuts + 1, part.segment};
         end = part.t0 + i * step;
       }
-      stack[depth++] = {part.t0, end, part.cuts + 1};
+      stack[depth++] = {part.t0, end, part.cuts + 1, part.segment};
     }
   }
 
   const FlattenOptions& options_;
+  const NearCurves* near_;
   PolylineBuilder& out_;
+  std::optional<BlurSlope> slope_;  ///< of the current curve
+  std::optional<StopSlope> along_;  ///< the same
 };
+
+/// Returns the largest tolerance inside a visible box, or the only one.
+double largest_tolerance(const FlattenOptions& options) {
+  double most = options.focuses.empty() ? options.tolerance : 0;
+  for (const FlattenFocus& focus : options.focuses) most = std::max(most, focus.tolerance);
+  return most;
+}
 
 bool is_of_one_paint(const Side& side) {
   return side.color.stops.stops.size() <= 1 && side.opacity.stops.stops.size() <= 1;
@@ -178,14 +241,58 @@ class Finisher {
       while (next_stop < stops_.size() && stops_[next_stop] <= knots_[k].parameter) {
         const double stop = stops_[next_stop++];
         if (k > 0 && stop > knots_[k - 1].parameter && stop < knots_[k].parameter) {
-          out_.push(on_chord(k - 1, stop, share), stop);
+          push(on_chord(k - 1, stop, share), stop, k);
         }
       }
-      out_.push(knots_[k].point, knots_[k].parameter);
+      push(knots_[k].point, knots_[k].parameter, k);
     }
   }
 
  private:
+  /// Appends a vertex on the chord that ends at knot k.
+  void push(Vec2 point, double parameter, std::size_t k) {
+    if (options_.keeps_bows && k > 0) {
+      const FlatCurves& flat = out_.flat();
+      out_.set_bow(bow_of(k - 1, {flat.parameter.back(), flat.vertex.back()}, {parameter, point}));
+    }
+    out_.push(point, parameter);
+  }
+
+  /// A vertex and its place on the curve.
+  struct ChordEnd {
+    double parameter;
+    Vec2 point;
+  };
+
+  /// Returns the heights of the curve over a part of chord k; 0 where the chord has parts of two
+  /// pieces.
+  ChordBow bow_of(std::size_t k, const ChordEnd& from, const ChordEnd& to) const {
+    const Vec2 chord = to.point - from.point;
+    const double size = length(chord);
+    if (!(size > 0) || !is_of_one_piece(k)) return {};
+    const double start = local_parameter(k, from.parameter), end = local_parameter(k, to.parameter);
+    const auto over_chord = [&](double t) {
+      const Vec2 p = point_at(stretches_[k], t) - from.point;
+      return Vec2{dot(chord, p), cross(chord, p)} / size;
+    };
+    ChordBow bow{over_chord(start).y, 0, over_chord(end).y};
+    const Vec2 middle = over_chord(0.5 * (start + end));
+    // The curve's speed varies: that point need not lie over the middle of the chord.
+    const double u = std::clamp(middle.x / size, kLeastMiddle, 1 - kLeastMiddle);
+    const double bend = (middle.y - bow.start - (bow.end - bow.start) * u) / (u * (1 - u));
+    bow.middle = 0.5 * (bow.start + bow.end) + 0.25 * bend;
+    return bow;
+  }
+
+  bool is_of_one_piece(std::size_t k) const {
+    return knots_[k + 1].parameter <= std::floor(knots_[k].parameter) + 1;
+  }
+
+  /// Returns the place of a parameter on stretch k, 0 to 1.
+  double local_parameter(std::size_t k, double parameter) const {
+    return (parameter - knots_[k].parameter) / (knots_[k + 1].parameter - knots_[k].parameter);
+  }
+
   void collect_knots(std::uint32_t index) {
     knots_.clear();
     const auto& junction = junctions_.junction;
@@ -261,15 +368,13 @@ class Finisher {
   /// Returns the point of chord k nearest to the curve's at the parameter. `share` is the position
   /// of the last point along the chord, and then of this one.
   Vec2 on_chord(std::size_t k, double parameter, double& share) const {
-    const Knot &from = knots_[k], &to = knots_[k + 1];
-    const Vec2 chord = to.point - from.point;
+    const Vec2 from = knots_[k].point, chord = knots_[k + 1].point - from;
     const double chord_squared = length_squared(chord);
-    const double local = (parameter - from.parameter) / (to.parameter - from.parameter);
-    const double along = dot(point_at(stretches_[k], local) - from.point, chord);
-    const bool is_of_one_piece = to.parameter <= std::floor(from.parameter) + 1;
-    const double wanted = chord_squared > 0 && is_of_one_piece ? along / chord_squared : local;
+    const double local = local_parameter(k, parameter);
+    const double along = dot(point_at(stretches_[k], local) - from, chord);
+    const double wanted = chord_squared > 0 && is_of_one_piece(k) ? along / chord_squared : local;
     share = std::clamp(wanted, share, 1.0);
-    return from.point + chord * share;
+    return from + chord * share;
   }
 
   const FlatCurves& divided_;
@@ -284,17 +389,48 @@ class Finisher {
 
 }  // namespace
 
-Result<FlatCurves> flatten(Context& context, std::span<const Curve> curves,
-                           const FlattenOptions& options) {
+namespace {
+
+/// Returns vertices on the curves, between which their stretches are flat.
+Result<FlatCurves> divide(Context& context, std::span<const Curve> curves,
+                          const FlattenOptions& options) {
   PolylineBuilder divided(context);
-  Divider divider(options, divided);
+  Divider divider(options, nullptr, divided);
   for (const Curve& curve : curves) divider.add_curve(curve);
   divided.end_last_curve();
   if (!divided.status()) return divided.status();
+  return divided.take();
+}
+
+/// Does the same, with shorter stretches where curves pass near each other.
+Result<FlatCurves> divide_finely_where_near(Context& context, std::span<const Curve> curves,
+                                            const FlattenOptions& options) {
+  SFUMATO_TRY_ASSIGN(const FlatCurves& coarse, divide(context, curves, options));
+  ScopedCharge charge;
+  SFUMATO_TRY(charge.add(context, bytes_of(coarse), "flattening"));
+  NearCurves near(curves, coarse, largest_tolerance(options) / kStrayPerGap, options.reach);
+  SFUMATO_TRY(near.build(context));
+  PolylineBuilder divided(context);
+  Divider divider(options, &near, divided);
+  for (std::uint32_t i = 0; i < curves.size(); ++i) divider.refine_curve(curves[i], coarse, i);
+  divided.end_last_curve();
+  if (!divided.status()) return divided.status();
+  return divided.take();
+}
+
+}  // namespace
+
+Result<FlatCurves> flatten(Context& context, std::span<const Curve> curves,
+                           const FlattenOptions& options) {
+  SFUMATO_TRY_ASSIGN(const FlatCurves& divided,
+                     options.keeps_bows ? divide_finely_where_near(context, curves, options)
+                                        : divide(context, curves, options));
+  ScopedCharge charge;
+  SFUMATO_TRY(charge.add(context, bytes_of(divided), "flattening"));
   SFUMATO_TRY_ASSIGN(const Junctions& junctions,
-                     find_junctions(context, curves, divided.flat(), options.reach));
+                     find_junctions(context, curves, divided, options.reach));
   PolylineBuilder finished(context);
-  Finisher finisher(divided.flat(), junctions, options, finished);
+  Finisher finisher(divided, junctions, options, finished);
   for (std::uint32_t i = 0; i < curves.size() && finished.status().ok(); ++i) {
     finisher.add_curve(curves[i], i);
   }

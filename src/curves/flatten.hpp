@@ -32,6 +32,23 @@ struct FlattenOptions {
   double sharp_radius = 0;
   /// A vertex is placed where a blur radius passes this value; 0: none.
   double split_radius = 0;
+  /// For pixel grids: FlatCurves gets `bow`, and colours may shift farther along a curve where they
+  /// change slowly.
+  bool keeps_bows = false;
+};
+
+/// The heights of a curve over a chord, user units: at the chord's ends and in its middle, between
+/// which they are quadratic. They are positive where the curve lies on the side where cross(chord,
+/// p - start) > 0.
+struct ChordBow {
+  double start = 0;
+  double middle = 0;
+  double end = 0;
+
+  /// Returns the height at a fraction of the chord.
+  double at(double u) const {
+    return start + (end - start) * u + (4 * middle - 2 * (start + end)) * u * (1 - u);
+  }
 };
 
 /// Curves as polylines that keep the curve parameter. Segment s joins vertex s and vertex s + 1;
@@ -47,6 +64,7 @@ struct FlatCurves {
   std::vector<double> arc_length;  ///< per vertex: length from the curve's start, user units
   std::vector<std::uint32_t> vertex_curve;  ///< per vertex: its curve
   std::vector<std::uint32_t> curve_begin;   ///< curve c owns vertices [begin[c], begin[c + 1])
+  std::vector<ChordBow> bow;  ///< per vertex: of the segment that it begins; empty: not kept
 
   std::uint32_t curve_count() const { return static_cast<std::uint32_t>(curve_begin.size() - 1); }
   bool begins_segment(std::uint32_t v) const {
@@ -59,7 +77,8 @@ struct FlatCurves {
 inline std::size_t bytes_of(const FlatCurves& flat) {
   return flat.vertex.capacity() * sizeof(Vec2) +
          (flat.parameter.capacity() + flat.arc_length.capacity()) * sizeof(double) +
-         (flat.vertex_curve.capacity() + flat.curve_begin.capacity()) * sizeof(std::uint32_t);
+         (flat.vertex_curve.capacity() + flat.curve_begin.capacity()) * sizeof(std::uint32_t) +
+         flat.bow.capacity() * sizeof(ChordBow);
 }
 
 /// Flattens every curve. Errors: limit (segments, memory), cancelled. Cost: O(vertices), in the

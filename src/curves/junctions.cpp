@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "base/poll.hpp"
-#include "base/spatial_order.hpp"
 #include "base/try.hpp"
 #include "curves/bezier.hpp"
+#include "curves/segment_tree.hpp"
 #include "sfumato/base/box.hpp"
 
 namespace sfumato::curves {
@@ -19,97 +19,7 @@ namespace {
 /// chords may differ, but time stays proportional to the vertices.
 constexpr int kPatience = 200;
 
-constexpr std::uint32_t kLeafSegments = 4;
-
 constexpr std::uint32_t kNobody = 0xffffffff;
-
-Cubic piece_of(const Curve& curve, double parameter_of_start) {
-  const auto last = static_cast<double>(curve.piece_count() - 1);
-  return piece(curve.control_points,
-               static_cast<std::size_t>(std::min(std::floor(parameter_of_start), last)));
-}
-
-/// All segments of the polylines, in a binary tree of the boxes of their stretches of curve.
-class SegmentTree {
- public:
-  /// Builds the tree; call it first. Errors: limit, cancelled; no other function may then be
-  /// called.
-  Status build(Context& context, const FlatCurves& flat, std::span<const Curve> curves,
-               double reach) {
-    SFUMATO_TRY(order_segments(context, flat));
-    leaf_count_ = (static_cast<std::uint32_t>(segment_.size()) + kLeafSegments - 1) / kLeafSegments;
-    while (first_leaf_ < leaf_count_) first_leaf_ *= 2;
-    SFUMATO_TRY(memory_.resize(context, box_, std::size_t{2} * first_leaf_));
-    RarePoll<4096> poll(context);
-    for (std::size_t i = 0; i < segment_.size(); ++i) {
-      if (poll.cancelled()) return context.cancel_status();
-      Box& leaf = box_[first_leaf_ + i / kLeafSegments];
-      leaf = united(leaf, stretch_box(flat, curves, segment_[i]).grown_by(reach));
-    }
-    for (std::uint32_t node = first_leaf_ - 1; node > 0; --node) {
-      if (poll.cancelled()) return context.cancel_status();
-      box_[node] = united(box_[std::size_t{2} * node], box_[std::size_t{2} * node + 1]);
-    }
-    return ok_status();
-  }
-
-  /// Calls visit(segment) for the segments whose box, or a neighbour's box, contains the point.
-  template <class Visit>
-  void visit(Vec2 point, Visit visit) const {
-    int patience = kPatience;
-    std::uint32_t stack[2 * 32];
-    int depth = 0;
-    stack[depth++] = 1;
-    while (depth > 0 && patience-- > 0) {
-      const std::uint32_t node = stack[--depth];
-      if (!box_[node].contains(point)) continue;
-      if (node < first_leaf_) {
-        stack[depth++] = 2 * node + 1;
-        stack[depth++] = 2 * node;
-        continue;
-      }
-      const std::size_t begin = std::size_t{node - first_leaf_} * kLeafSegments;
-      const std::size_t end = std::min(begin + kLeafSegments, segment_.size());
-      for (std::size_t i = begin; i < end; ++i) visit(segment_[i]);
-    }
-  }
-
- private:
-  Status order_segments(Context& context, const FlatCurves& flat) {
-    TableMemory working("flattening");
-    std::vector<Vec2> middle;
-    std::vector<std::uint32_t> segment, order;
-    SFUMATO_TRY(working.reserve(context, middle, flat.segment_count()));
-    SFUMATO_TRY(working.reserve(context, segment, flat.segment_count()));
-    RarePoll<4096> poll(context);
-    for (std::uint32_t v = 0; v < flat.vertex.size(); ++v) {
-      if (poll.cancelled()) return context.cancel_status();
-      if (!flat.begins_segment(v)) continue;
-      segment.push_back(v);
-      middle.push_back(lerp(flat.vertex[v], flat.vertex[v + 1], 0.5));
-    }
-    SFUMATO_TRY(spatial_order(context, middle, working, order));
-    SFUMATO_TRY(memory_.reserve(context, segment_, segment.size()));
-    for (const std::uint32_t i : order) segment_.push_back(segment[i]);
-    return ok_status();
-  }
-
-  static Box stretch_box(const FlatCurves& flat, std::span<const Curve> curves, std::uint32_t s) {
-    const double from = flat.parameter[s], to = flat.parameter[s + 1], begin = std::floor(from);
-    Box box;
-    for (const Vec2 p :
-         subcurve(piece_of(curves[flat.vertex_curve[s]], from), from - begin, to - begin)) {
-      box.extend(p);
-    }
-    return box;
-  }
-
-  std::vector<std::uint32_t> segment_;
-  std::uint32_t leaf_count_ = 0;
-  std::uint32_t first_leaf_ = 1;
-  std::vector<Box> box_;  ///< of node n, whose children are 2 n and 2 n + 1
-  TableMemory memory_{"flattening"};
-};
 
 /// Vertices at the same position: each is mapped to the first of its place.
 class Places {
@@ -258,7 +168,9 @@ Result<Junctions> find_junctions(Context& context, std::span<const Curve> curves
     if (places.first(v) != v) {
       finder.meet(v, places.first(v));
     } else {
-      tree.visit(flat.vertex[v], [&](std::uint32_t s) { finder.look(v, s); });
+      const Vec2 p = flat.vertex[v];
+      tree.visit([&](const Box& box) { return box.contains(p); }, kPatience,
+                 [&](std::uint32_t s) { finder.look(v, s); });
     }
   }
   if (!finder.status()) return finder.status();

@@ -35,6 +35,12 @@ void PolylineBuilder::push(Vec2 point, double parameter) {
   flat_.vertex_curve.push_back(static_cast<std::uint32_t>(flat_.curve_begin.size() - 1));
 }
 
+void PolylineBuilder::set_bow(const ChordBow& bow) {
+  if (status_)
+    status_ = memory_.grow(context_, flat_.bow, flat_.vertex.size(), 2 * flat_.vertex.size());
+  if (status_) flat_.bow.back() = bow;
+}
+
 void PolylineBuilder::make_room() {
   const std::size_t most = context_.limits.segments + 1;
   const std::size_t room = flat_.vertex.capacity();

@@ -19,6 +19,8 @@ class PolylineBuilder {
 
   void begin_curve();
   void push(Vec2 point, double parameter);
+  /// Sets the bow of the segment that the last vertex begins. Call it for all segments or none.
+  void set_bow(const ChordBow& bow);
   void end_last_curve();
 
   const FlatCurves& flat() const { return flat_; }

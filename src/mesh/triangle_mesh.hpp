@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -65,5 +66,15 @@ struct TriangleMesh {
     return false;
   }
 };
+
+/// Returns the length of a triangle's longest edge.
+inline double longest_edge(const TriangleMesh& mesh, std::uint32_t triangle) {
+  double longest = 0;
+  for (std::uint32_t h = 3 * triangle; h < 3 * triangle + 3; ++h) {
+    const Vec2 from = mesh.vertex_position[mesh.origin(h)];
+    longest = std::max(longest, length(mesh.vertex_position[mesh.target(h)] - from));
+  }
+  return longest;
+}
 
 }  // namespace sfumato::mesh

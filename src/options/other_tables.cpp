@@ -51,6 +51,8 @@ constexpr Option<PictureSettings> kPictureOptions[] = {
      [](PictureSettings& s, const Value&) {
        if (!s.drag_triangles) s.drag_triangles = std::numeric_limits<std::size_t>::max();
      }},
+    {{.key = "pixel-grid", .kind = ValueKind::flag, .calls = kSolve},
+     [](PictureSettings& s, const Value&) { s.pixel_grid = true; }},
     {{.key = "drag-triangles",
       .kind = ValueKind::whole,
       .wholes = {0, kLargestTriangles},

@@ -82,6 +82,7 @@ struct ContextSettings {
 /// Settings of a picture that the C interface keeps solved.
 struct PictureSettings {
   std::optional<std::size_t> drag_triangles{};  ///< Solution::expect_drags(), if given
+  bool pixel_grid = false;                      ///< DiffuseOptions::pixel_grid
 };
 
 /// Settings of a search for probable mistakes.

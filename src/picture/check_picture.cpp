@@ -45,20 +45,27 @@ bool is_absent(const PatchField& field) {
   return field.channel_count == 0 && field.shader.empty();
 }
 
-bool is_soft_edge(const SoftEdge& edge, std::size_t corners) {
-  const auto is_side = [&](std::uint32_t slot) {
-    return slot == SoftEdge::kNone || slot < corners;
-  };
-  return is_side(edge.front) && is_side(edge.back) &&
-         !(edge.front == SoftEdge::kNone && edge.back == SoftEdge::kNone) &&
-         rules::is_coordinate(edge.reach[0]) && rules::is_coordinate(edge.reach[1]) &&
+bool is_whole(const SoftEdge& edge) {
+  return rules::is_coordinate(edge.reach[0]) && rules::is_coordinate(edge.reach[1]) &&
          edge.contrast >= 0 && edge.contrast <= 2;
 }
 
-bool are_soft_edges(const PatchLayer& layer, std::size_t corners) {
-  return std::ranges::all_of(layer.soft_edge,
-                             [&](const SoftEdge& edge) { return is_soft_edge(edge, corners); }) &&
-         std::ranges::is_sorted(layer.soft_edge, {}, soft_edge_triangle);
+bool is_whole(const CurveBow& bow) {
+  return std::ranges::all_of(bow.height, [](float h) { return rules::is_coordinate({h, 0}); });
+}
+
+/// Returns whether SoftEdges or CurveBows lie on half-edges of the layer, in their order.
+template <class Edge>
+bool are_edges(const std::vector<Edge>& edges, std::size_t corners) {
+  const auto is_side = [&](std::uint32_t slot) {
+    return slot == SoftEdge::kNone || slot < corners;
+  };
+  const auto is_edge = [&](const Edge& edge) {
+    return is_side(edge.front) && is_side(edge.back) &&
+           !(edge.front == SoftEdge::kNone && edge.back == SoftEdge::kNone) && is_whole(edge);
+  };
+  return std::ranges::all_of(edges, is_edge) &&
+         std::ranges::is_sorted(edges, {}, painting_triangle<Edge>);
 }
 
 bool are_coordinates(const std::vector<Vec2>& positions) {
@@ -98,8 +105,8 @@ bool is_exact(const PatchLayer& layer) {
 bool is_whole(const PatchLayer& layer, const Picture& picture) {
   const std::size_t corners = std::size_t{3} * layer.triangle_count();
   return layer.triangle_vertex.size() == corners && layer.edge_is_curve.size() == corners &&
-         are_soft_edges(layer, corners) && layer.order <= PatchOrder::cubic &&
-         is_whole(layer.color, 3, picture, layer) &&
+         are_edges(layer.soft_edge, corners) && are_edges(layer.bow, corners) &&
+         layer.order <= PatchOrder::cubic && is_whole(layer.color, 3, picture, layer) &&
          (is_absent(layer.opacity) || is_whole(layer.opacity, 1, picture, layer)) &&
          all_below(layer.triangle_vertex, layer.vertex_position.size()) &&
          are_coordinates(layer.vertex_position) && is_exact(layer);
@@ -131,7 +138,12 @@ bool can_be_drawn(const Box& viewport) {
       {x_scale, 0, 0, y_scale, -viewport.min.x * x_scale, -viewport.min.y * y_scale});
 }
 
-Status check_picture(const Context& context, const Picture& picture) {
+Status check_picture(const Context& context, const Picture& picture, PictureUse use) {
+  if (use == PictureUse::any && picture.for_pixel_grid) {
+    return bad(
+        "the picture was solved for a pixel grid and can only be rasterized; solve without "
+        "pixel_grid");
+  }
   SFUMATO_TRY(rules::check_interpolation(picture.interpolation));
   SFUMATO_TRY(rules::check_background(picture.background));
   SFUMATO_TRY(validate(context, picture.shaders));

@@ -24,8 +24,8 @@ std::size_t bytes_of(const ExactLayer& layer) {
 std::size_t bytes_of(const PatchLayer& layer) {
   return bytes_of(layer.exact) + layer.vertex_position.capacity() * sizeof(Vec2) +
          layer.triangle_vertex.capacity() * sizeof(std::uint32_t) + layer.edge_is_curve.capacity() +
-         layer.soft_edge.capacity() * sizeof(SoftEdge) + bytes_of(layer.color) +
-         bytes_of(layer.opacity);
+         layer.soft_edge.capacity() * sizeof(SoftEdge) + layer.bow.capacity() * sizeof(CurveBow) +
+         bytes_of(layer.color) + bytes_of(layer.opacity);
 }
 
 std::size_t bytes_of(const Picture& picture) {

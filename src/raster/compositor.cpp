@@ -44,8 +44,8 @@ Tile Compositor::target(const PixelRect& rect) {
 PixelRect Compositor::pixels_of(const PaintItem& item, const TriangleList& triangles) const {
   const PixelRect whole = levels_.back().tile.rect();
   const PixelRect rect = pixels_in(kernels_.box_of_triangles(item.layer, triangles), whole);
-  if (rect.empty() || item.layer.soft_edge_count == 0) return rect;
-  // Blurs extend into transparent parts, where a layer has no triangles.
+  if (rect.empty() || item.layer.soft_edge_count + item.layer.bow_count == 0) return rect;
+  // Blurs and bows extend into transparent parts, where a layer has no triangles.
   return intersection(grown(rect, list_.margin_px()), whole);
 }
 

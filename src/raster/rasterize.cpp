@@ -219,12 +219,12 @@ struct Drawing {
 /// Makes a plan. The picture and the options have not been checked against each other.
 Result<PaintPlan> make_plan(Context& context, const Picture& picture, const RasterOptions& options,
                             bool has_blocks) {
-  SFUMATO_TRY(picture::check_picture(context, picture));
+  SFUMATO_TRY(picture::check_picture(context, picture, picture::PictureUse::pixels));
   SFUMATO_TRY_ASSIGN(const Affine& image_from_artboard,
                      raster::image_from_artboard(picture, options));
   double margin_px = options.mesh_overlay ? raster::kOverlayReachPx + 1 : 0;
   if (options.antialias) {
-    margin_px = std::max(margin_px, raster::strip_margin_px(picture, image_from_artboard));
+    margin_px = std::max(margin_px, raster::edge_margin_px(picture, image_from_artboard));
   }
   const TileGrid grid = raster::grid_of(options);
   return PaintPlan::create(context, picture,

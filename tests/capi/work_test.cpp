@@ -127,15 +127,15 @@ TEST(CFiles, are_those_of_the_command) {
     std::vector<std::string> arguments;
   };
   const std::vector<Case> cases{
-      {"png", "", "", {}},
-      {"png", "width=200", "width=200 no-dither", {"--width", "200", "--no-dither"}},
+      {"png", "pixel-grid", "", {}},
+      {"png", "pixel-grid width=200", "width=200 no-dither", {"--width", "200", "--no-dither"}},
       {"png",
        "scale=0.5 max-error=0.25",
        "scale=0.5 depth=16",
        {"--scale", "0.5", "--depth", "16"}},
-      {"png", "", "background=none", {"--background", "none"}},
-      {"jpg", "", "quality=70", {"--quality", "70"}},
-      {"webp", "", "lossless background=gold", {"--lossless", "--background", "gold"}},
+      {"png", "pixel-grid", "background=none", {"--background", "none"}},
+      {"jpg", "pixel-grid", "quality=70", {"--quality", "70"}},
+      {"webp", "pixel-grid", "lossless background=gold", {"--lossless", "--background", "gold"}},
       {"pdf", "detail=2", "", {}},
       {"pdf",
        "detail=2",

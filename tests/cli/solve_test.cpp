@@ -42,9 +42,7 @@ TEST(Solve, every_output_of_a_solved_picture_is_that_of_its_drawing) {
     const char* name;
     std::vector<std::string> solving, drawing;
   };
-  const Case cases[] = {{"png", {}, {}},
-                        {"jpg", {}, {"--quality", "70"}},
-                        {"webp", {"--scale", "3"}, {"--scale", "3"}},
+  const Case cases[] = {{"png", {"--max-error", "0.25"}, {"--depth", "16"}},
                         {"html", {"--detail", "2"}, {}},
                         {"pdf", {"--detail", "2"}, {}},
                         {"eps", {"--detail", "2"}, {"--quiet"}},
@@ -70,6 +68,20 @@ TEST(Solve, every_output_of_a_solved_picture_is_that_of_its_drawing) {
     }
     EXPECT_TRUE(made[0] == made[1]) << one.name;
   }
+}
+
+TEST(Solve, an_image_of_8_bits_is_nearly_that_of_its_drawing) {
+  const TemporaryFolder folder;
+  folder.add("a.svg", drawing_of_everything());
+  const std::vector<std::string> sources{folder.path("a.svg"), folder.path("s.sfp")};
+  ASSERT_EQ(run_sfumato({"solve", sources[0], "-o", sources[1]}).exit_code, 0);
+  for (const std::string& source : sources) {
+    ASSERT_EQ(run_sfumato({"render", source, "-o", source + ".png", "--no-dither"}).exit_code, 0);
+  }
+  const CommandResult result =
+      run_sfumato({"compare", sources[0] + ".png", sources[1] + ".png", "--json"});
+  EXPECT_LE(number_after(result.out, "p99"), 2) << result.out;
+  EXPECT_GT(number_after(result.out, "maximum"), 0) << "the drawing is solved for its pixels";
 }
 
 TEST(Solve, a_solved_picture_is_told_by_its_bytes) {

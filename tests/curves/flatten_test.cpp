@@ -44,6 +44,35 @@ TEST(Flatten, a_straight_line_of_uneven_speed_keeps_its_parameter) {
   }
 }
 
+TEST(Flatten, bows_are_the_heights_of_the_curve_over_its_chords) {
+  Curve curve = arch();
+  curve.left.color.stops = {StopSpace::parameter, {{0, {}}, {0.3f, {}}, {0.55f, {}}}};
+  const FlatCurves flat = flattened({curve}, {.tolerance = 0.5, .keeps_bows = true});
+  ASSERT_GE(flat.bow.size() + 1, flat.vertex.size());
+  for (std::uint32_t v = 0; v + 1 < flat.vertex.size(); ++v) {
+    const Vec2 from = flat.vertex[v], chord = flat.vertex[v + 1] - from;
+    const Vec2 normal = Vec2{-chord.y, chord.x} / length(chord);
+    for (int i = 0; i <= 10; ++i) {
+      const double t = flat.parameter[v] + (flat.parameter[v + 1] - flat.parameter[v]) * i / 10;
+      const Vec2 p = point_at(piece(curve.control_points, 0), t) - from;
+      const double u = dot(p, chord) / dot(chord, chord);
+      EXPECT_NEAR(flat.bow[v].at(u), dot(p, normal), 0.02) << v << ' ' << i;
+    }
+  }
+}
+
+TEST(Flatten, chords_stray_less_beside_another_curve) {
+  const auto arc = [](double y) {
+    return Curve{.control_points = {{0, y}, {30, y + 40}, {70, y + 40}, {100, y}}};
+  };
+  const FlattenOptions options{.tolerance = 0.2, .reach = 1e-4, .keeps_bows = true};
+  const std::size_t alone = flattened({arc(0)}, options).segment_count();
+  EXPECT_GE(flattened({arc(0), arc(0.3)}, options).segment_count(), 3 * alone);
+  EXPECT_EQ(flattened({arc(0), arc(20)}, options).segment_count(), 2 * alone);
+  // Curves that coincide have the chords of one.
+  EXPECT_EQ(flattened({arc(0), arc(0)}, options).segment_count(), 2 * alone);
+}
+
 TEST(Flatten, every_point_of_the_curve_is_within_the_tolerance) {
   for (double tolerance : {1.0, 0.1, 0.01}) {
     const Curve curve = arch();

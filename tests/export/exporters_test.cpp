@@ -55,6 +55,17 @@ TEST(Exporters, one_triangle_is_written) {
   }
 }
 
+TEST(Exporters, refuse_a_picture_for_a_pixel_grid) {
+  Picture picture = test::picture_of_one_triangle();
+  picture.for_pixel_grid = true;
+  for (const Exporter& exporter : kExporters) {
+    Context context;
+    const Status status = exporter.write(context, picture).status();
+    EXPECT_EQ(status.code, StatusCode::bad_input) << exporter.name;
+    EXPECT_NE(status.message.find("solve without pixel_grid"), std::string::npos) << exporter.name;
+  }
+}
+
 TEST(Exporters, write_the_same_for_any_number_of_threads) {
   const auto document = test::example("apple.svg");
   ASSERT_TRUE(document);

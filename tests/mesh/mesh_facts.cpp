@@ -72,15 +72,6 @@ double total_area(const TriangleMesh& mesh) {
   return sum;
 }
 
-double longest_edge(const TriangleMesh& mesh, std::uint32_t t) {
-  double most = 0;
-  for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
-    most = std::max(
-        most, length(mesh.vertex_position[mesh.target(h)] - mesh.vertex_position[mesh.origin(h)]));
-  }
-  return most;
-}
-
 std::uint64_t mesh_hash(const TriangleMesh& mesh) {
   std::uint64_t hash = 0xcbf29ce484222325u;
   const auto add = [&](std::uint64_t value) {

@@ -31,7 +31,6 @@ double smallest_angle(const TriangleMesh& mesh, std::uint32_t t);
 
 double area(const TriangleMesh& mesh, std::uint32_t t);
 double total_area(const TriangleMesh& mesh);
-double longest_edge(const TriangleMesh& mesh, std::uint32_t t);
 
 /// Returns 64-bit FNV-1a over lattice coordinates, corners and constraints.
 std::uint64_t mesh_hash(const TriangleMesh& mesh);

@@ -24,7 +24,7 @@ float foretold(const std::array<double, kNodesPerTriangle>& value, ProbeChoice* 
   std::iota(layout.triangle_node.begin(), layout.triangle_node.end(), 0u);
   for (const double v : value) layout.value.push_back(static_cast<float>(v));
   float miss = 0;
-  const ProbeChoice likely = foretell_miss(layout, 0, &miss);
+  const ProbeChoice likely = foretell_miss(layout, 0, {}, &miss);
   if (where) *where = likely;
   return miss;
 }

@@ -31,7 +31,7 @@ class Followers {
  public:
   Followers(Context& context, PreparedLayer prepared)
       : context_(context), mesher_(std::move(prepared.mesher)) {
-    smallest_edge_ = prepared.smallest_edge;
+    smallest_edge_ = prepared.smallest_edges.missed;
     fields_.emplace_back(std::move(prepared.color));
     if (prepared.opacity) fields_.emplace_back(std::move(*prepared.opacity));
     EXPECT_TRUE(mesher_.refine(context_).ok());

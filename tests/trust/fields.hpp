@@ -120,6 +120,10 @@ inline auto fields(SoftEdge& v) {
   auto& [front, back, reach, contrast] = v;
   return std::tie(front, back, reach[0], reach[1], contrast);
 }
+inline auto fields(CurveBow& v) {
+  auto& [front, back, height] = v;
+  return std::tie(front, back, height[0], height[1], height[2]);
+}
 inline auto fields(ExactSide& v) {
   auto& [from, to, weight, blur_from, blur_to] = v;
   return std::tie(from[0], from[1], from[2], from[3], to[0], to[1], to[2], to[3], weight, blur_from,
@@ -141,18 +145,19 @@ inline auto fields(ExactLayer& v) {
   return std::tie(tolerance, vertex_position, triangle_vertex, field);
 }
 inline auto fields(PatchLayer& v) {
-  auto& [frame, order, vertex_position, triangle_vertex, edge_is_curve, soft_edge, color, opacity,
-         exact] = v;
-  return std::tie(frame, order, vertex_position, triangle_vertex, edge_is_curve, soft_edge, color,
-                  opacity, exact);
+  auto& [frame, order, vertex_position, triangle_vertex, edge_is_curve, soft_edge, bow, color,
+         opacity, exact] = v;
+  return std::tie(frame, order, vertex_position, triangle_vertex, edge_is_curve, soft_edge, bow,
+                  color, opacity, exact);
 }
 inline auto fields(PatchInstance& v) {
   auto& [layer, artboard_from_layer, opacity, blend] = v;
   return std::tie(layer, artboard_from_layer, opacity, blend);
 }
 inline auto fields(Picture& v) {
-  auto& [artboard, viewport, interpolation, background, shaders, layers, stack] = v;
-  return std::tie(artboard, viewport, interpolation, background, shaders, layers, stack);
+  auto& [artboard, viewport, interpolation, background, for_pixel_grid, shaders, layers, stack] = v;
+  return std::tie(artboard, viewport, interpolation, background, for_pixel_grid, shaders, layers,
+                  stack);
 }
 inline auto fields(PictureOrigin& v) {
   auto& [own_scale, pixels_per_unit, max_error] = v;
@@ -164,9 +169,9 @@ inline auto fields(gather::GatherOptions& v) {
 }
 inline auto fields(DiffuseOptions& v) {
   auto& [viewport, pixels_per_unit, tolerance, min_angle_deg, max_area_fraction, max_error, order,
-         gather, ends, ignore_blur, exact_fields] = v;
+         gather, ends, ignore_blur, pixel_grid, exact_fields] = v;
   return std::tie(viewport, pixels_per_unit, tolerance, min_angle_deg, max_area_fraction, max_error,
-                  order, gather, ends, ignore_blur, exact_fields);
+                  order, gather, ends, ignore_blur, pixel_grid, exact_fields);
 }
 inline auto fields(RasterWindow& v) {
   auto& [x, y, of_width, of_height] = v;

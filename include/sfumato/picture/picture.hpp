@@ -64,6 +64,24 @@ struct SoftEdge {
   float contrast = 1;
 };
 
+/// An edge of a picture for a pixel grid, and the curve that strays from it. The triangles end at
+/// the edge; pixels get the area between edge and curve in the colour of its side of the curve.
+struct CurveBow {
+  std::uint32_t front = SoftEdge::kNone;  ///< as SoftEdge
+  std::uint32_t back = SoftEdge::kNone;   ///< as SoftEdge
+  /// Distances of the curve from the edge in the layer frame: at the two ends of `front`, its
+  /// origin first, and between them in the middle of the edge. The curve is a parabola over the
+  /// edge. Positive: on the side of `front`.
+  float height[3] = {};
+};
+
+/// Returns the triangle that paints a SoftEdge or a CurveBow: the triangle of its own side, or if
+/// there is none the one across.
+template <class Edge>
+std::uint32_t painting_triangle(const Edge& edge) {
+  return (edge.front != SoftEdge::kNone ? edge.front : edge.back) / 3;
+}
+
 /// The effects of a half-edge of an ExactLayer on rays.
 enum class RayEdge : std::uint8_t {
   open,  ///< none: the ray continues into the triangle across
@@ -128,7 +146,8 @@ struct PatchLayer {
   /// 3 per triangle, for edge k from corner k to corner (k+1)%3: 1 where colours may jump across
   /// the edge or the layer ends there, otherwise 0.
   std::vector<std::uint8_t> edge_is_curve;
-  std::vector<SoftEdge> soft_edge;  ///< sorted by soft_edge_triangle()
+  std::vector<SoftEdge> soft_edge;  ///< sorted by painting_triangle()
+  std::vector<CurveBow> bow;        ///< sorted by painting_triangle(); only for a pixel grid
   PatchField color{3, {}, {}, {}};  ///< 3 channels, and one for each of its shaders
   PatchField opacity;  ///< 1 channel, and one for each of its shaders; no channels: opaque
   /// Has fields only with DiffuseOptions::exact_fields, and where no side has an image-domain
@@ -141,12 +160,6 @@ struct PatchLayer {
   }
 };
 
-/// Returns the triangle that paints a soft edge: the triangle of its own side, or if there is none
-/// the one across.
-inline std::uint32_t soft_edge_triangle(const SoftEdge& edge) {
-  return (edge.front != SoftEdge::kNone ? edge.front : edge.back) / 3;
-}
-
 /// A solved layer painted at one place of the stacking order.
 struct PatchInstance {
   std::uint32_t layer = 0;              ///< index into Picture::layers
@@ -158,13 +171,16 @@ struct PatchInstance {
 /// One item of Picture::stack.
 using PictureItem = std::variant<PatchInstance, LocalStroke, GroupBegin, GroupEnd>;
 
-/// A solved picture, independent of resolution. Every output is made from it. Plain data: several
-/// threads can read it at once.
+/// A solved picture. Every output is made from it; it is independent of resolution unless it was
+/// made for a pixel grid. Plain data: several threads can read it at once.
 struct Picture {
   Box artboard;  ///< the document's: user units, y down
   Box viewport;  ///< the part of the artboard frame that was solved
   InterpolationSpace interpolation = InterpolationSpace::srgb;  ///< space of `layers`
-  std::optional<Rgb> background;   ///< behind all items; none: transparent
+  std::optional<Rgb> background;  ///< behind all items; none: transparent
+  /// Made with DiffuseOptions::pixel_grid: only rasterize() takes it, at most at the resolution
+  /// that it was made for.
+  bool for_pixel_grid = false;
   std::vector<Shader> shaders;     ///< the document's shaders, without Texture::file
   std::vector<PatchLayer> layers;  ///< one for each of Document::layers
   std::vector<PictureItem> stack;  ///< bottom first; groups nest and are closed

@@ -38,6 +38,7 @@ class PictureMaker {
 
  private:
   void choose_background(std::optional<Rgb>& background) const;
+  bool is_for_pixel_grid() const;
   Status choose_options(const Box& shown, Vec2 own_scale, bool has_background);
   Result<Image> draw_pixels(const Document& document);
   Result<Image> draw_picture(const Picture& picture);
@@ -86,11 +87,20 @@ Status PictureMaker::choose_options(const Box& shown, Vec2 own_scale, bool has_b
                      output::output_size(context_.limits, settings_.size, viewport, own_scale,
                                          settings_.window.has_value()));
   diffuse_.pixels_per_unit = size.pixels_per_unit;
+  diffuse_.pixel_grid = is_for_pixel_grid();
   raster_ = settings_.raster;
   raster_.format = output::drawn_format(raster_.format, arguments_.kind, has_background);
   raster_.viewport = viewport;
   output::set_size(size, settings_.window, raster_);
   return ok_status();
+}
+
+/// Whether the picture is solved for the pixels of an image, by which it is drawn alone. The mesh
+/// that --mesh-overlay shows is that of other outputs, and frames of a film have one mesh.
+bool PictureMaker::is_for_pixel_grid() const {
+  return settings_.depth == 8 && settings_.raster.antialias && !settings_.raster.mesh_overlay &&
+         settings_.method == options::Method::exact && settings_.device == options::Device::cpu &&
+         !settings_.coherent;
 }
 
 void PictureMaker::warn(const std::string& what) const {

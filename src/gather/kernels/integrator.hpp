@@ -32,11 +32,11 @@ class Integrator : public EdgeViews<W, Integrator<W, kChannels, kBlends>> {
   using Result = PacketResult;
   using Views::K;
   static constexpr bool kTakesMeans = true;
-  static constexpr float kEstimatedTimes = kEstimated / kNegligible;
 
   /// Result::shader_share is written by end().
   void begin(const SceneView& scene, const PacketInput& packet, const Result& out) {
     Views::begin_views(packet);
+    negligible_share_ = scene.negligible;
     if constexpr (kBlends) {
       first_hit_ = scene.hit_edge;
       blend_ = scene.blend;
@@ -46,6 +46,9 @@ class Integrator : public EdgeViews<W, Integrator<W, kChannels, kBlends>> {
     }
     for (auto& channel : value_) channel = Lanes<W, K>(0);
   }
+
+  /// Returns by how much more than a negligible window one may weigh that a far field estimates.
+  float estimated_times() const { return kEstimated / negligible_share_; }
 
   /// Adds the estimate for a window: numbers of a far field, times `weight`.
   SFUMATO_INLINE void add_mean(const float* mean, const Lanes<W, K>& weight) {
@@ -83,7 +86,7 @@ class Integrator : public EdgeViews<W, Integrator<W, kChannels, kBlends>> {
   template <class L>
   using Part = typename Views::template Part<L>;
 
-  static constexpr float negligible_share() { return kNegligible; }
+  float negligible_share() const { return negligible_share_; }
 
   template <class View>
   SFUMATO_INLINE void sum_all(const View* view, const Seen<F>& s, const Part<F>& part) {
@@ -198,6 +201,7 @@ class Integrator : public EdgeViews<W, Integrator<W, kChannels, kBlends>> {
   }
 
   Lanes<W, K> value_[kChannels];
+  float negligible_share_ = kNegligible;
   const HitEdge* first_hit_ = nullptr;  ///< this and the rest: only where kBlends
   const HitBlend* blend_ = nullptr;
   float* share_ = nullptr;

@@ -155,7 +155,7 @@ class PacketWalk {
     F least = sums_.negligible_weight();
     if constexpr (Sums::kTakesMeans) {
       if (scene_.far.mean) {
-        least = select(d > F(scene_.far.nearest), least * F(Sums::kEstimatedTimes), least);
+        least = select(d > F(scene_.far.nearest), least * F(sums_.estimated_times()), least);
       }
     }
     return mask_bits(abs(sine) < least * (d * d) * cosine);

@@ -4,6 +4,7 @@
 
 #include "base/inline.hpp"
 #include "gather/kernels/far_field.hpp"
+#include "gather/kernels/negligible.hpp"
 
 /// The layer in the layout of the kernels: plain structures in single precision, coordinates
 /// relative to the scene's origin. Kernels are compiled for several instruction sets and use no
@@ -115,6 +116,7 @@ struct SceneView {
   std::int64_t step_limit;  ///< triangles that one packet may enter; guards against a bad mesh
   EndTree ends{};
   FarField far{};
+  float negligible = kNegligible;  ///< share of the weight that a window may add unfollowed
 };
 
 inline constexpr int kPacketLanes = 16;

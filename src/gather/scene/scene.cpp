@@ -433,6 +433,7 @@ SceneView Scene::view() const {
       edge_beyond.data(), hit_edge.data(), blend.empty() ? nullptr : blend.data(), base_channels,
       shader_count,       triangle.data(), 64 * triangle_count + (1 << 20)};
   view.far = far;
+  view.negligible = negligible;
   if (!far_mean.empty()) view.far.mean = far_mean.data();
   return view;
 }
@@ -440,6 +441,7 @@ SceneView Scene::view() const {
 Result<Scene> build_scene(Context& context, const mesh::TriangleMesh& mesh,
                           const curves::SegmentAttributes& attributes, const GatherUse& use) {
   Scene scene;
+  scene.negligible = use.negligible;
   SceneBuilder builder(context, mesh, attributes, scene);
   SFUMATO_TRY(builder.build(use.will_be_extended));
   if (!use.is_watched.empty()) SFUMATO_TRY(watch(context, mesh, use.is_watched, scene));

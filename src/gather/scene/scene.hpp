@@ -74,6 +74,8 @@ struct Scene {
   std::vector<float> far_mean;  ///< for `far`; empty: there is none (add_far_field)
   TableMemory memory{"the visibility mesh"};
 
+  float negligible = kNegligible;  ///< as SceneView
+
   SceneView view() const;
   int channel_count() const { return base_channels + shader_count; }
 };
@@ -84,7 +86,8 @@ struct GatherUse {
   /// Leaves out the tables that are only valid until a curve is inserted, unless a gather would be
   /// much slower: see extend_scene.
   bool will_be_extended = false;
-  bool may_be_changed = false;  ///< free ends keep the tables that FreeEnds::extend needs
+  bool may_be_changed = false;     ///< free ends keep the tables that FreeEnds::extend needs
+  float negligible = kNegligible;  ///< as SceneView
   /// An attribute of the same curves, or null: free ends also count where this attribute differs,
   /// as in a field of both.
   const curves::SegmentAttributes* beside = nullptr;

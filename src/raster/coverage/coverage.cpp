@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/largest_scale.hpp"
 #include "raster/coverage/split_triangle.hpp"
 
 namespace sfumato::raster {
@@ -158,18 +159,19 @@ bool is_read_in_quarters(const LayerView& layer, std::uint32_t triangle, const V
          longest > kWholeTrianglePx * kWholeTrianglePx;
 }
 
-/// Finds the soft edges of triangles, which are queried in increasing order.
-class SoftEdgeSearch {
+/// Finds the SoftEdges or CurveBows of triangles, which are queried in increasing order.
+template <class Edge>
+class EdgeSearch {
  public:
-  explicit SoftEdgeSearch(const LayerView& layer)
-      : is_curve_(layer.edge_is_curve), rest_(layer.soft_edge, layer.soft_edge_count) {}
+  EdgeSearch(const LayerView& layer, std::span<const Edge> edges)
+      : is_curve_(layer.edge_is_curve), rest_(edges) {}
 
-  std::span<const SoftEdge> of(std::uint32_t triangle) {
+  std::span<const Edge> of(std::uint32_t triangle) {
     const std::uint8_t* is_curve = is_curve_ + std::size_t{3} * triangle;
     if (rest_.empty() || !(is_curve[0] | is_curve[1] | is_curve[2])) return {};
     skip_before(triangle);
     std::size_t count = 0;
-    while (count < rest_.size() && soft_edge_triangle(rest_[count]) == triangle) ++count;
+    while (count < rest_.size() && painting_triangle(rest_[count]) == triangle) ++count;
     return rest_.first(count);
   }
 
@@ -177,21 +179,41 @@ class SoftEdgeSearch {
   /// Skips in steps that double: the next one is near, or far where a tile shows little of a layer.
   void skip_before(std::uint32_t triangle) {
     std::size_t reach = 1;
-    while (reach < rest_.size() && soft_edge_triangle(rest_[reach - 1]) < triangle) reach *= 2;
+    while (reach < rest_.size() && painting_triangle(rest_[reach - 1]) < triangle) reach *= 2;
     const auto near = rest_.first(std::min(reach, rest_.size()));
-    const auto found = std::ranges::lower_bound(near, triangle, {}, soft_edge_triangle);
+    const auto found = std::ranges::lower_bound(near, triangle, {}, painting_triangle<Edge>);
     rest_ = rest_.subspan(static_cast<std::size_t>(found - near.begin()));
   }
 
   const std::uint8_t* is_curve_;
-  std::span<const SoftEdge> rest_;
+  std::span<const Edge> rest_;
+};
+
+EdgeSearch<SoftEdge> soft_edges_of(const LayerView& layer) {
+  return {layer, {layer.soft_edge, layer.soft_edge_count}};
+}
+
+EdgeSearch<CurveBow> bows_of(const LayerView& layer) {
+  return {layer, {layer.bow, layer.bow_count}};
+}
+
+/// Finds the bows that show where the layer is placed in the image.
+class BowSight {
+ public:
+  explicit BowSight(const LayerView& layer)
+      : least_height_(kLeastBowPx / largest_scale(layer.image_from_layer)) {}
+
+  bool operator()(const CurveBow& bow) const { return largest_height(bow) > least_height_; }
+
+ private:
+  double least_height_;  ///< in the layer's frame
 };
 
 /// Returns the outline of all strips of a soft edge.
 std::array<Vec2, 4> outline(const SoftStrip& strip) {
   constexpr double kReach = kStripReach[kStrips - 1];
-  return {strip.end[0], strip.end[1], strip.end[1] + strip.reach[1] * kReach,
-          strip.end[0] + strip.reach[0] * kReach};
+  const auto& end = strip.edge.end;
+  return {end[0], end[1], end[1] + strip.reach[1] * kReach, end[0] + strip.reach[0] * kReach};
 }
 
 }  // namespace
@@ -209,11 +231,15 @@ void MixedPixels::for_each_placed(const LayerView& layer, const TriangleList& tr
 
 void MixedPixels::mark(const LayerView& layer, const TriangleList& triangles, const Tile& tile) {
   marks_.clear();
-  SoftEdgeSearch soft_edges(layer);
+  EdgeSearch<SoftEdge> soft_edges = soft_edges_of(layer);
+  EdgeSearch<CurveBow> bows = bows_of(layer);
+  const BowSight is_visible(layer);
   for_each_placed(layer, triangles, tile, [&](std::uint32_t t, std::size_t place) {
     mark_triangle(layer, t, place, tile);
     for (const SoftEdge& edge : soft_edges.of(t))
       marks_.mark_convex(outline(soft_strip(layer, edge)), tile);
+    for (const CurveBow& bow : bows.of(t))
+      if (is_visible(bow)) marks_.mark_convex(bow_shape(layer, bow).corners(), tile);
   });
   sum_.assign(marks_.number(), Sum{});
 }
@@ -233,12 +259,19 @@ void MixedPixels::mark_triangle(const LayerView& layer, std::uint32_t triangle, 
 
 void MixedPixels::Sum::add(const Coverage& part, const Color4& color) {
   const float part_area = static_cast<float>(part.area);
+  const float part_moment[2] = {part_area * static_cast<float>(part.centroid.x),
+                                part_area * static_cast<float>(part.centroid.y)};
+  add(part_area, part_moment, color);
+}
+
+/// The area is negative where a part is taken away.
+void MixedPixels::Sum::add(float part_area, const float (&part_moment)[2], const Color4& color) {
   if (area == 0) color.store(first);
   const Color4 difference = color - Color4::load(first);
   (Color4::load(rest) + Color4(part_area) * difference).store(rest);
   area += part_area;
-  moment[0] += part_area * static_cast<float>(part.centroid.x);
-  moment[1] += part_area * static_cast<float>(part.centroid.y);
+  moment[0] += part_moment[0];
+  moment[1] += part_moment[1];
 }
 
 /// Adds a triangle that lies in the pixel at the range's beginning.
@@ -331,71 +364,115 @@ void MixedPixels::add_triangle(Shader* shader, std::uint32_t triangle, std::size
   }
 }
 
-/// Reads the colours that a triangle at the edge shows in the pixels of its blur. Without a
-/// triangle the other side's colour is absent.
+/// Reads the colours that a triangle at the edge shows in the collected pixels. Without a triangle
+/// the other side's colour is absent.
 template <class Shader>
-void MixedPixels::read_side(Shader* shader, const SoftStrip& strip, std::uint32_t slot, int side) {
+void MixedPixels::read_side(Shader* shader, const PaintedEdge& painted, std::uint32_t slot,
+                            int side) {
   if (slot == SoftEdge::kNone) {
-    for (BlurredPixel& pixel : blurred_)
+    for (EdgePixel& pixel : edge_pixel_)
       pixel.side[side] = pixel.side[1 - side] * color4(1, 1, 1, 0);
     return;
   }
   const PixelCorners corners = pixel_corners_of(shader->layer(), slot / 3);
   const TriangleFrame frame = triangle_frame(corners.at, shader->layer().mirrored);
   shader->begin_triangle(slot / 3, frame);
-  for (BlurredPixel& pixel : blurred_) {
-    const Vec2 p = lerp(strip.end[0], strip.end[1], double{pixel.part.along});
+  for (EdgePixel& pixel : edge_pixel_) {
+    const Vec2 p = lerp(painted.end[0], painted.end[1], double{pixel.part.along});
     pixel.side[side] = shader->value(patch_point(frame, p.x, p.y), {pixel.x + 0.5, pixel.y + 0.5});
   }
+}
+
+/// Reads both sides, first the one that has a triangle.
+template <class Shader, class Edge>
+void MixedPixels::read_sides(Shader* shader, const Edge& edge, const PaintedEdge& painted) {
+  const bool front_first = edge.front != SoftEdge::kNone;
+  read_side(shader, painted, front_first ? edge.front : edge.back, front_first ? 1 : 0);
+  read_side(shader, painted, front_first ? edge.back : edge.front, front_first ? 0 : 1);
+}
+
+/// Adds the change by an edge.
+///
+/// box       contains the pixels that change
+/// part_in   part_in(x, y) returns the part of a pixel that changes
+/// change    change(pixel, sum) changes the sum of a pixel by the colours of both sides
+template <class Shader, class Edge, class PartIn, class Change>
+void MixedPixels::add_edge(Shader* shader, const Edge& edge, const PaintedEdge& painted,
+                           const Box& box, const Tile& tile, const PartIn& part_in,
+                           const Change& change) {
+  const auto add_collected = [&] {
+    if (edge_pixel_.empty()) return;
+    read_sides(shader, edge, painted);
+    for (const EdgePixel& pixel : edge_pixel_) change(pixel, sum_[pixel.sum]);
+    edge_pixel_.clear();
+  };
+  const PixelRange range = pixels_in(box, tile);
+  for (int row = range.first_row; row < range.end_row; ++row) {
+    marks_.for_each(row, range.begin, range.end, [&](int column, std::uint32_t index) {
+      const int x = tile.x0 + column, y = tile.y0 + row;
+      const StripPart part = part_in(x, y);
+      if (part.empty()) return;
+      edge_pixel_.push_back({index, x, y, part, {}});
+      if (edge_pixel_.size() == kMostEdgePixels) add_collected();
+    });
+  }
+  add_collected();
 }
 
 template <class Shader>
 void MixedPixels::add_blur(Shader* shader, const SoftEdge& edge, const Tile& tile) {
   const SoftStrip strip = soft_strip(shader->layer(), edge);
-  const PixelRange range = pixels_in(box_of(outline(strip)), tile);
-  for (int row = range.first_row; row < range.end_row; ++row) {
-    marks_.for_each(row, range.begin, range.end, [&](int column, std::uint32_t index) {
-      const int x = tile.x0 + column, y = tile.y0 + row;
-      const StripPart part = strip_part(strip, x, y);
-      if (part.empty()) return;
-      blurred_.push_back({index, x, y, part, {}});
-      if (blurred_.size() == kMostBlurred) blur_pixels(shader, strip, edge);
-    });
-  }
-  blur_pixels(shader, strip, edge);
-}
-
-/// Adds the change by an edge's blur in the collected pixels.
-template <class Shader>
-void MixedPixels::blur_pixels(Shader* shader, const SoftStrip& strip, const SoftEdge& edge) {
-  if (blurred_.empty()) return;
-  const bool front_first = edge.front != SoftEdge::kNone;
-  read_side(shader, strip, front_first ? edge.front : edge.back, front_first ? 1 : 0);
-  read_side(shader, strip, front_first ? edge.back : edge.front, front_first ? 0 : 1);
-  for (const BlurredPixel& pixel : blurred_) {
+  const auto part_in = [&](int x, int y) { return strip_part(strip, x, y); };
+  const auto change = [&](const EdgePixel& pixel, Sum& changed) {
     const Color4 across = Color4(edge.contrast) * (pixel.side[0] - pixel.side[1]);
     // The share of the colour across falls by an eighth from strip to strip.
     const auto shown = [&](int strips_left) {
       return shader->shown(pixel.side[1] + Color4(0.125f * strips_left) * across);
     };
-    Color4 sum = Color4::load(sum_[pixel.sum].blur);
+    Color4 sum = Color4::load(changed.edges);
     Color4 inner = shown(kStrips);
     for (int i = 0; i < kStrips; ++i) {
       const Color4 outer = shown(kStrips - 1 - i);
       sum = sum + Color4(pixel.part.area[i]) * (inner - outer);
       inner = outer;
     }
-    sum.store(sum_[pixel.sum].blur);
-  }
-  blurred_.clear();
+    sum.store(changed.edges);
+  };
+  add_edge(shader, edge, strip.edge, box_of(outline(strip)), tile, part_in, change);
+}
+
+/// Gives the area between an edge and its curve to the side of the curve on which it lies.
+template <class Shader>
+void MixedPixels::add_bow(Shader* shader, const CurveBow& bow, const Tile& tile) {
+  const BowShape shape = bow_shape(shader->layer(), bow);
+  const bool has_front = bow.front != SoftEdge::kNone, has_back = bow.back != SoftEdge::kNone;
+  const auto part_in = [&](int x, int y) { return bow_part(shape, x, y); };
+  const auto change = [&](const EdgePixel& pixel, Sum& sum) {
+    const float area = pixel.part.area[0];
+    const Color4 back = shader->shown(pixel.side[0]), front = shader->shown(pixel.side[1]);
+    if (has_front && has_back) {
+      (Color4::load(sum.edges) + Color4(area) * (back - front)).store(sum.edges);
+    } else {
+      const float sign = has_back ? 1.0f : -1.0f;
+      const float moment[2] = {sign * pixel.part.moment[0], sign * pixel.part.moment[1]};
+      sum.add(sign * area, moment, has_back ? back : front);
+    }
+  };
+  add_edge(shader, bow, shape.edge, box_of(shape.corners()), tile, part_in, change);
 }
 
 template <class Shader>
-void MixedPixels::add_blurs(Shader* shader, const TriangleList& triangles, const Tile& tile) {
-  if (shader->layer().soft_edge_count == 0) return;
-  SoftEdgeSearch soft_edges(shader->layer());
-  for (std::size_t i = 0; i < triangles.count; ++i)
+void MixedPixels::add_edges(Shader* shader, const TriangleList& triangles, const Tile& tile) {
+  const LayerView& layer = shader->layer();
+  if (layer.soft_edge_count + layer.bow_count == 0) return;
+  EdgeSearch<SoftEdge> soft_edges = soft_edges_of(layer);
+  EdgeSearch<CurveBow> bows = bows_of(layer);
+  const BowSight is_visible(layer);
+  for (std::size_t i = 0; i < triangles.count; ++i) {
+    for (const CurveBow& bow : bows.of(triangles.triangle[i]))
+      if (is_visible(bow)) add_bow(shader, bow, tile);
     for (const SoftEdge& edge : soft_edges.of(triangles.triangle[i])) add_blur(shader, edge, tile);
+  }
 }
 
 /// Calls visit(x, row, index of its sum) for every marked pixel.
@@ -410,13 +487,15 @@ void MixedPixels::for_each_marked(const Tile& tile, const Visit& visit) const {
 void MixedPixels::write(const LayerView& layer, const Tile& tile, bool is_straight) {
   // Where half of a pixel's square is covered, the centre rule decides.
   constexpr float kLeastArea = 0.5f + 1e-6f;
+  // Where bows leave less than this of a part, its colour is lost in rounding.
+  const float least_colored = layer.bow_count > 0 ? 1e-5f : 0.0f;
   // A larger area is all of a pixel, apart from the rounding of the sum.
   constexpr float kWholeArea = 1 - 1e-5f;
   const FrameInImage frame(layer);
   const bool is_opaque = layer.opacity.channel_count == 0;
   for_each_marked(tile, [&](int x, int row, std::uint32_t index) {
     const Sum& sum = sum_[index];
-    float share = sum.area > kWholeArea ? 1 : sum.area;
+    float share = sum.area > kWholeArea ? 1 : std::max(sum.area, 0.0f);
     if (share < 1 && is_opaque && !frame.holds(tile.x0 + x, tile.y0 + row)) {
       if (share < kLeastArea) return;
       share = 1;
@@ -426,7 +505,7 @@ void MixedPixels::write(const LayerView& layer, const Tile& tile, bool is_straig
                               tile.alpha ? tile.alpha + at : nullptr};
     PixelPart part{share, {sum.moment[0], sum.moment[1]}, {}};
     for (int c = 0; c < 4; ++c)
-      part.color[c] = sum.area > 0 ? sum.first[c] + sum.rest[c] / sum.area : 0;
+      part.color[c] = sum.area > least_colored ? sum.first[c] + sum.rest[c] / sum.area : 0;
     float out[4];
     std::copy_n(part.color, 4, out);
     if (share < 1) {
@@ -436,9 +515,9 @@ void MixedPixels::write(const LayerView& layer, const Tile& tile, bool is_straig
       if (is_straight) abutting_.paint(tile.x0 + x, tile.y0 + row, part, sum.below, out);
     }
     if (is_straight) {
-      for (int c = 0; c < 4 && target[c]; ++c) *target[c] = out[c] + sum.blur[c];
+      for (int c = 0; c < 4 && target[c]; ++c) *target[c] = out[c] + sum.edges[c];
     } else {
-      for (int c = 0; c < 4; ++c) *target[c] = std::clamp(out[c] + sum.blur[c], 0.0f, 1.0f);
+      for (int c = 0; c < 4; ++c) *target[c] = std::clamp(out[c] + sum.edges[c], 0.0f, 1.0f);
     }
   });
 }
@@ -449,7 +528,7 @@ void MixedPixels::add_triangles(Shader* shader, const TriangleList& triangles, c
   for_each_placed(shader->layer(), triangles, tile, [&](std::uint32_t t, std::size_t place) {
     add_triangle(shader, t, place, tile);
   });
-  add_blurs(shader, triangles, tile);
+  add_edges(shader, triangles, tile);
 }
 
 void MixedPixels::keep_below(const Tile& tile) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "raster/coverage/abutting.hpp"
+#include "raster/coverage/bow_shape.hpp"
 #include "raster/coverage/cell_coverage.hpp"
 #include "raster/coverage/clip.hpp"
 #include "raster/coverage/pixel_marks.hpp"
@@ -14,13 +15,14 @@
 
 namespace sfumato::raster {
 
-/// The antialiasing of one tile. A pixel that a curve or its fine blur passes through gets, instead
-/// of the value at its centre, the mean of the patches in it, each weighted by its exact area and
-/// read at the centroid of its part (exact for colours that are linear in the pixel). The same
-/// holds for pixels with triangles so small that colours may bend within a pixel; these are read in
-/// each quarter of the pixel. Sums are taken relative to the first colour, in the order of the
-/// triangles, so that a constant colour stays exactly the same. The change by fine blurs
-/// (raster/coverage/soft_strip.hpp) is added at the end.
+/// The antialiasing of one tile. A pixel that a curve, its bow or fine blur passes through gets,
+/// instead of the value at its centre, the mean of the patches in it, each weighted by its exact
+/// area and read at the centroid of its part (exact for colours that are linear in the pixel). The
+/// same holds for pixels with triangles so small that colours may bend within a pixel; these are
+/// read in each quarter of the pixel. Sums are taken relative to the first colour, in the order of
+/// the triangles, so that a constant colour stays exactly the same. The changes by bows
+/// (raster/coverage/bow_shape.hpp) and by fine blurs (raster/coverage/soft_strip.hpp) are added at
+/// the end.
 ///
 /// The background shows through the area that no triangle covers. The frame of a layer without
 /// opacity is an exception, because it is not an outline: a pixel that it cuts is covered entirely
@@ -59,19 +61,20 @@ class MixedPixels {
     float area = 0;
     float moment[2] = {};
     float below[4] = {};  ///< colour and alpha before the layer was painted
-    float blur[4] = {};   ///< the change by fine blurs
+    float edges[4] = {};  ///< the change by bows and fine blurs
 
     void add(const Coverage& part, const Color4& color);
+    void add(float part_area, const float (&part_moment)[2], const Color4& color);
   };
 
-  /// Number of pixels whose blur is computed at a time.
-  static constexpr std::size_t kMostBlurred = 256;
+  /// Number of pixels of an edge that are computed at a time.
+  static constexpr std::size_t kMostEdgePixels = 256;
 
-  /// Data of the current soft edge in one pixel.
-  struct BlurredPixel {
+  /// Data of the current soft edge or bow in one pixel.
+  struct EdgePixel {
     std::uint32_t sum;
     int x, y;
-    StripPart part;
+    StripPart part;  ///< a bow has one area
     Color4 side[2];  ///< the shader's values across the edge, and on its own side
   };
 
@@ -79,7 +82,7 @@ class MixedPixels {
   /// Memory of one object if every pixel is mixed.
   static constexpr std::size_t kMostBytes =
       sizeof(PlacedTriangles) + sizeof(PixelMarks) + sizeof(CellCoverage) +
-      std::size_t{kTileWidth} * kTileHeight * sizeof(Sum) + kMostBlurred * sizeof(BlurredPixel) +
+      std::size_t{kTileWidth} * kTileHeight * sizeof(Sum) + kMostEdgePixels * sizeof(EdgePixel) +
       AbuttingParts::kMostBytes;
 
  private:
@@ -99,13 +102,18 @@ class MixedPixels {
   template <class Shader>
   void add_triangle(Shader* shader, std::uint32_t triangle, std::size_t place, const Tile& tile);
   template <class Shader>
-  void add_blurs(Shader* shader, const TriangleList& triangles, const Tile& tile);
+  void add_edges(Shader* shader, const TriangleList& triangles, const Tile& tile);
   template <class Shader>
   void add_blur(Shader* shader, const SoftEdge& edge, const Tile& tile);
   template <class Shader>
-  void blur_pixels(Shader* shader, const SoftStrip& strip, const SoftEdge& edge);
+  void add_bow(Shader* shader, const CurveBow& bow, const Tile& tile);
+  template <class Shader, class Edge, class PartIn, class Change>
+  void add_edge(Shader* shader, const Edge& edge, const PaintedEdge& painted, const Box& box,
+                const Tile& tile, const PartIn& part_in, const Change& change);
+  template <class Shader, class Edge>
+  void read_sides(Shader* shader, const Edge& edge, const PaintedEdge& painted);
   template <class Shader>
-  void read_side(Shader* shader, const SoftStrip& strip, std::uint32_t slot, int side);
+  void read_side(Shader* shader, const PaintedEdge& painted, std::uint32_t slot, int side);
   void write(const LayerView& layer, const Tile& tile, bool is_straight);
 
   template <class Visit>
@@ -116,7 +124,7 @@ class MixedPixels {
   PixelMarks marks_;
   CellCoverage cells_;
   std::vector<Sum> sum_;  ///< of the marked pixels, row by row
-  std::vector<BlurredPixel> blurred_;
+  std::vector<EdgePixel> edge_pixel_;
   AbuttingParts abutting_;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "raster/kernels/tile.hpp"
+#include "raster/coverage/painted_edge.hpp"
 
 namespace sfumato::raster {
 
@@ -14,9 +14,8 @@ inline constexpr double kStripReach[kStrips] = {0.08373, 0.25630, 0.44840, 0.711
 
 /// The strips of a soft edge in the image.
 struct SoftStrip {
-  Vec2 end[2];    ///< of the edge
+  PaintedEdge edge;
   Vec2 reach[2];  ///< one blur radius, from that end
-  double turn;    ///< 1, or -1 if the layer is mirrored, so that areas are positive
 };
 
 SoftStrip soft_strip(const LayerView& layer, const SoftEdge& edge);
@@ -24,15 +23,12 @@ SoftStrip soft_strip(const LayerView& layer, const SoftEdge& edge);
 /// The part of the strips in a pixel: their areas, and the position along the edge.
 struct StripPart {
   float area[kStrips] = {};
-  float along = 0;  ///< of the last strip's centroid, 0 to 1
+  float moment[2] = {};  ///< of a bow: area times centroid, from the pixel's upper left corner
+  float along = 0;       ///< of the last strip's centroid, 0 to 1
 
   bool empty() const { return area[kStrips - 1] == 0; }
 };
 
 StripPart strip_part(const SoftStrip& strip, int x, int y);
-
-/// Returns the distance in pixels by which strips of a picture's soft edges may extend outside
-/// their triangles.
-double strip_margin_px(const Picture& picture, const Affine& image_from_artboard);
 
 }  // namespace sfumato::raster

@@ -46,6 +46,8 @@ struct LayerView {
       nullptr;  ///< per triangle, raster/coverage/bends.hpp; null: unknown
   const SoftEdge* soft_edge = nullptr;
   std::size_t soft_edge_count = 0;
+  const CurveBow* bow = nullptr;
+  std::size_t bow_count = 0;
   FieldView color;
   FieldView opacity;
   PatchOrder order = PatchOrder::cubic;

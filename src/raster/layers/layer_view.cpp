@@ -42,6 +42,8 @@ LayerView view_instance(const Picture& picture, const PatchInstance& instance,
   view.edge_is_curve = layer.edge_is_curve.data();
   view.soft_edge = layer.soft_edge.data();
   view.soft_edge_count = layer.soft_edge.size();
+  view.bow = layer.bow.data();
+  view.bow_count = layer.bow.size();
   view.color = view_field(layer.color);
   view.opacity = view_field(layer.opacity);
   view.frame = layer.frame;

@@ -15,15 +15,6 @@ namespace {
 
 constexpr std::size_t kNodes = kNodesPerTriangle;
 
-double longest_edge(const mesh::TriangleMesh& mesh, std::uint32_t t) {
-  double longest = 0;
-  for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
-    const Vec2 from = mesh.vertex_position[mesh.origin(h)];
-    longest = std::max(longest, length(mesh.vertex_position[mesh.target(h)] - from));
-  }
-  return longest;
-}
-
 }  // namespace
 
 Status FieldSolver::start(Context& context, const mesh::TriangleMesh& mesh) {

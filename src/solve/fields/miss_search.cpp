@@ -70,7 +70,7 @@ Status MissSearch::choose(std::span<const std::uint32_t> triangles) {
 
 /// miss   room for channel_count() floats
 ProbeChoice MissSearch::first_choice(std::uint32_t triangle, std::span<float> miss) const {
-  const ProbeChoice worst = foretell_miss(field_.layout, triangle, miss.data());
+  const ProbeChoice worst = foretell_miss(field_.layout, triangle, limit_.factors, miss.data());
   if (!is_more(miss, limit_.max_error, triangle)) return 0;
   return is_more(miss, kSurelyDoubtful * limit_.max_error, triangle) ? kInnerProbes : worst;
 }

@@ -26,6 +26,7 @@ struct MissLimit {
   PatchOrder order;  ///< of the patches
   /// Weight of colour errors in a triangle, at most 1.
   FunctionRef<float(std::uint32_t triangle)> color_weight;
+  MissFactors factors{};
 };
 
 /// Finds the patches of a field that differ from the exact gather by more than a limit.

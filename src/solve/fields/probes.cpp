@@ -36,14 +36,6 @@ constexpr BasisTable make_basis(PatchOrder order) {
   return table;
 }
 
-/// Measured on four drawings: the error of 99% of patches is less than three times the difference
-/// between the cubic and the quadratic through the same nodes, at the inner probes.
-constexpr float kMissPerCubicPart = 5;
-
-/// A blur's profile has a break at its radius R: a patch 1.44 R deep has nodes that fit a
-/// quadratic, and is off by up to a 24th of their range between them.
-constexpr float kMissPerRange = 1.0f / 24;
-
 const std::uint32_t* nodes_of(const NodeLayout& layout, std::uint32_t t) {
   return layout.triangle_node.data() + std::size_t{kNodesPerTriangle} * t;
 }
@@ -173,7 +165,8 @@ void patch_value_at_probe(const ProbeSet& probes, std::size_t i, const NodeLayou
 // edge's cubic term t, with opposite signs seen from its ends, and the part of the center that
 // edges and corners do not predict. At the inner probe near corner k the difference is center / 2 +
 // (t of the edge that leaves k - t of the edge that enters k) / 8.
-ProbeChoice foretell_miss(const NodeLayout& layout, std::uint32_t t, float* miss) {
+ProbeChoice foretell_miss(const NodeLayout& layout, std::uint32_t t, const MissFactors& factors,
+                          float* miss) {
   const auto channel_count = static_cast<std::size_t>(layout.channel_count);
   const std::uint32_t* node = nodes_of(layout, t);
   float most = 0;
@@ -200,7 +193,8 @@ ProbeChoice foretell_miss(const NodeLayout& layout, std::uint32_t t, float* miss
     }
     float low = value[0], high = value[0];
     for (const float v : value) low = std::min(low, v), high = std::max(high, v);
-    const float by_cubic = kMissPerCubicPart * cubic_part, by_range = kMissPerRange * (high - low);
+    const float by_cubic = factors.per_cubic_part * cubic_part;
+    const float by_range = factors.per_range * (high - low);
     miss[channel] = std::max(by_cubic, by_range);
     if (miss[channel] > most) {
       most = miss[channel];

@@ -6,6 +6,7 @@
 #include "base/poll.hpp"
 #include "base/table_memory.hpp"
 #include "base/try.hpp"
+#include "solve/layers/curve_bows.hpp"
 #include "solve/layers/layer_solver.hpp"
 #include "solve/layers/soft_edges.hpp"
 
@@ -136,6 +137,14 @@ Result<std::vector<SoftEdge>> LayerSolver::soft_edges(std::span<std::uint8_t> ke
                          memory);
 }
 
+/// Returns the edges of kept triangles whose curves stray from them.
+Result<std::vector<CurveBow>> LayerSolver::bows(std::span<const std::uint8_t> keep,
+                                                TableMemory& memory) const {
+  if (!bowed_) return std::vector<CurveBow>();
+  const auto is_jump = [&](std::uint32_t h) { return is_curve(h); };
+  return find_curve_bows(context_, {*mesh_, cuts_, bowed_->flat, is_jump}, keep, memory);
+}
+
 /// Returns whether no triangle is cut.
 bool LayerSolver::sees_curves_everywhere() const {
   return cuts_.part_count() == 0 && color_.sees_curves_everywhere() &&
@@ -173,6 +182,7 @@ Result<PatchLayer> LayerSolver::take_patches(bool keeps_tables) {
   layer.frame = frame_;
   layer.order = options_.order;
   SFUMATO_TRY_ASSIGN(layer.soft_edge, soft_edges(keep, memory));
+  SFUMATO_TRY_ASSIGN(layer.bow, bows(keep, memory));
   SFUMATO_TRY_ASSIGN(auto&& marks, edges_of_curves(keep, memory));
   SFUMATO_TRY(take_triangles(keep, std::move(marks), memory, layer));
   SFUMATO_TRY(take_fields(keep, keeps_tables, memory, layer));

@@ -8,6 +8,7 @@
 #include "base/limit_error.hpp"
 #include "base/no_throw.hpp"
 #include "base/parallel.hpp"
+#include "base/poll.hpp"
 #include "base/stopwatch.hpp"
 #include "base/table_memory.hpp"
 #include "base/try.hpp"
@@ -72,8 +73,9 @@ LayerSolver::LayerSolver(Context& context, PreparedLayer prepared, const Diffuse
       is_finely_blurred_(any_blur(prepared, &curves::SegmentSide::fine_radius)),
       color_(std::move(prepared.color), prepared.flat_mesh.has_value()),
       frame_(prepared.frame),
-      smallest_edge_(prepared.smallest_edge),
+      smallest_edges_(prepared.smallest_edges),
       flat_mesh_(std::move(prepared.flat_mesh)),
+      bowed_(std::move(prepared.bowed)),
       options_(options),
       stats_(stats),
       watch_(watch),
@@ -179,7 +181,7 @@ Status LayerSolver::refine(const FilmFrame* before, const StillMesh* still) {
     status = find_misses(missed);
     if (status && still && round == 0) status = list_still(*still, missed);
     if (!status || missed.empty()) break;
-    status = make_smaller(missed);
+    status = make_smaller(missed, smallest_edges_.missed);
     if (status) status = update_mesh();
   }
   return status;
@@ -262,7 +264,7 @@ Status LayerSolver::follow_blur(std::vector<std::uint32_t>* all_changed) {
     SFUMATO_TRY(list_chosen(context_, coarse, scratch, triangles));
     if (triangles.empty()) break;
     const std::uint32_t before = mesh_->triangle_count();
-    status = make_smaller(triangles);
+    status = make_smaller(triangles, smallest_edges_.blurred);
     if (status) status = update_mesh();
     if (status && all_changed) status = memory_.append(context_, changed_, *all_changed);
     if (mesh_->triangle_count() == before) break;
@@ -284,6 +286,18 @@ Status LayerSolver::gather(const gather::GatherOptions& options, bool all) {
   return status;
 }
 
+/// Returns the new triangles that are not too small to be made smaller.
+Result<std::vector<std::uint32_t>> LayerSolver::large_triangles(TableMemory& memory) const {
+  std::vector<std::uint32_t> large;
+  SFUMATO_TRY(memory.reserve(context_, large, changed_.size()));
+  RarePoll<16384> poll(context_);
+  for (const std::uint32_t t : changed_) {
+    if (poll.cancelled()) return context_.cancel_status();
+    if (longest_edge(*mesh_, t) > smallest_edges_.missed) large.push_back(t);
+  }
+  return large;
+}
+
 /// Triangles new in this round whose patches miss by more than max_error.
 Status LayerSolver::find_misses(std::vector<std::uint32_t>& missed) {
   const Stopwatch watch;
@@ -292,17 +306,26 @@ Status LayerSolver::find_misses(std::vector<std::uint32_t>& missed) {
   SFUMATO_TRY(scratch.resize(context_, misses, mesh_->triangle_count()));
   const auto limit = static_cast<float>(options_.max_error / 255);
   const auto opacity = [&](std::uint32_t t) { return largest_opacity(t, 1); };
+  const bool for_grid = is_for_pixel_grid(options_);
+  const MissLimit most{limit, options_.order, opacity,
+                       for_grid && !is_blurred_ ? kGridMissFactors : MissFactors()};
+  std::vector<std::uint32_t> large;
+  if (for_grid) {
+    SFUMATO_TRY_ASSIGN(large, large_triangles(scratch));
+  }
+  const std::vector<std::uint32_t>& searched = for_grid ? large : changed_;
   Status status = for_each_field([&](const FieldSolver& field) {
-    return field.find_misses(context_, *mesh_, changed_, {limit, options_.order, opacity}, misses);
+    return field.find_misses(context_, *mesh_, searched, most, misses);
   });
   if (status) status = list_chosen(context_, misses, memory_, missed);
   if (stats_) stats_->gather_seconds += watch.seconds();
   return status;
 }
 
-Status LayerSolver::make_smaller(const std::vector<std::uint32_t>& triangles) {
+Status LayerSolver::make_smaller(const std::vector<std::uint32_t>& triangles,
+                                 double smallest_edge) {
   const Stopwatch watch;
-  Status status = mesher_.refine_triangles(context_, triangles, smallest_edge_);
+  Status status = mesher_.refine_triangles(context_, triangles, smallest_edge);
   if (stats_) stats_->triangulation_seconds += watch.seconds();
   return status;
 }
@@ -326,7 +349,7 @@ Status LayerSolver::cut_at_border() {
         [&](const FieldSolver& field) { return field.look(context_, points, seen); });
   };
   SFUMATO_TRY_ASSIGN(cuts_, solve::cut_at_border(context_, *mesh_, {node_sees, is_seam, look},
-                                                 kBorderPerEdge * smallest_edge_));
+                                                 kBorderPerEdge * smallest_edges_.missed));
   if (stats_) stats_->gather_seconds += watch.seconds();
   if (cuts_.part_count() == 0) return ok_status();
   status = for_each_field([&](FieldSolver& field) { return field.add_parts(context_, cuts_); });

@@ -194,8 +194,9 @@ class LayerSolver {
   Status follow_blur_too();
   Status add_fans(std::span<const std::uint8_t> is_inserted);
   Status gather(const gather::GatherOptions& options, bool all);
+  Result<std::vector<std::uint32_t>> large_triangles(TableMemory& memory) const;
   Status find_misses(std::vector<std::uint32_t>& missed);
-  Status make_smaller(const std::vector<std::uint32_t>& triangles);
+  Status make_smaller(const std::vector<std::uint32_t>& triangles, double smallest_edge);
   Status cut_at_border();
   bool is_curve(std::uint32_t half_edge) const;
   bool is_end(std::int32_t half_edge, std::span<const std::uint8_t> keep) const;
@@ -210,6 +211,7 @@ class LayerSolver {
                                                        std::vector<std::uint8_t>& is_near,
                                                        TableMemory& memory) const;
   Result<std::vector<SoftEdge>> soft_edges(std::span<std::uint8_t> keep, TableMemory& memory) const;
+  Result<std::vector<CurveBow>> bows(std::span<const std::uint8_t> keep, TableMemory& memory) const;
   float largest_opacity(std::uint32_t triangle, float enough) const;
   Result<std::vector<std::uint8_t>> visible_triangles(TableMemory& memory) const;
   Result<std::vector<std::uint8_t>> edges_of_curves(std::span<const std::uint8_t> keep,
@@ -245,8 +247,9 @@ class LayerSolver {
   FieldSolver color_;
   std::optional<FieldSolver> opacity_;
   Box frame_;
-  double smallest_edge_;
+  SmallestEdges smallest_edges_;
   std::optional<FlatMesh> flat_mesh_;
+  std::optional<ChargedCurves> bowed_;
   const DiffuseOptions& options_;
   DiffuseStats* stats_;
   std::optional<RoundWatch> watch_;

@@ -23,12 +23,17 @@ constexpr Tolerance kTolerance{0.05 / 512, 0.04};
 /// The tolerance of the paper's mesh, which has no bound on the error.
 constexpr Tolerance kPaperTolerance{0.1 / 512, 0.2};
 
+/// The tolerance for a pixel grid, where pixels correct what chords miss.
+constexpr double kGridTolerancePx = 0.2;
+
 /// The tolerance of a layer that is solved roughly.
 constexpr Tolerance kRoughTolerance{kRoughness * kTolerance.per_side, kRoughness* kTolerance.px};
 
 /// A mesh as fine as a smaller radius would consist of triangles only: antialiasing shows those
 /// blurs.
 constexpr double kSmallestRadiusPx = 0.75;
+/// The same for a pixel grid, whose blurs show at no other size.
+constexpr double kGridRadiusPx = 1.5;
 
 /// A curve with a smaller blur radius than this gets the chords of an edge.
 constexpr double kEdgeRadiusPx = 0.25;
@@ -48,6 +53,8 @@ constexpr double kSmallAnglesEdgePx = 0.5;
 /// Both bounds for a rough layer: on edges of this many pixels nodes are a third of it apart, which
 /// is near enough for any blur that a mesh has to show.
 constexpr double kRoughEdgePx = 4;
+/// Both bounds for a pixel grid: smaller triangles cost more than their pixels.
+constexpr double kGridEdgePx = 3.5;
 
 /// Curves that move may reach this far beyond the visible part, in its widths and heights.
 constexpr double kRoom = 1;
@@ -55,6 +62,11 @@ constexpr double kRoom = 1;
 const Tolerance& tolerance_of(const DiffuseOptions& options) {
   if (is_rough(options)) return kRoughTolerance;
   return options.max_error > 0 ? kTolerance : kPaperTolerance;
+}
+
+double small_angles_edge_px(const DiffuseOptions& options) {
+  if (is_rough(options)) return kRoughEdgePx;
+  return is_for_pixel_grid(options) ? kGridEdgePx : kSmallAnglesEdgePx;
 }
 
 }  // namespace
@@ -78,11 +90,12 @@ LayerUnits::LayerUnits(const Box& artboard, const LayerSight& sight, const Diffu
 }
 
 double LayerUnits::smallest_radius() const {
-  return kSmallestRadiusPx * pixel();
+  return (is_for_pixel_grid(options_) ? kGridRadiusPx : kSmallestRadiusPx) * pixel();
 }
 
-double LayerUnits::smallest_edge() const {
-  return (is_rough(options_) ? kRoughEdgePx : kSmallestEdgePx) * pixel();
+SmallestEdges LayerUnits::smallest_edges() const {
+  const double blurred = (is_rough(options_) ? kRoughEdgePx : kSmallestEdgePx) * pixel();
+  return {is_for_pixel_grid(options_) ? kGridEdgePx * pixel() : blurred, blurred};
 }
 
 curves::FlattenOptions LayerUnits::flatten_options() const {
@@ -97,11 +110,15 @@ curves::FlattenOptions LayerUnits::flatten_options() const {
     return flatten;
   }
   const Tolerance& tolerance = tolerance_of(options_);
+  const bool for_grid = is_for_pixel_grid(options_);
   for (const LayerView& view : sight_.views) {
+    const double view_pixel = 1 / (options_.pixels_per_unit * view.scale);
     const double outside = tolerance.per_side * artboard_side_ * (sight_.scale / view.scale);
-    const double inside = tolerance.px / (options_.pixels_per_unit * view.scale);
-    flatten.focuses.push_back({view.window, std::min(outside, inside), outside});
+    const double inside =
+        for_grid ? kGridTolerancePx * view_pixel : std::min(outside, tolerance.px * view_pixel);
+    flatten.focuses.push_back({view.window, inside, std::max(inside, outside)});
   }
+  flatten.keeps_bows = for_grid;
   return flatten;
 }
 
@@ -120,7 +137,7 @@ mesh::MeshOptions LayerUnits::mesh_options() const {
   mesh.max_area = options_.max_area_fraction * whole_area_;
   // Without a bound on the error the mesh is the paper's.
   if (options_.max_error > 0) {
-    mesh.small_edge = (is_rough(options_) ? kRoughEdgePx : kSmallAnglesEdgePx) * pixel();
+    mesh.small_edge = small_angles_edge_px(options_) * pixel();
   }
   return mesh;
 }

@@ -22,9 +22,7 @@ class LayerUnits {
   /// Returns the smallest blur radius that a mesh shows.
   double smallest_radius() const;
 
-  /// Returns the length up to which edges are invisible: a triangle without a longer edge shows on
-  /// no pixel.
-  double smallest_edge() const;
+  SmallestEdges smallest_edges() const;
 
   curves::FlattenOptions flatten_options() const;
   mesh::MeshOptions mesh_options() const;

@@ -14,6 +14,7 @@
 #include "sfumato/base/limits.hpp"
 #include "solve/fields/field_mesh.hpp"
 #include "solve/layers/layer_units.hpp"
+#include "solve/layers/rough.hpp"
 
 namespace sfumato::solve {
 namespace {
@@ -255,7 +256,9 @@ Result<PreparedLayer> prepare_layer(Context& context, const Document& document, 
   const auto prepare = [&] {
     Result<PreparedFields> prepared =
         prepare_meshed(context, visibility, meshes, std::move(sampled), options.ends,
-                       {.use = {.may_be_changed = kept.has_value()}});
+                       {.use = {.may_be_changed = kept.has_value(),
+                                .negligible = is_for_pixel_grid(options) ? gather::kGridNegligible
+                                                                         : gather::kNegligible}});
     if (prepared) fields.emplace(std::move(*prepared));
     return prepared.status();
   };
@@ -270,10 +273,12 @@ Result<PreparedLayer> prepare_layer(Context& context, const Document& document, 
   }
   PreparedLayer prepared{std::move(mesher),          std::move(fields->color),
                          std::move(fields->opacity), units.mesh_options().frame,
-                         units.smallest_edge(),      refines};
+                         units.smallest_edges(),     refines};
   if (kept) {
     prepared.flat_mesh.emplace(
         FlatMesh{std::move(flat), std::move(flat_charge), std::move(*kept), std::move(visibility)});
+  } else if (!flat.bow.empty()) {
+    prepared.bowed.emplace(ChargedCurves{std::move(flat), std::move(flat_charge)});
   }
   return prepared;
 }

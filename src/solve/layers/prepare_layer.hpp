@@ -26,6 +26,18 @@ struct FlatMesh {
   mesh::TriangleMesh mesh;  ///< returned by the mesher
 };
 
+/// A layer's curves as polylines.
+struct ChargedCurves {
+  curves::FlatCurves flat;
+  ScopedCharge charge;
+};
+
+/// Triangles without an edge longer than this are not made smaller, layer units.
+struct SmallestEdges {
+  double missed;   ///< where the patch misses the exact values
+  double blurred;  ///< where a blur has a smaller radius
+};
+
 /// The first step of every way to evaluate a layer: its curves flattened, meshed and prepared for
 /// gathering.
 struct PreparedLayer {
@@ -33,10 +45,11 @@ struct PreparedLayer {
   PreparedField color;
   /// Present if any curve has opacity and `color` does not contain it.
   std::optional<PreparedField> opacity;
-  Box frame;             ///< the area of the patch mesh, layer frame
-  double smallest_edge;  ///< triangles with no edge longer than this (layer units) show on no pixel
-  bool is_mesh_refined = false;         ///< Mesher::refine was called
-  std::optional<FlatMesh> flat_mesh{};  ///< for LayerUse::drags
+  Box frame;  ///< the area of the patch mesh, layer frame
+  SmallestEdges smallest_edges;
+  bool is_mesh_refined = false;          ///< Mesher::refine was called
+  std::optional<FlatMesh> flat_mesh{};   ///< for LayerUse::drags
+  std::optional<ChargedCurves> bowed{};  ///< the polylines with their bows, if those are kept
 };
 
 /// The view of some instances on a layer.

@@ -6,6 +6,7 @@
 #include "base/half_edge.hpp"
 #include "base/poll.hpp"
 #include "base/try.hpp"
+#include "solve/layers/kept_triangles.hpp"
 
 namespace sfumato::solve {
 namespace {
@@ -31,7 +32,7 @@ class SoftEdgeFinder {
 
   /// keep   per triangle; empty: all
   Result<std::vector<SoftEdge>> find(std::span<const std::uint8_t> keep, TableMemory& memory) {
-    SFUMATO_TRY(number_triangles(keep));
+    SFUMATO_TRY_ASSIGN(number_, numbers_of_kept(context_, keep, memory_));
     std::vector<SoftEdge> edges;
     RarePoll<16384> poll(context_);
     for (std::size_t i = 0; i < blurs_.fine.size(); ++i) {
@@ -43,39 +44,16 @@ class SoftEdgeFinder {
       SFUMATO_TRY(memory.make_room(context_, edges));
       add(h, from, to, edges);
     }
-    return sorted(edges, memory);
+    return sorted_by_triangle(context_, edges, memory);
   }
 
  private:
-  /// Sorts by triangles; edges of one triangle stay in order.
-  Result<std::vector<SoftEdge>> sorted(std::vector<SoftEdge>& edges, TableMemory& memory) const {
-    TableMemory scratch("soft edges");
-    std::vector<std::uint64_t> order;  // the triangle, then the place
-    SFUMATO_TRY(scratch.reserve(context_, order, edges.size()));
-    for (std::size_t i = 0; i < edges.size(); ++i)
-      order.push_back(std::uint64_t{soft_edge_triangle(edges[i])} << 32 | i);
-    SFUMATO_TRY(TableMemory::sort(context_, order, std::less<>()));
-    std::vector<SoftEdge> result;
-    SFUMATO_TRY(memory.reserve(context_, result, edges.size()));
-    for (const std::uint64_t place : order) result.push_back(edges[place & 0xffffffff]);
-    memory.free(edges);
-    return result;
-  }
-
   Vec2 position(std::uint32_t vertex) const { return mesh_.vertex_position[vertex]; }
 
   /// Returns the direction from the origin of a half-edge to its target, 1 long.
   Vec2 direction(std::uint32_t h) const {
     const Vec2 along = position(mesh_.target(h)) - position(mesh_.origin(h));
     return along / length(along);
-  }
-
-  Status number_triangles(std::span<const std::uint8_t> keep) {
-    SFUMATO_TRY(memory_.resize(context_, number_, keep.size(), SoftEdge::kNone));
-    std::uint32_t next = 0;
-    for (std::size_t t = 0; t < keep.size(); ++t)
-      if (keep[t]) number_[t] = next++;
-    return ok_status();
   }
 
   /// Returns whether a curve begins, ends or passes at the origin of a half-edge.
@@ -193,8 +171,8 @@ Result<std::vector<SoftEdge>> update_soft_edges(const Context& context, const Tr
   RarePoll<65536> poll(context);
   for (const SoftEdge& edge : before) {
     if (poll.cancelled()) return context.cancel_status();
-    if (touches(mesh, soft_edge_triangle(edge), is_near)) continue;
-    for (; next != added.end() && soft_edge_triangle(*next) < soft_edge_triangle(edge); ++next)
+    if (touches(mesh, painting_triangle(edge), is_near)) continue;
+    for (; next != added.end() && painting_triangle(*next) < painting_triangle(edge); ++next)
       all.push_back(*next);
     all.push_back(edge);
   }

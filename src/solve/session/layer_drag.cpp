@@ -165,7 +165,7 @@ Result<SampledFields> LayerDrag::State::sample(const Context& context,
 PreparedLayer LayerDrag::State::prepared_layer(PreparedFields fields,
                                                mesh::Mesher&& patches) const {
   return {std::move(patches), std::move(fields.color), std::move(fields.opacity),
-          units.mesh_options().frame, units.smallest_edge()};
+          units.mesh_options().frame, units.smallest_edges()};
 }
 
 /// Of the layer's own curves.

@@ -292,7 +292,7 @@ Status LayerFilm::State::remember(const Context& context, std::span<const std::u
 Status LayerFilm::State::refine_still(const Context& context,
                                       std::span<const std::uint32_t> missed) {
   if (missed.empty()) return ok_status();
-  SFUMATO_TRY(still->patches.refine_triangles(context, missed, units.smallest_edge()));
+  SFUMATO_TRY(still->patches.refine_triangles(context, missed, units.smallest_edges().missed));
   SFUMATO_TRY_ASSIGN(const std::size_t triangles, number_still(context));
   const double most = kMostGrowth * static_cast<double>(least_triangles);
   Status status;
@@ -345,7 +345,7 @@ Result<std::optional<PatchLayer>> LayerFilm::State::solve(Context& context,
   LayerSolver solver(
       context,
       {std::move(now->patches), std::move(prepared.color), std::move(prepared.opacity),
-       units.mesh_options().frame, units.smallest_edge(), still.has_value()},
+       units.mesh_options().frame, units.smallest_edges(), still.has_value()},
       options, stats);
   TableMemory memory(kPurpose);
   std::vector<std::uint32_t> missed;

@@ -18,7 +18,7 @@ namespace {
 struct Prepared {
   PreparedFields fields;
   Box frame;
-  double smallest_edge;
+  SmallestEdges smallest_edges;
 };
 
 /// Per segment: 1 for those of the curve.
@@ -65,7 +65,7 @@ Result<Prepared> prepare(Context& context, const Document& document, const StopP
   edits.is_parted = curves::opacity_goes_with_color(curves);
   SFUMATO_TRY_ASSIGN(auto&& fields, prepare_fields(context, mesher, visibility, std::move(sampled),
                                                    options.ends, edits));
-  return Prepared{std::move(fields), meshing.frame, units.smallest_edge()};
+  return Prepared{std::move(fields), meshing.frame, units.smallest_edges()};
 }
 
 Status solve_first(Context& context, const Document& document, std::uint32_t layer,
@@ -126,7 +126,7 @@ Result<LayerResponse> respond(Context& context, const Document& document, const 
   LayerSolver solver(
       context,
       PreparedLayer{std::move(refined->mesher), std::move(prepared.fields.color),
-                    std::move(prepared.fields.opacity), prepared.frame, prepared.smallest_edge},
+                    std::move(prepared.fields.opacity), prepared.frame, prepared.smallest_edges},
       exact, stats);
   Result<LayerResponse> response = no_throw([&]() -> Result<LayerResponse> {
     SFUMATO_TRY(solver.answer(refined->nodes));

@@ -147,6 +147,11 @@ Status Solution::State::solve(Context& context, const DiffuseOptions& wanted, So
                               DiffuseStats* stats, FrameLayers* counts) {
   const SpareRelease release(*this);
   coloring.reset();
+  if (wanted.pixel_grid && goal != SolveGoal::exact) {
+    return make_error(StatusCode::bad_input,
+                      "a picture for a pixel grid is no film and is not solved roughly; solve "
+                      "without pixel_grid");
+  }
   SFUMATO_TRY(solve::validate(wanted));
   SFUMATO_TRY(validate(context, document));
   if (!options || !(*options == wanted)) {
@@ -155,7 +160,8 @@ Status Solution::State::solve(Context& context, const DiffuseOptions& wanted, So
   }
   const Box viewport = wanted.viewport.value_or(document.artboard);
   const auto run = [&](bool keeps) { return solve_layers(context, viewport, goal, stats, keeps); };
-  const bool keeps = goal == SolveGoal::exact && most_kept && &context.budget == budget;
+  const bool keeps =
+      goal == SolveGoal::exact && !wanted.pixel_grid && most_kept && &context.budget == budget;
   FrameLayers uncounted;
   Status status = goal == SolveGoal::next
                       ? solve_films(context, viewport, stats, counts ? *counts : uncounted)
@@ -281,6 +287,7 @@ Status Solution::State::assemble(Context& context, const Box& viewport) {
   std::optional<Picture> frame;
   if (frame_changed) {
     SFUMATO_TRY_ASSIGN(auto&& made, picture_frame(context, document, viewport));
+    made.for_pixel_grid = solve::is_for_pixel_grid(*options);
     SFUMATO_TRY(hold(context, made));
     frame.emplace(std::move(made));
   }

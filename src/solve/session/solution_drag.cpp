@@ -16,6 +16,13 @@ Status no_curve() {
 
 }  // namespace
 
+/// Pictures for a pixel grid keep nothing that drags begin from.
+Status Solution::State::check_is_editable() const {
+  if (!options->pixel_grid) return ok_status();
+  return make_error(StatusCode::bad_input,
+                    "a picture for a pixel grid is not dragged; solve without pixel_grid");
+}
+
 Status Solution::State::begin_drag(Context& context, std::uint32_t layer, std::uint32_t curve) {
   end_drag();
   if (layer >= layers.size() || curve >= document.layers[layer].curves.size()) {
@@ -25,6 +32,7 @@ Status Solution::State::begin_drag(Context& context, std::uint32_t layer, std::u
   if (!options || !state.in_picture || frame_changed) {
     return make_error(StatusCode::bad_input, "the document is to be solved before a drag");
   }
+  SFUMATO_TRY(check_is_editable());
   note_drag(layer);
   Drag begun{layer, curve, &context.budget};
   if (!state.sight.views.empty()) {
@@ -213,6 +221,7 @@ Status Solution::State::begin_color(Context& context, const StopPlace& place) {
     return make_error(StatusCode::bad_input,
                       "the document is to be solved before a colour changes");
   }
+  SFUMATO_TRY(check_is_editable());
   note_drag(place.layer);
   const bool is_at_home = &context.budget == budget;
   return run_with_all_memory([&](bool) {

@@ -64,6 +64,7 @@ struct Solution::State {
   /// counts   of SolveGoal::next: added to, or null
   Status solve(Context& context, const DiffuseOptions& wanted, SolveGoal goal, DiffuseStats* stats,
                FrameLayers* counts = nullptr);
+  Status check_is_editable() const;
   Status begin_drag(Context& context, std::uint32_t layer, std::uint32_t curve);
   Status drag_to(Context& context, Curve curve, const solve::FrameTime& time, DiffuseStats* stats);
   Status drag_more(Context& context, const solve::FrameTime& time, DiffuseStats* stats);

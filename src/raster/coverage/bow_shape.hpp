@@ -1,0 +1,36 @@
+#pragma once
+
+#include <span>
+
+#include "raster/coverage/painted_edge.hpp"
+#include "raster/coverage/soft_strip.hpp"
+
+namespace sfumato::raster {
+
+/// A bow that is nowhere higher than this shows in no pixel.
+inline constexpr double kLeastBowPx = 0.02;
+
+/// Returns the largest distance of the curve from its edge, in the layer's frame.
+double largest_height(const CurveBow& bow);
+
+/// The area between an edge and its curve in the image, as a polygon.
+struct BowShape {
+  static constexpr int kMostParts = 8;
+
+  PaintedEdge edge;
+  double reach = 0;  ///< no point of the polygon is farther from the line through the edge
+  Vec2 corner[2 + kMostParts + 1];  ///< the edge's ends, then the curve back from its end
+  int corner_count = 0;
+
+  std::span<const Vec2> corners() const { return {corner, static_cast<std::size_t>(corner_count)}; }
+};
+
+/// Returns the shape of a bow. The curve has so many parts that they are within 0.01 pixels of it,
+/// but for parts longer than a picture at the resolution that it was made for has.
+BowShape bow_shape(const LayerView& layer, const CurveBow& bow);
+
+/// Returns the area between edge and curve in a pixel, positive where the curve lies on the side of
+/// the front, as all areas of a part, and the place along the edge that is nearest to the pixel.
+StripPart bow_part(const BowShape& shape, int x, int y);
+
+}  // namespace sfumato::raster

@@ -1,0 +1,174 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <numbers>
+
+#include "sfumato/picture/picture_file.hpp"
+#include "sfumato/raster/rasterize.hpp"
+#include "sfumato/solve/diffuse.hpp"
+#include "sfumato/solve/solution.hpp"
+#include "support/drawing.hpp"
+
+// Pictures for a pixel grid: coarse chords whose bows the pixels correct.
+namespace sfumato {
+namespace {
+
+using test::circle_curve;
+using test::colored;
+using test::one_layer;
+
+Document disk() {
+  return one_layer({colored(circle_curve({50.3, 49.6}, 37.4), test::kWhite, test::kRed)});
+}
+
+/// A disk around which the layer is transparent.
+Document sticker() {
+  Document document = disk();
+  Curve& curve = document.layers[0].curves[0];
+  curve = test::with_opacity(curve, 0, 1);
+  return document;
+}
+
+/// A disk outside of which nothing is drawn: its curve has no colour there.
+Document cutout() {
+  Document document = disk();
+  document.layers[0].curves[0].left.color = {};
+  document.layers[0].curves[0].left.color.kind = ShaderKind::barrier;
+  return document;
+}
+
+/// Two circles with less than a pixel between them, of unlike vertices.
+Document ring() {
+  Curve outer = circle_curve({50, 50}, 30.35);
+  for (Vec2& p : outer.control_points) {
+    const Vec2 from = p - Vec2{50, 50};
+    constexpr double kTurn = 0.4;
+    p = Vec2{50 + from.x * std::cos(kTurn) - from.y * std::sin(kTurn),
+             50 + from.x * std::sin(kTurn) + from.y * std::cos(kTurn)};
+  }
+  return one_layer({colored(circle_curve({50, 50}, 30), test::kBlue, test::kWhite),
+                    colored(outer, test::kRed, test::kBlack)});
+}
+
+Picture solved(const Document& document, const DiffuseOptions& options) {
+  Context context;
+  Result<Picture> picture = diffuse(context, document, options);
+  EXPECT_TRUE(picture.ok()) << picture.status().message;
+  return std::move(*picture);
+}
+
+/// Draws on a background, so that colours count as much as they show.
+Image drawn(const Picture& picture) {
+  Context context;
+  RasterOptions options;
+  options.width = options.height = 100;
+  options.background = test::kGreen;
+  options.dither = false;
+  Result<Image> image = rasterize(context, picture, options);
+  EXPECT_TRUE(image.ok()) << image.status().message;
+  return std::move(*image);
+}
+
+int largest_difference(const Image& a, const Image& b) {
+  int most = 0;
+  EXPECT_EQ(a.bytes.size(), b.bytes.size());
+  for (std::size_t i = 0; i < a.bytes.size(); ++i)
+    most = std::max(most, std::abs(int{a.bytes[i]} - int{b.bytes[i]}));
+  return most;
+}
+
+constexpr DiffuseOptions grid() {
+  DiffuseOptions options;
+  options.pixel_grid = true;
+  return options;
+}
+
+DiffuseOptions fine() {
+  DiffuseOptions options;
+  options.tolerance = 0.001;
+  return options;
+}
+
+class PixelGridOf : public testing::TestWithParam<Document (*)()> {};
+
+TEST_P(PixelGridOf, has_fewer_triangles_and_the_pixels_of_fine_chords) {
+  const Document document = GetParam()();
+  const Picture picture = solved(document, grid()), exact = solved(document, fine());
+  EXPECT_TRUE(picture.for_pixel_grid);
+  EXPECT_FALSE(picture.layers[0].bow.empty());
+  EXPECT_LT(3 * picture.layers[0].triangle_count(), exact.layers[0].triangle_count());
+  EXPECT_LE(largest_difference(drawn(picture), drawn(exact)), 3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Shapes, PixelGridOf, testing::Values(disk, sticker, cutout));
+
+TEST(PixelGrid, pixels_need_the_bows) {
+  Picture picture = solved(disk(), grid());
+  picture.layers[0].bow.clear();
+  EXPECT_GT(largest_difference(drawn(picture), drawn(solved(disk(), fine()))), 8);
+}
+
+TEST(PixelGrid, curves_within_a_pixel_of_each_other_do_not_cross) {
+  const Image near = drawn(solved(ring(), grid()));
+  const Image exact = drawn(solved(ring(), fine()));
+  EXPECT_LE(largest_difference(near, exact), 24);
+  // Far from the ring each side has its one colour: nothing shows through it.
+  const auto pixel = [&](int x, int y) { return &near.bytes[std::size_t{3} * (100 * y + x)]; };
+  EXPECT_EQ(pixel(50, 50)[1], 255);
+  EXPECT_EQ(pixel(5, 5)[1], 0);
+}
+
+TEST(PixelGrid, a_bow_shows_only_where_its_curve_jumps) {
+  Document document = disk();
+  document.layers[0].curves[0].right.color.stops.stops[0].value = test::kWhite;
+  const Image image = drawn(solved(document, grid()));
+  EXPECT_TRUE(std::ranges::all_of(image.bytes, [](std::uint8_t b) { return b == 255; }));
+}
+
+TEST(PixelGrid, has_no_effect_beside_a_tolerance_or_on_the_papers_mesh) {
+  DiffuseOptions given = grid();
+  given.tolerance = 0.1;
+  DiffuseOptions paper = grid();
+  paper.max_error = 0;
+  for (const DiffuseOptions& options : {given, paper}) {
+    const Picture picture = solved(disk(), options);
+    EXPECT_FALSE(picture.for_pixel_grid);
+    EXPECT_TRUE(picture.layers[0].bow.empty());
+  }
+}
+
+TEST(PixelGrid, a_larger_instance_has_finer_chords) {
+  Document document = disk();
+  DiffuseOptions options = grid();
+  options.viewport = Box{{-200, -200}, {500, 500}};
+  const auto bows = [&] { return solved(document, options).layers[0].bow.size(); };
+  const std::size_t at_its_size = bows();
+  std::get<LayerInstance>(document.stack[0]).artboard_from_layer = {4, 0, 0, 4, 0, -150};
+  EXPECT_GT(bows(), at_its_size);
+}
+
+TEST(PixelGrid, no_picture_file_is_written) {
+  Context context;
+  const Status status = write_picture(context, solved(disk(), grid())).status();
+  EXPECT_EQ(status.code, StatusCode::bad_input);
+  EXPECT_NE(status.message.find("solve without pixel_grid"), std::string::npos) << status.message;
+}
+
+TEST(PixelGrid, a_solution_has_the_picture_of_diffuse_and_drags_none) {
+  Context context;
+  Result<Solution> solution = Solution::create(context, disk());
+  ASSERT_TRUE(solution.ok());
+  solution->expect_drags(1'000'000);
+  ASSERT_TRUE(solution->solve(context, grid()).ok());
+  EXPECT_EQ(drawn(solution->picture()).bytes, drawn(solved(disk(), grid())).bytes);
+  EXPECT_EQ(solution->begin_drag(context, 0, 0).code, StatusCode::bad_input);
+  EXPECT_EQ(solution->solve_roughly(context, grid()).code, StatusCode::bad_input);
+  EXPECT_EQ(solution->solve_next(context, grid()).code, StatusCode::bad_input);
+  ASSERT_TRUE(solution->solve(context, {}).ok());
+  EXPECT_FALSE(solution->picture().for_pixel_grid);
+  EXPECT_TRUE(solution->begin_drag(context, 0, 0).ok());
+}
+
+}  // namespace
+}  // namespace sfumato
