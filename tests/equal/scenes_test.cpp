@@ -80,7 +80,7 @@ TEST(EqualScenesThemselves, differ_and_are_drawn) {
   }
   EXPECT_GE(pixels.size(), kSeeds - 2);
   for (const char* stage : {"document", "mesh", "nodes", "pixels", "png", "gathered", "html", "pdf",
-                            "eps", "svg", "glb"}) {
+                            "eps", "svg", "glb", "grid"}) {
     EXPECT_TRUE(stages.contains(stage)) << stage;
   }
 }

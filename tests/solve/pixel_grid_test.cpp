@@ -9,6 +9,7 @@
 #include "sfumato/solve/diffuse.hpp"
 #include "sfumato/solve/solution.hpp"
 #include "support/drawing.hpp"
+#include "support/windows.hpp"
 
 // Pictures for a pixel grid: coarse chords whose bows the pixels correct.
 namespace sfumato {
@@ -59,13 +60,17 @@ Picture solved(const Document& document, const DiffuseOptions& options) {
 }
 
 /// Draws on a background, so that colours count as much as they show.
-Image drawn(const Picture& picture) {
-  Context context;
+RasterOptions plain_options() {
   RasterOptions options;
   options.width = options.height = 100;
   options.background = test::kGreen;
   options.dither = false;
-  Result<Image> image = rasterize(context, picture, options);
+  return options;
+}
+
+Image drawn(const Picture& picture) {
+  Context context;
+  Result<Image> image = rasterize(context, picture, plain_options());
   EXPECT_TRUE(image.ok()) << image.status().message;
   return std::move(*image);
 }
@@ -102,6 +107,14 @@ TEST_P(PixelGridOf, has_fewer_triangles_and_the_pixels_of_fine_chords) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, PixelGridOf, testing::Values(disk, sticker, cutout));
+
+TEST(PixelGrid, windows_have_the_bytes_of_the_whole_image) {
+  Context context;
+  const Picture picture = solved(disk(), grid());
+  const test::Cut cut{23, 17, -5, -3};
+  EXPECT_EQ(test::painted_in_windows(context, picture, plain_options(), cut).bytes,
+            drawn(picture).bytes);
+}
 
 TEST(PixelGrid, pixels_need_the_bows) {
   Picture picture = solved(disk(), grid());

@@ -60,6 +60,7 @@ class Digester {
     add_bytes("png", encode_png(context_, *image));
     if (scene_.by_pixels) add_gathered();
     if (scene_.with_outputs) add_outputs(*picture, *image);
+    add_grid();
     return std::move(digest_);
   }
 
@@ -99,6 +100,18 @@ class Digester {
         render_pixels(context_, scene_.document, scene_.diffuse, scene_.raster);
     if (!image) return static_cast<void>(failed("gathered", image.status()));
     add_hash("gathered", image->bytes);
+  }
+
+  /// The pixels of a picture that was solved for them.
+  void add_grid() {
+    DiffuseOptions options = scene_.diffuse;
+    options.pixel_grid = true;
+    options.tolerance.reset();
+    const Result<Picture> picture = diffuse(context_, scene_.document, options);
+    if (!picture) return static_cast<void>(failed("grid", picture.status()));
+    const Result<Image> image = rasterize(context_, *picture, scene_.raster);
+    if (!image) return static_cast<void>(failed("grid", image.status()));
+    add_hash("grid", image->bytes);
   }
 
   void add_outputs(const Picture& picture, const Image& image) {
