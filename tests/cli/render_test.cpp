@@ -25,12 +25,6 @@ std::vector<int> pixel(const Image& image, int x, int y) {
           image.bytes.begin() + static_cast<std::ptrdiff_t>(at + channels)};
 }
 
-double number_after(const std::string& text, const std::string& key) {
-  const std::size_t at = text.find("\"" + key + "\":");
-  if (at == std::string::npos) return -1;
-  return std::stod(text.substr(at + key.size() + 3));
-}
-
 TEST(Render, inside_of_a_closed_curve_has_the_colour_of_its_inner_side) {
   const Image image = rendered(two_curve_scene());
   ASSERT_EQ(image.width, 64);

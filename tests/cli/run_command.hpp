@@ -60,4 +60,11 @@ std::string read_whole(const std::string& path);
 
 bool contains(const std::string& text, const std::string& part);
 
+/// Returns the number behind a key of JSON; -1 if there is no such key.
+inline double number_after(const std::string& text, const std::string& key) {
+  const std::size_t at = text.find("\"" + key + "\":");
+  if (at == std::string::npos) return -1;
+  return std::stod(text.substr(at + key.size() + 3));
+}
+
 }  // namespace sfumato::test

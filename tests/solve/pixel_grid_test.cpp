@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
-#include <numbers>
 
 #include "sfumato/picture/picture_file.hpp"
 #include "sfumato/raster/rasterize.hpp"
