@@ -103,6 +103,8 @@ class Divider {
   void begin_curve(const Curve& curve) {
     slope_.emplace(curve, options_.sharp_radius);
     if (options_.keeps_bows) along_.emplace(curve);
+    is_open_ = curve.control_points.front() != curve.control_points.back();
+    last_parameter_ = static_cast<double>(curve.piece_count());
     out_.begin_curve();
     out_.push(curve.control_points.front(), 0.0);
   }
@@ -131,9 +133,12 @@ class Divider {
     return is_seen && slope > 0 ? std::clamp(kBlurStray / slope, most / kFinestBlur, most) : most;
   }
 
-  /// Returns the share of the tolerance that a part may use beside its neighbours.
-  double share_of_tolerance(const Cubic& cubic, const Part& part, double across,
+  /// Returns the share of the tolerance that a part may use: beside its neighbours, and at the ends
+  /// of open curves, whose direction shows far away.
+  double share_of_tolerance(const Cubic& cubic, const Part& part, double begin, double across,
                             double tolerance) const {
+    const bool is_end = is_open_ && (begin + part.t0 == 0 || begin + part.t1 == last_parameter_);
+    if (options_.keeps_bows && is_end) return kLeastShare;
     if (!near_ || across <= kLeastShare * tolerance) return 1;
     const double gap = near_->distance(part.segment, cubic.front(), cubic.back());
     return std::clamp(kStrayPerGap * gap / tolerance, kLeastShare, 1.0);
@@ -146,7 +151,7 @@ class Divider {
     const double centered = part.cuts > 0 ? kCentered : 1;
     const double tolerance = centered * tolerance_of(cubic, slope_->between(from, to));
     const ChordDeviation deviation = chord_deviation(cubic);
-    const double share = share_of_tolerance(cubic, part, deviation.across, tolerance);
+    const double share = share_of_tolerance(cubic, part, begin, deviation.across, tolerance);
     const double stray =
         std::max(deviation.across / share, deviation.along / along_per_across(tolerance, from, to));
     if (stray <= tolerance || part.cuts == kMaxCuts) return 1;
@@ -183,6 +188,8 @@ class Divider {
   PolylineBuilder& out_;
   std::optional<BlurSlope> slope_;  ///< of the current curve
   std::optional<StopSlope> along_;  ///< the same
+  bool is_open_ = false;            ///< the same
+  double last_parameter_ = 0;       ///< the same
 };
 
 /// Returns the largest tolerance inside a visible box, or the only one.

@@ -151,6 +151,18 @@ TEST(PixelGrid, has_no_effect_beside_a_tolerance_or_on_the_papers_mesh) {
   }
 }
 
+TEST(PixelGrid, a_border_of_what_sees_a_curve_is_where_fine_chords_have_it) {
+  // Below the curve nothing sees its only side, and how far one sees it beside its end depends on
+  // the directions of chords.
+  Curve wave{.control_points = {{20, 50}, {40, 60}, {60, 40}, {80, 50}}};
+  wave.left = {.color = test::one_color(test::kRed), .opacity = test::one_opacity(1)};
+  const Document document = one_layer({wave});
+  const Picture picture = solved(document, grid());
+  EXPECT_TRUE(picture.for_pixel_grid);
+  EXPECT_TRUE(picture.layers[0].bow.empty());
+  EXPECT_EQ(drawn(picture).bytes, drawn(solved(document, {})).bytes);
+}
+
 TEST(PixelGrid, a_larger_instance_has_finer_chords) {
   Document document = disk();
   DiffuseOptions options = grid();

@@ -76,6 +76,17 @@ def test_png_files_have_the_pixels_that_are_drawn(drawing):
     np.testing.assert_array_equal(shown, picture.render(128, background="white"))
 
 
+def test_a_drawing_is_solved_for_the_pixels_that_it_renders(drawing):
+    with drawing.solve(width=80, pixel_grid=True) as picture:
+        pixels = picture.render(80, dither=False)
+        assert np.array_equal(drawing.render(80, dither=False), pixels)
+        with pytest.raises(sfumato.InputError, match="pixel grid"):
+            picture.to_bytes("pdf")
+    with drawing.solve(width=80) as picture:
+        assert np.abs(picture.render(80, dither=False).astype(int) - pixels).max() <= 8
+        assert np.array_equal(drawing.render(80, depth=16), picture.render(80, depth=16))
+
+
 def test_tables_are_views_that_keep_their_owner(drawing):
     picture = drawing.solve()
     tables = {

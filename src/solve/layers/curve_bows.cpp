@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/half_edge.hpp"
 #include "base/poll.hpp"
 #include "base/try.hpp"
 #include "solve/layers/kept_triangles.hpp"
@@ -17,54 +16,38 @@ constexpr double kStraight = 1e-4;
 class BowFinder {
  public:
   BowFinder(const BowedMesh& bowed, std::span<const std::uint32_t> number)
-      : bowed_(bowed),
-        mesh_(bowed.mesh),
-        whole_(static_cast<std::uint32_t>(mesh_.half_edge_twin.size())),
-        number_(number) {}
+      : bowed_(bowed), mesh_(bowed.mesh), number_(number) {}
 
-  std::uint32_t edge_count() const {
-    return static_cast<std::uint32_t>(mesh_.triangle_vertex.size());
+  std::uint32_t half_edge_count() const {
+    return static_cast<std::uint32_t>(mesh_.half_edge_twin.size());
   }
 
-  /// Finds the bow of edge i of a triangle or part. Returns whether there is one, and i is the side
-  /// that represents it.
-  bool find(std::uint32_t i, CurveBow& bow) const {
-    const std::int32_t half_edge =
-        i < whole_ ? static_cast<std::int32_t>(i) : bowed_.cuts.edge[i - whole_];
-    if (half_edge < 0 || is_replaced(i / 3)) return false;
-    const auto h = static_cast<std::uint32_t>(half_edge);
+  /// Finds the bow of a half-edge. Returns whether there is one, and the half-edge is the first of
+  /// its edge.
+  bool find(std::uint32_t h, CurveBow& bow) const {
     if (mesh_.half_edge_twin[h] == mesh::kNone || !mesh_.has_curves(h) || !bowed_.is_jump(h))
       return false;
     const auto twin = static_cast<std::uint32_t>(mesh_.half_edge_twin[h]);
-    // A part represents its edge, and of two whole triangles the first.
-    if (is_replaced(twin / 3) || (i < whole_ && twin < h)) return false;
-    bow.front = slot(i);
+    if (twin < h) return false;
+    bow.front = slot(h);
     bow.back = slot(twin);
-    return !(bow.front == SoftEdge::kNone && bow.back == SoftEdge::kNone) && measure(i, h, bow);
+    return !(bow.front == SoftEdge::kNone && bow.back == SoftEdge::kNone) && measure(h, bow);
   }
 
  private:
-  bool is_replaced(std::uint32_t triangle) const {
-    return triangle < bowed_.cuts.is_cut.size() && bowed_.cuts.is_cut[triangle] != 0;
+  std::uint32_t slot(std::uint32_t h) const {
+    const std::uint32_t triangle = number_[h / 3];
+    return triangle == SoftEdge::kNone ? SoftEdge::kNone : 3 * triangle + h % 3;
   }
 
-  std::uint32_t slot(std::uint32_t i) const {
-    const std::uint32_t triangle = number_[i / 3];
-    return triangle == SoftEdge::kNone ? SoftEdge::kNone : 3 * triangle + i % 3;
-  }
-
-  /// Measures the curve on half-edge h over edge i, which is h or a part of it.
-  bool measure(std::uint32_t i, std::uint32_t h, CurveBow& bow) const {
-    const auto position = [&](std::uint32_t corner) {
-      return mesh_.vertex_position[mesh_.triangle_vertex[corner]];
-    };
-    const Vec2 a = position(i), edge = position(next_half_edge(i)) - a;
-    const Vec2 origin = position(h), along = position(next_half_edge(h)) - origin;
-    const double size = length(edge), square = dot(along, along);
+  /// Measures the curve over half-edge h.
+  bool measure(std::uint32_t h, CurveBow& bow) const {
+    const Vec2 a = mesh_.vertex_position[mesh_.origin(h)];
+    const Vec2 edge = mesh_.vertex_position[mesh_.target(h)] - a;
+    const double size = length(edge);
     double most = 0;
     for (int k = 0; k < 3; ++k) {
-      const double share = dot(a + edge * (0.5 * k) - origin, along) / square;
-      const double height = cross(edge, curve_point(h, share) - a) / size;
+      const double height = cross(edge, curve_point(h, 0.5 * k) - a) / size;
       bow.height[k] = static_cast<float>(height);
       most = std::fmax(most, std::isfinite(height) ? std::fabs(height) : size);
     }
@@ -86,7 +69,6 @@ class BowFinder {
 
   const BowedMesh& bowed_;
   const mesh::TriangleMesh& mesh_;
-  std::uint32_t whole_;
   std::span<const std::uint32_t> number_;
 };
 
@@ -101,7 +83,7 @@ Result<std::vector<CurveBow>> find_curve_bows(const Context& context, const Bowe
   const BowFinder finder(bowed, number);
   std::vector<CurveBow> bows;
   RarePoll<65536> poll(context);
-  for (std::uint32_t i = 0; i < finder.edge_count(); ++i) {
+  for (std::uint32_t i = 0; i < finder.half_edge_count(); ++i) {
     if (poll.cancelled()) return context.cancel_status();
     CurveBow bow;
     if (!finder.find(i, bow)) continue;

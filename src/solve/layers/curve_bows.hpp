@@ -11,14 +11,12 @@
 #include "sfumato/base/function_ref.hpp"
 #include "sfumato/base/status.hpp"
 #include "sfumato/picture/picture.hpp"
-#include "solve/fields/border.hpp"
 
 namespace sfumato::solve {
 
 /// A layer's patch mesh and the curves on its edges.
 struct BowedMesh {
-  const mesh::TriangleMesh& mesh;  ///< its triangles, then the parts of those that are cut
-  const BorderCuts& cuts;
+  const mesh::TriangleMesh& mesh;
   const curves::FlatCurves& flat;                      ///< with bows
   FunctionRef<bool(std::uint32_t half_edge)> is_jump;  ///< whether colours may jump there
 };

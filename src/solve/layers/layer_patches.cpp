@@ -140,9 +140,9 @@ Result<std::vector<SoftEdge>> LayerSolver::soft_edges(std::span<std::uint8_t> ke
 /// Returns the edges of kept triangles whose curves stray from them.
 Result<std::vector<CurveBow>> LayerSolver::bows(std::span<const std::uint8_t> keep,
                                                 TableMemory& memory) const {
-  if (!bowed_) return std::vector<CurveBow>();
+  if (!bowed_ || has_border()) return std::vector<CurveBow>();
   const auto is_jump = [&](std::uint32_t h) { return is_curve(h); };
-  return find_curve_bows(context_, {*mesh_, cuts_, bowed_->flat, is_jump}, keep, memory);
+  return find_curve_bows(context_, {*mesh_, bowed_->flat, is_jump}, keep, memory);
 }
 
 /// Returns whether no triangle is cut.

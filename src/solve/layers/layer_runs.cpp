@@ -137,12 +137,32 @@ Status LayerRuns::solve(std::uint32_t index, bool side_by_side) {
 Result<PatchLayer> LayerRuns::solve_layer(std::uint32_t index, DiffuseStats& stats, SolveWay way) {
   const auto& [layer, sight, last_drag] = tasks_[index];
   if (sight.viewport.empty() || document_.layers[layer].curves.empty()) return PatchLayer{};
+  if (!options_.pixel_grid) return solve_layer_by(options_, index, stats, way);
+  DiffuseStats tried;
+  bool is_cut = false;
+  Result<PatchLayer> solved = solve_layer_by(options_, index, tried, way, &is_cut);
+  if (!is_cut) {
+    add(tried, stats);
+    return solved;
+  }
+  *solved = {};
+  // The border of what sees a curve leads far along the chords: it needs fine ones.
+  DiffuseOptions fine = options_;
+  fine.pixel_grid = false;
+  return solve_layer_by(fine, index, stats, way);
+}
+
+Result<PatchLayer> LayerRuns::solve_layer_by(const DiffuseOptions& options, std::uint32_t index,
+                                             DiffuseStats& stats, SolveWay way, bool* is_cut) {
+  const auto& [layer, sight, last_drag] = tasks_[index];
   const LayerUse use = most_kept_ ? LayerUse::drags : LayerUse::patches;
-  SFUMATO_TRY_ASSIGN(auto&& prepared, prepare_layer(context_, document_, layer, sight, options_,
+  SFUMATO_TRY_ASSIGN(auto&& prepared, prepare_layer(context_, document_, layer, sight, options,
                                                     &stats, use, way.side_by_side));
   runs_[index].is_prepared = true;
-  LayerSolver solver(context_, std::move(prepared), options_, &stats, {}, way);
-  return solver.solve(most_kept_ ? &runs_[index].refined : nullptr);
+  LayerSolver solver(context_, std::move(prepared), options, &stats, {}, way);
+  Result<PatchLayer> solved = solver.solve(most_kept_ ? &runs_[index].refined : nullptr);
+  if (is_cut) *is_cut = solved.ok() && solver.has_border();
+  return solved;
 }
 
 /// Gives up kept layers beyond the limit, while no layer is being solved.
