@@ -165,8 +165,12 @@ void show(const Picture& picture, const std::string& place, std::size_t attempt)
   const bool is_valid = valid.value_or(StatusCode::ok) == StatusCode::ok;
   const Answer written = answer_of(place + ", file", [&](Context& c) { return kept(c, picture); });
   EXPECT_TRUE(is_valid || written != StatusCode::ok) << place;
+  const Answer drawable = answer_of(place + ", check for pixels", [&](Context& c) {
+    return picture::check_picture(c, picture, picture::PictureUse::pixels);
+  });
   const Answer shown =
       answer_of(place + ", rasterize", [&](Context& c) { return rasterize(c, picture, kSmall); });
+  expect_as_checked(drawable, {shown}, place);
   if (shown == StatusCode::bad_input) {  // before a device is requested
     expect_as_checked(
         shown,
@@ -176,7 +180,7 @@ void show(const Picture& picture, const std::string& place, std::size_t attempt)
   Turns turns(attempt, is_valid ? random_case_count<std::size_t>(3, 1) : 1);
   expect_as_checked(
       valid,
-      {shown, turns.ask(place + ", html", [&](Context& c) { return export_html(c, picture, {}); }),
+      {turns.ask(place + ", html", [&](Context& c) { return export_html(c, picture, {}); }),
        turns.ask(place + ", pdf", [&](Context& c) { return export_pdf(c, picture, kCoarsePdf); }),
        turns.ask(place + ", eps", [&](Context& c) { return export_eps(c, picture, {.dpi = 24}); }),
        turns.ask(place + ", svg", [&](Context& c) { return export_svg(c, picture, kCoarseSvg); }),
