@@ -133,6 +133,8 @@ TEST_P(Allocation, lint) {
 TEST_P(Allocation, diffuse) {
   const Document document = document_of(GetParam().text);
   check("diffuse", [&](Context& context) { return diffuse(context, document, {}); });
+  check("diffuse for pixels",
+        [&](Context& context) { return diffuse(context, document, {.pixel_grid = true}); });
 }
 
 /// Two frames of a film; the second frame has another curve. If memory for the film's reused data

@@ -135,6 +135,8 @@ TEST_P(EveryPoll, ends_what_is_done_with_a_document) {
   expect_cancelled_at_every_poll("convert", [&](Context& c) { return write_svg(c, document); });
   expect_cancelled_at_every_poll("lint", [&](Context& c) { return lint(c, document); });
   expect_cancelled_at_every_poll("diffuse", [&](Context& c) { return diffuse(c, document, {}); });
+  expect_cancelled_at_every_poll(
+      "diffuse for pixels", [&](Context& c) { return diffuse(c, document, {.pixel_grid = true}); });
   expect_cancelled_at_every_poll("pixels", [&](Context& c) {
     return render_pixels(c, document, {}, {.width = 16, .height = 12});
   });

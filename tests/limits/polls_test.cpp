@@ -131,6 +131,8 @@ TEST(Polls, tens_of_millions_of_blanks_or_digits_are_read_with_looks) {
 TEST(Polls, solving_looks_often) {
   const Document curves = many_curves(500);
   expect_polls("curves", [&](Context& c) { return diffuse(c, curves, {.max_error = 0}); });
+  const DiffuseOptions for_pixels{.max_error = 40, .pixel_grid = true};
+  expect_polls("curves for pixels", [&](Context& c) { return diffuse(c, curves, for_pixels); });
   const DiffuseOptions fine{.max_area_fraction = 2e-4, .max_error = 0};
   const Document few = many_curves(10);
   expect_polls("triangles", [&](Context& c) { return diffuse(c, few, fine); });
