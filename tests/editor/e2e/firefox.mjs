@@ -104,7 +104,7 @@ async function testDraw(editor, folder, { address, browser }) {
   return { text: end, picture };
 }
 
-/** An exported PNG has the command's pixels. */
+/** An exported PNG has the pixels that the command draws of a solved picture. */
 async function testExport(editor, folder, text) {
   await editor.key("Control+e");
   await editor.press(/^PNG/, "dialog.export label");
@@ -112,10 +112,11 @@ async function testExport(editor, folder, text) {
   await editor.until("the dialog goes", () => !document.querySelector("dialog[open]"));
   const command = process.env.SFUMATO;
   if (!command) return console.log("# SFUMATO names no command to compare the export with");
-  const [svg, png] = ["drawing.svg", "drawing.png"].map((name) => join(folder, name));
+  const [svg, solved, png] = ["drawing.svg", "drawing.sfp", "drawing.png"].map((name) => join(folder, name));
   writeFileSync(svg, text);
-  // The width, from the header of the PNG.
-  execFileSync(command, ["render", svg, "-o", png, "--width", String(file.bytes.readUInt32BE(16))], { stdio: "ignore" });
+  const width = String(file.bytes.readUInt32BE(16)); // in the header of the PNG
+  execFileSync(command, ["solve", svg, "-o", solved, "--width", width], { stdio: "ignore" });
+  execFileSync(command, ["render", solved, "-o", png, "--width", width], { stdio: "ignore" });
   checkEqual(largestDifference(file.bytes, readFileSync(png)), 0, "the export beside the command's pixels");
 }
 
