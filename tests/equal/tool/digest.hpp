@@ -37,7 +37,8 @@ struct StageHash {
 };
 
 /// Hashes a scene through diffuse() and rasterize(): its document, mesh, nodes, pixels and png;
-/// then the scene's other outputs, and the pixels of a picture for a pixel grid. A stage that fails has the hash of its error, and ends the list.
+/// then the scene's other outputs, and the pixels of a picture for a pixel grid. A stage that fails
+/// has the hash of its error, and ends the list.
 std::vector<StageHash> digest_scene(Context& context, const Scene& scene);
 
 /// "17 document:0123456789abcdef mesh:…".
