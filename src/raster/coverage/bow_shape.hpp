@@ -25,12 +25,13 @@ struct BowShape {
   std::span<const Vec2> corners() const { return {corner, static_cast<std::size_t>(corner_count)}; }
 };
 
-/// Returns the shape of a bow. The curve has so many parts that they are within 0.01 pixels of it,
-/// but for parts longer than a picture at the resolution that it was made for has.
+/// Returns the shape of a bow. The polygon lies within 0.01 pixels of the parabola at the
+/// resolution that the picture was made for.
 BowShape bow_shape(const LayerView& layer, const CurveBow& bow);
 
-/// Returns the area between edge and curve in a pixel, positive where the curve lies on the side of
-/// the front, as all areas of a part, and the place along the edge that is nearest to the pixel.
+/// Returns the part of a bow in a pixel. All its areas are the area between edge and curve,
+/// positive where the curve lies on the side of the front; `along` is the place on the edge that is
+/// nearest to the pixel's centre.
 StripPart bow_part(const BowShape& shape, int x, int y);
 
 }  // namespace sfumato::raster
