@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "curves/flatten.hpp"
 #include "raster/coverage/square_integral.hpp"
 #include "raster/kernels/triangle_frame.hpp"
 
@@ -14,12 +15,6 @@ constexpr double kPartPx = 0.01;
 
 /// The distance from a pixel's centre to its corners, rounded up.
 constexpr double kHalfDiagonal = 0.70711;
-
-/// Returns the height of a bow at a share of its edge.
-double height_at(const CurveBow& bow, double u) {
-  const double from = bow.height[0], middle = bow.height[1], to = bow.height[2];
-  return from + (to - from) * u + (4 * middle - 2 * (from + to)) * u * (1 - u);
-}
 
 int part_count(double bend_px) {
   return std::clamp(static_cast<int>(std::ceil(std::sqrt(bend_px / kPartPx))), 1,
@@ -42,14 +37,14 @@ BowShape bow_shape(const LayerView& layer, const CurveBow& bow) {
   const Vec2 along = corner_in_layer(layer, slots.to) - corner_in_layer(layer, slots.from);
   const Vec2 normal = vector_in_image(layer, Vec2{-along.y, along.x} / length(along));
   const double bend = bow.height[1] - 0.5 * (double{bow.height[0]} + bow.height[2]);
+  const curves::ChordBow heights{bow.height[0], bow.height[1], bow.height[2]};
   const int parts = part_count(std::fabs(bend) * length(normal));
   shape.reach = largest_height(bow) * length(normal);
   shape.corner[0] = shape.edge.end[0];
   shape.corner[1] = shape.edge.end[1];
   for (int i = 0; i <= parts; ++i) {
     const double u = 1 - i / static_cast<double>(parts);
-    shape.corner[2 + i] =
-        lerp(shape.edge.end[0], shape.edge.end[1], u) + normal * height_at(bow, u);
+    shape.corner[2 + i] = lerp(shape.edge.end[0], shape.edge.end[1], u) + normal * heights.at(u);
   }
   shape.corner_count = parts + 3;
   return shape;

@@ -9,6 +9,7 @@
 #include "base/parallel.hpp"
 #include "base/try.hpp"
 #include "solve/layers/kept_layers.hpp"
+#include "solve/layers/rough.hpp"
 
 namespace sfumato::solve {
 namespace {
@@ -137,23 +138,24 @@ Status LayerRuns::solve(std::uint32_t index, bool side_by_side) {
 Result<PatchLayer> LayerRuns::solve_layer(std::uint32_t index, DiffuseStats& stats, SolveWay way) {
   const auto& [layer, sight, last_drag] = tasks_[index];
   if (sight.viewport.empty() || document_.layers[layer].curves.empty()) return PatchLayer{};
-  if (!options_.pixel_grid) return solve_layer_by(options_, index, stats, way);
+  if (!is_for_pixel_grid(options_)) return solve_layer_by(options_, index, stats, way);
   DiffuseStats tried;
-  bool is_cut = false;
-  Result<PatchLayer> solved = solve_layer_by(options_, index, tried, way, &is_cut);
-  if (!is_cut) {
+  bool has_border = false;
+  Result<PatchLayer> solved = solve_layer_by(options_, index, tried, way, &has_border);
+  if (!has_border) {
     add(tried, stats);
     return solved;
   }
   *solved = {};
-  // The border of what sees a curve leads far along the chords: it needs fine ones.
+  // The border of the region that sees a curve continues chords over long distances: fine chords
+  // keep it in its place.
   DiffuseOptions fine = options_;
   fine.pixel_grid = false;
   return solve_layer_by(fine, index, stats, way);
 }
 
 Result<PatchLayer> LayerRuns::solve_layer_by(const DiffuseOptions& options, std::uint32_t index,
-                                             DiffuseStats& stats, SolveWay way, bool* is_cut) {
+                                             DiffuseStats& stats, SolveWay way, bool* has_border) {
   const auto& [layer, sight, last_drag] = tasks_[index];
   const LayerUse use = most_kept_ ? LayerUse::drags : LayerUse::patches;
   SFUMATO_TRY_ASSIGN(auto&& prepared, prepare_layer(context_, document_, layer, sight, options,
@@ -161,7 +163,7 @@ Result<PatchLayer> LayerRuns::solve_layer_by(const DiffuseOptions& options, std:
   runs_[index].is_prepared = true;
   LayerSolver solver(context_, std::move(prepared), options, &stats, {}, way);
   Result<PatchLayer> solved = solver.solve(most_kept_ ? &runs_[index].refined : nullptr);
-  if (is_cut) *is_cut = solved.ok() && solver.has_border();
+  if (has_border) *has_border = solved.ok() && solver.has_border();
   return solved;
 }
 

@@ -96,9 +96,9 @@ class LayerRuns {
   Status run_one_by_one();
   Status solve(std::uint32_t index, bool side_by_side);
   Result<PatchLayer> solve_layer(std::uint32_t index, DiffuseStats& stats, SolveWay way);
-  /// is_cut   unless null: gets whether the layer has a border, LayerSolver::has_border()
+  /// Solves the layer with these options. Unless null, `has_border` gets LayerSolver::has_border().
   Result<PatchLayer> solve_layer_by(const DiffuseOptions& options, std::uint32_t index,
-                                    DiffuseStats& stats, SolveWay way, bool* is_cut = nullptr);
+                                    DiffuseStats& stats, SolveWay way, bool* has_border = nullptr);
   void give_up_beyond();
   double work_of(std::uint32_t index) const;
   double total_work() const;
