@@ -11,8 +11,9 @@
 #include "sfumato/base/context.hpp"
 #include "sfumato/codecs/png.hpp"
 
-// Errors of pictures against the box mean of a larger one whose pixels are exact, in code values of
-// 255; of a pixel, those of its worst channel.
+// Prints the errors of pictures in code values of 255. The reference is a larger picture with exact
+// pixels, averaged over the square of each tested pixel. The error of a pixel is the error of its
+// worst channel.
 //
 //   sfumato render X --method pixels --width 4096 --no-dither -o reference.png
 //   sfumato render X --width 1024 --depth 16 --max-error 1 -o test.png
@@ -20,8 +21,8 @@
 //
 // Smooth pixels are those whose samples in the reference span at most 6 code values; the others are
 // busy. The reference is coarse where an edge passes: rms and busy only serve to compare pictures.
-// The last columns count the pixels beyond 4 that the first picture has within 4, and those among
-// them that are worse by more than 1.
+// "new > 4" counts the pixels whose error is above 4 here and at most 4 in the first picture. "by >
+// 1" counts the pixels among them whose error grew by more than 1.
 namespace sfumato {
 namespace {
 

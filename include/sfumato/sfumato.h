@@ -293,7 +293,7 @@ typedef struct sfumato_picture sfumato_picture;
  * largest output, as in sfumato_export(); detail=NUMBER [1] multiplies it. pixel-grid makes the
  * picture for images of 8 bits and that size alone, faster; other outputs refuse it. Use drags
  * where curves or stops will be dragged: exact pictures then keep the tables that quick pictures
- * start from, if all calls for the picture get this context: four to five times its memory.
+ * start from (4 to 5 times the picture's memory), if all calls for the picture get this context.
  * drag-triangles=N keeps them only for layers of at most N triangles in all, 1 kB for each: the
  * layers dragged last, then the largest ones; always for the last one, and for the only one. Use
  * coherent for the first frame of a film: sfumato_solve_next(). */

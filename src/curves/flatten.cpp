@@ -31,10 +31,11 @@ constexpr double kAlongPerAcross = 4;
 constexpr double kAlongPerBow = 0.8;
 constexpr double kAlongCodes = 1;
 
-/// A chord of a pixel grid may stray from its curve by this share of the distance to the nearest
-/// other curve, between which colours may change by all they can…
+/// For a pixel grid, a chord may stray from its curve by this share of the gap to the nearest other
+/// curve. Across a narrow gap colours change fast, so a displaced chord shows.
 constexpr double kStrayPerGap = 1.0 / 12;
-/// …but need not be finer than by this share of the tolerance: those of other pictures are not.
+/// A narrow gap reduces the tolerance to this share at most: 0.04 of 0.2 pixels, which is the
+/// tolerance of all other pictures.
 constexpr double kLeastShare = 0.2;
 
 /// No part is cut more often than this, for any control points.

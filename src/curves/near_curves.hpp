@@ -15,8 +15,8 @@ namespace sfumato::curves {
 class NearCurves {
  public:
   /// coarse   polylines of the curves, with vertices on them; it must outlive this
-  /// most     the largest distance of interest, user units
-  /// same     curves this near to each other coincide, user units
+  /// most     distance() returns at most this, user units
+  /// same     points within this distance count as equal, user units
   NearCurves(std::span<const Curve> curves, const FlatCurves& coarse, double most, double same)
       : curves_(curves), coarse_(coarse), most_(most), same_(same) {}
 
@@ -24,9 +24,10 @@ class NearCurves {
   /// then be called.
   Status build(Context& context) { return tree_.build(context, coarse_, curves_, most_); }
 
-  /// Returns the distance from a part of a segment to the nearest other segment, except those that
-  /// it joins on its own curve, that coincide with it, or that it meets at a large angle; at most
-  /// `most`, and 0 where very many are near.
+  /// Returns the distance from a part of a segment to the nearest other segment, user units, at
+  /// most `most`. Ignores the neighbours on the same curve, segments that coincide with this one,
+  /// and segments that meet it at more than 30 degrees. Returns 0 if too many segments are near to
+  /// measure all of them.
   double distance(std::uint32_t segment, Vec2 from, Vec2 to) const;
 
  private:

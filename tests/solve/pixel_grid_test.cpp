@@ -23,7 +23,7 @@ Document disk() {
   return one_layer({colored(circle_curve({50.3, 49.6}, 37.4), test::kWhite, test::kRed)});
 }
 
-/// A disk around which the layer is transparent.
+/// Returns a disk with opacity 1 inside and 0 outside.
 Document sticker() {
   Document document = disk();
   Curve& curve = document.layers[0].curves[0];
@@ -31,7 +31,7 @@ Document sticker() {
   return document;
 }
 
-/// A disk outside of which nothing is drawn: its curve has no colour there.
+/// Returns a disk on a transparent layer: its curve has no colour on the outer side.
 Document cutout() {
   Document document = disk();
   document.layers[0].curves[0].left.color = {};
@@ -39,7 +39,7 @@ Document cutout() {
   return document;
 }
 
-/// Two circles with less than a pixel between them, of unlike vertices.
+/// Returns two circles 0.35 pixels apart. One is rotated, so that their chords have different ends.
 Document ring() {
   Curve outer = circle_curve({50, 50}, 30.35);
   for (Vec2& p : outer.control_points) {

@@ -145,9 +145,9 @@ class Document(Drawing):
         """Solves and renders in one call: height × width × 3 or 4. For options that Picture.render()
         does not have, call solve() first."""
         x = {k: options[k] for k in ("height", "scale", "viewport") if k in options}
-        plain = options.get("depth", 8) == 8
-        plain = plain and not (options.get("no_antialias") or options.get("mesh_overlay"))
-        with self.solve(width=width, pixel_grid=plain, **x) as picture:
+        needs_fine_mesh = options.get("no_antialias") or options.get("mesh_overlay")
+        for_pixels = options.get("depth", 8) == 8 and not needs_fine_mesh
+        with self.solve(width=width, pixel_grid=for_pixels, **x) as picture:
             return picture.render(width, **options)
 
     def field(self, layer: int = 0, **options: Option) -> "Field":

@@ -37,10 +37,10 @@ struct DiffuseOptions {
   gather::Ends ends = gather::Ends::soft;  ///< the colours ahead of the ends of open curves
   bool ignore_blur = false;  ///< draw diffusion curves sharp, as if their blur radii were 0
 
-  /// Makes a picture that rasterize() draws with antialiasing at `pixels_per_unit`, several times
-  /// faster: chords stray farther from their curves, whose area the pixels correct, and triangles
+  /// Solves only for rasterize() with antialiasing at `pixels_per_unit`, about twice as fast.
+  /// Chords are coarser, and pixels correct the area between a chord and its curve. Triangles
   /// smaller than a few pixels are not refined. All other outputs refuse the picture
-  /// (Picture::for_pixel_grid). No effect where `tolerance` is set or `max_error` is 0.
+  /// (Picture::for_pixel_grid). No effect if `tolerance` is set or `max_error` is 0.
   bool pixel_grid = false;
 
   /// Whether layers get PatchLayer::exact. Use it for viewers that compute exact pixels.

@@ -95,8 +95,8 @@ Status PictureMaker::choose_options(const Box& shown, Vec2 own_scale, bool has_b
   return ok_status();
 }
 
-/// Whether the picture is solved for the pixels of an image, by which it is drawn alone. The mesh
-/// that --mesh-overlay shows is that of other outputs, and frames of a film have one mesh.
+/// Returns whether to solve only for the pixels of the image. --mesh-overlay shows the mesh of the
+/// other outputs instead, and the frames of a film share one mesh.
 bool PictureMaker::is_for_pixel_grid() const {
   return settings_.depth == 8 && settings_.raster.antialias && !settings_.raster.mesh_overlay &&
          settings_.method == options::Method::exact && settings_.device == options::Device::cpu &&

@@ -44,8 +44,8 @@ struct MissFactors {
   float per_range = 1.0f / 24;
 };
 
-/// Factors for a layer without blur in a picture for a pixel grid: a fifth fewer probes, and 0.05%
-/// more of the smooth pixels are off by more than a code value.
+/// Factors for a layer without blur in a picture for a pixel grid. With them roses has 29% fewer
+/// probes, and 0.01% more of its smooth pixels are off by more than a code value.
 inline constexpr MissFactors kGridMissFactors{2, 0.01f};
 
 /// Predicts from its nodes alone an upper bound of the error of triangle t's cubic patch at its

@@ -123,7 +123,7 @@ class LayerSolver {
   ///           where its nodes have not their exact values, or memory is lacking for it
   Result<PatchLayer> solve(std::optional<RefinedLayer>* refined = nullptr);
 
-  /// Whether solve() found places that see no curve beside others that do, without a curve between.
+  /// Returns whether solve() found a border of the region that sees a curve, away from the curves.
   bool has_border() const { return cuts_.part_count() > 0; }
 
   /// What solve() keeps of a layer that was prepared for drags, without its patches and whatever

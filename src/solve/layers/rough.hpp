@@ -24,7 +24,7 @@ inline bool refines(const DiffuseOptions& options) {
   return options.max_error > 0 && !is_rough(options);
 }
 
-/// Whether the picture is for a pixel grid: chords may stray, and small triangles stay as they are.
+/// Returns whether chords may be coarse and small triangles stay unrefined, for a pixel grid.
 inline bool is_for_pixel_grid(const DiffuseOptions& options) {
   return options.pixel_grid && refines(options) && !options.tolerance;
 }

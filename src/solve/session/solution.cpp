@@ -149,8 +149,8 @@ Status Solution::State::solve(Context& context, const DiffuseOptions& wanted, So
   coloring.reset();
   if (wanted.pixel_grid && goal != SolveGoal::exact) {
     return make_error(StatusCode::bad_input,
-                      "a picture for a pixel grid is no film and is not solved roughly; solve "
-                      "without pixel_grid");
+                      "pixel_grid works with neither films nor rough pictures; solve without "
+                      "pixel_grid");
   }
   SFUMATO_TRY(solve::validate(wanted));
   SFUMATO_TRY(validate(context, document));

@@ -20,7 +20,7 @@ Status no_curve() {
 Status Solution::State::check_is_editable() const {
   if (!options->pixel_grid) return ok_status();
   return make_error(StatusCode::bad_input,
-                    "a picture for a pixel grid is not dragged; solve without pixel_grid");
+                    "a picture for a pixel grid cannot be dragged; solve without pixel_grid");
 }
 
 Status Solution::State::begin_drag(Context& context, std::uint32_t layer, std::uint32_t curve) {
