@@ -98,8 +98,8 @@ start_results() {
   rm -f "$results"/summary "$results"/times.tsv "$results"/*.tap "$results"/ctest*.xml
 }
 
-# end_results: prints the time of each stage and the count of the tests, which is the last line and also in
-# $results/summary. Exit 1 if a test failed.
+# end_results: prints the time of each stage, then the failed tests and the count of all tests, which it also
+# writes to $results/summary. Exit 1 if a test failed.
 end_results() {
   scripts/time-table "$results"
   scripts/count-tests "$results" | tee "$results/summary"
