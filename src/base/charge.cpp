@@ -13,7 +13,7 @@ ScopedCharge& ScopedCharge::operator=(ScopedCharge&& other) noexcept {
 }
 
 ScopedCharge::~ScopedCharge() {
-  if (budget_) budget_->release(bytes_);
+  leave();
 }
 
 Status ScopedCharge::add(const Context& context, std::size_t bytes, std::string_view purpose) {
@@ -28,6 +28,12 @@ void ScopedCharge::release(std::size_t bytes) {
   const std::size_t given = std::min(bytes, bytes_);
   if (budget_) budget_->release(given);
   bytes_ -= given;
+}
+
+std::size_t ScopedCharge::leave() {
+  if (budget_) budget_->release(bytes_);
+  budget_ = nullptr;
+  return std::exchange(bytes_, 0);
 }
 
 void ScopedCharge::take(ScopedCharge&& other) {

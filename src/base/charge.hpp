@@ -36,6 +36,9 @@ class ScopedCharge {
   /// Releases `bytes`, but at most what is charged.
   void release(std::size_t bytes);
 
+  /// Releases everything and belongs to no Budget any more. Returns the released bytes.
+  std::size_t leave();
+
   /// Takes over the charge of `other`, which belongs to the same Budget or to none.
   void take(ScopedCharge&& other);
 

@@ -140,6 +140,10 @@ class TableMemory {
     Table().swap(table);
   }
 
+  /// Ends the charges of tables that live on, so that the Budget need not outlive them. Returns the
+  /// bytes that were charged.
+  std::size_t leave_budget() { return charge_.leave(); }
+
   /// Takes over the charges of `other`, whose tables move too.
   void take(TableMemory&& other) { charge_.take(std::move(other.charge_)); }
 

@@ -102,6 +102,12 @@ void Gatherer::forget_watched() {
   state_->scene.memory.free(state_->scene.watched);
 }
 
+std::size_t Gatherer::leave_budget() {
+  std::size_t bytes = state_->scene.memory.leave_budget() + state_->ends.leave_budget();
+  if (state_->locator) bytes += state_->locator->leave_budget();
+  return bytes;
+}
+
 int Gatherer::channel_count() const {
   return state_->scene.channel_count();
 }
@@ -128,7 +134,8 @@ Status Gatherer::gather(Context& context, const PointList& points, const GatherO
     for (std::size_t i = 0; i < points.size(); ++i)
       place[points.slot(i)] = state_->scene.source[located.triangle[i]];
   }
-  SFUMATO_TRY_ASSIGN(const Packing& packing, pack(context, state_->scene, located));
+  SFUMATO_TRY_ASSIGN(const Packing& packing,
+                     pack(context, state_->scene, located, points.group_end()));
   const GatherOutput output{out, hit, weighs};
   PointSource* const source = context.point_source;
   if (source && points.size() >= source->least_points()) {

@@ -84,6 +84,9 @@ class Gatherer {
                std::span<const std::uint8_t> is_watched);
   void forget_watched();
 
+  /// Does TableMemory::leave_budget() for all tables.
+  std::size_t leave_budget();
+
   int channel_count() const;
 
   /// Returns the largest weight of the curves; W and ShareBound's weights are in units of it.
@@ -91,8 +94,9 @@ class Gatherer {
 
   /// Gathers at points.
   ///
-  /// points   layer frame, inside the visibility mesh's hull; neighbours in the list should be
-  ///          neighbours in the plane. Not on a curve that has the attribute, nor on a vertex.
+  /// points   layer frame, inside the visibility mesh's hull; neighbours in the list, and points of
+  ///          a group, should be neighbours in the plane. Not on a curve that has the attribute,
+  ///          nor on a vertex.
   /// out      channel_count() floats per slot. Where nothing is hit: 0.
   /// hit      optional, per slot: 1 where any ray hits, else 0.
   /// weighs   `hit` gets weight_class() of W instead of 1, where the method is exact

@@ -21,6 +21,16 @@ class PointList {
   /// Returns the points of the same table at these indices.
   PointList among(std::span<const std::uint32_t> chosen) const { return {table_, chosen}; }
 
+  /// Returns the same points in groups, one after another, that end before these listed points. The
+  /// value of a point then depends on no point of another group, to the bit.
+  PointList in_groups(std::span<const std::uint32_t> ends) const {
+    PointList list = *this;
+    list.group_end_ = ends;
+    return list;
+  }
+  /// Returns the ends of the groups; empty: all points are one group.
+  std::span<const std::uint32_t> group_end() const { return group_end_; }
+
   std::size_t size() const { return is_chosen_ ? chosen_.size() : table_.size(); }
   /// Returns the index in the table of the i-th listed point.
   std::size_t slot(std::size_t i) const { return is_chosen_ ? chosen_[i] : i; }
@@ -29,6 +39,7 @@ class PointList {
  private:
   std::span<const Vec2> table_;
   std::span<const std::uint32_t> chosen_;
+  std::span<const std::uint32_t> group_end_;
   bool is_chosen_ = false;
 };
 

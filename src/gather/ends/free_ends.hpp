@@ -154,6 +154,9 @@ class FreeEnds {
   /// shaders. Returns W with them. EndTerms, in kernels/, does the same for packets.
   float add(Vec2 p, float weight, std::span<float> value) const;
 
+  /// Does TableMemory::leave_budget().
+  std::size_t leave_budget() { return memory_.leave_budget() + tables_.memory.leave_budget(); }
+
  private:
   Status build_tree(Context& context, std::uint32_t spare);
   Status sort(Context& context);

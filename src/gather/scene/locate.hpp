@@ -33,6 +33,9 @@ class Locator {
   /// Locates points. Cost: a few steps for each point. Errors: limit, cancelled.
   Result<LocatedPoints> locate(Context& context, const PointList& points) const;
 
+  /// Does TableMemory::leave_budget().
+  std::size_t leave_budget() { return memory_.leave_budget(); }
+
  private:
   std::uint32_t start_triangle(float x, float y) const;
 

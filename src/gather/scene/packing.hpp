@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "base/table_memory.hpp"
@@ -16,9 +17,10 @@ struct Packet {
   std::uint8_t lane_count = 0;
 };
 
-/// All points of one gather call as packets. The content of a packet depends only on the points.
+/// All points of one gather call as packets. The content of a packet depends only on the points of
+/// its group.
 struct Packing {
-  std::vector<std::uint32_t> point;  ///< indices of the caller's points, by triangle
+  std::vector<std::uint32_t> point;  ///< indices of the caller's points, by group and triangle
   std::vector<PacketTriangle> triangle;
   std::vector<Packet> packet;
   TableMemory memory{"packets of points"};
@@ -39,7 +41,9 @@ void for_each_point(const Packing& packing, const Packet& packet, Body body) {
 PacketInput packet_input(const Packing& packing, const Packet& packet, const LocatedPoints& points);
 
 /// Fills packets triangle by triangle. A packet that is not full grows breadth-first over edges
-/// that rays pass in both directions, to at most kPacketTriangles triangles. Errors: limit.
-Result<Packing> pack(Context& context, const Scene& scene, const LocatedPoints& points);
+/// that rays pass in both directions, to at most kPacketTriangles triangles. A packet has points of
+/// one group: PointList::group_end(). Errors: limit, cancelled.
+Result<Packing> pack(Context& context, const Scene& scene, const LocatedPoints& points,
+                     std::span<const std::uint32_t> group_end = {});
 
 }  // namespace sfumato::gather
