@@ -3,8 +3,7 @@
 #include "base/public_verb.hpp"
 #include "base/stopwatch.hpp"
 #include "base/try.hpp"
-#include "raster/rasterize_source.hpp"
-#include "solve/points/exact_picture.hpp"
+#include "picture/picture_counts.hpp"
 
 namespace sfumato {
 namespace {
@@ -14,13 +13,12 @@ Result<Image> render(Context& context, const Document& document,
                      DiffuseStats* stats) {
   DiffuseOptions options = diffuse_options;
   if (raster_options.viewport) options.viewport = raster_options.viewport;
-  SFUMATO_TRY_ASSIGN(const auto& exact,
-                     solve::ExactPicture::create(context, document, options, stats));
+  options.exact_pixels = true;
+  SFUMATO_TRY_ASSIGN(const Picture& picture, diffuse(context, document, options, stats));
   const Stopwatch watch;
-  Result<Image> image = rasterize(context, exact.picture(), raster_options, exact);
+  Result<Image> image = rasterize(context, picture, raster_options);
   if (image && stats) {
-    stats->nodes +=
-        static_cast<std::uint64_t>(image->width) * static_cast<std::uint64_t>(image->height);
+    stats->nodes += picture::count_read_points(picture);
     stats->gather_seconds += watch.seconds();
   }
   return image;

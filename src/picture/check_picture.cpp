@@ -35,6 +35,10 @@ bool is_whole(const PatchField& field, int own_channels, const Picture& picture,
   const std::size_t channels = static_cast<std::size_t>(own_channels) + field.shader.size();
   if (field.channel_count < 0 || static_cast<std::size_t>(field.channel_count) != channels)
     return false;
+  if (layer.exact_points) {
+    return field.triangle_node.empty() && field.node_value.empty() &&
+           all_below(field.shader, picture.shaders.size());
+  }
   return field.triangle_node.size() == std::size_t{kNodesPerTriangle} * layer.triangle_count() &&
          field.node_value.size() % channels == 0 &&
          all_below(field.triangle_node, field.node_value.size() / channels) &&

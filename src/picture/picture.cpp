@@ -1,5 +1,7 @@
 #include "sfumato/picture/picture.hpp"
 
+#include "picture/point_fields.hpp"
+
 namespace sfumato {
 namespace {
 
@@ -9,6 +11,14 @@ std::size_t bytes_of(const PatchField& field) {
 }
 
 }  // namespace
+
+PointFieldsRef::PointFieldsRef(const PointFieldsRef& other) : fields_(other.fields_) {
+  if (fields_) fields_->add_reference();
+}
+
+PointFieldsRef::~PointFieldsRef() {
+  if (fields_) fields_->release();
+}
 
 std::size_t bytes_of(const ExactLayer& layer) {
   std::size_t bytes = layer.vertex_position.capacity() * sizeof(Vec2) +
@@ -25,7 +35,8 @@ std::size_t bytes_of(const PatchLayer& layer) {
   return bytes_of(layer.exact) + layer.vertex_position.capacity() * sizeof(Vec2) +
          layer.triangle_vertex.capacity() * sizeof(std::uint32_t) + layer.edge_is_curve.capacity() +
          layer.soft_edge.capacity() * sizeof(SoftEdge) + layer.bow.capacity() * sizeof(CurveBow) +
-         bytes_of(layer.color) + bytes_of(layer.opacity);
+         bytes_of(layer.color) + bytes_of(layer.opacity) +
+         (layer.exact_points ? layer.exact_points->bytes() : 0);
 }
 
 std::size_t bytes_of(const Picture& picture) {

@@ -1,5 +1,7 @@
 #include "picture/picture_counts.hpp"
 
+#include "picture/point_fields.hpp"
+
 namespace sfumato::picture {
 
 PictureCounts count_tables(const Picture& picture) {
@@ -13,6 +15,13 @@ PictureCounts count_tables(const Picture& picture) {
     }
   }
   return counts;
+}
+
+std::uint64_t count_read_points(const Picture& picture) {
+  std::uint64_t count = 0;
+  for (const PatchLayer& layer : picture.layers)
+    if (layer.exact_points) count += layer.exact_points->read_count();
+  return count;
 }
 
 }  // namespace sfumato::picture

@@ -15,4 +15,7 @@ struct PictureCounts {
 
 PictureCounts count_tables(const Picture& picture);
 
+/// Returns the number of points at which exact fields were read so far to draw the picture.
+std::uint64_t count_read_points(const Picture& picture);
+
 }  // namespace sfumato::picture

@@ -4,15 +4,16 @@
 
 namespace sfumato::raster {
 
-Compositor::Compositor(const Context& context, const PaintList& list, const SpanKernels& kernels,
-                       bool antialias, const picture::FieldSource* source)
+Compositor::Compositor(Context& context, const PaintList& list, const SpanKernels& kernels,
+                       bool antialias)
     : context_(context),
       list_(list),
       kernels_(kernels),
       antialias_(antialias),
       mixed_(kernels),
+      exact_(kernels, antialias),
       groups_(static_cast<std::size_t>(list.group_depth())) {
-  if (!list.is_plain()) layer_painter_.emplace(kernels, antialias, source);
+  if (!list.is_plain()) layer_painter_.emplace(kernels, antialias);
 }
 
 std::size_t Compositor::bytes(const PaintList& list) {
@@ -49,23 +50,29 @@ PixelRect Compositor::pixels_of(const PaintItem& item, const TriangleList& trian
   return intersection(grown(rect, list_.margin_px()), whole);
 }
 
-void Compositor::paint_straight(const PaintItem& item, const TriangleList& triangles) {
+Status Compositor::paint_straight(const PaintItem& item, const TriangleList& triangles) {
   const PixelRect rect = pixels_of(item, triangles);
-  if (rect.empty()) return;
+  if (rect.empty()) return ok_status();
   const Tile tile = target(rect);
+  if (item.layer.exact) {
+    return exact_.paint_straight(context_, item.layer, item.layer_from_image, triangles, tile,
+                                 &mixed_);
+  }
   if (antialias_) {
     mixed_.mark(item.layer, triangles, tile);
     mixed_.keep_below(tile);
   }
   kernels_.draw_triangles(item.layer, triangles, tile, nullptr);
   if (antialias_) mixed_.paint(item.layer, triangles, tile);
+  return ok_status();
 }
 
 Status Compositor::paint_shaded(const PaintItem& item, const TriangleList& triangles) {
   const PixelRect rect = pixels_of(item, triangles);
   if (rect.empty()) return ok_status();
   const ShadingInput input{list_.space(), &list_.shaders(), item.layer_from_image};
-  SFUMATO_TRY_ASSIGN(const Tile& source, layer_painter_->paint(item.layer, input, triangles, rect));
+  SFUMATO_TRY_ASSIGN(const Tile& source,
+                     layer_painter_->paint(context_, item.layer, input, triangles, rect, &exact_));
   kernels_.blend(source, item.opacity, item.blend, target(rect));
   return ok_status();
 }
@@ -93,8 +100,7 @@ Status Compositor::paint_item(const ListedItem& listed, std::size_t tile_index) 
   const PaintItem& item = *listed.item;
   switch (item.kind) {
     case PaintItem::Kind::straight:
-      paint_straight(item, list_.triangles(listed, tile_index, &triangles_));
-      break;
+      return paint_straight(item, list_.triangles(listed, tile_index, &triangles_));
     case PaintItem::Kind::shaded:
       return paint_shaded(item, list_.triangles(listed, tile_index, &triangles_));
     case PaintItem::Kind::stroke:

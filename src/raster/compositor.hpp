@@ -5,6 +5,7 @@
 
 #include "raster/coverage/coverage.hpp"
 #include "raster/kernels/span_kernels.hpp"
+#include "raster/layers/exact_painter.hpp"
 #include "raster/layers/layer_painter.hpp"
 #include "raster/paint_list.hpp"
 
@@ -14,13 +15,11 @@ namespace sfumato::raster {
 /// other layers and groups are painted separately, then blended where they painted.
 class Compositor {
  public:
-  /// Makes a compositor. All arguments must outlive it. source: as in LayerPainter; if it is not
-  /// null, the list must not be plain.
-  Compositor(const Context& context, const PaintList& list, const SpanKernels& kernels,
-             bool antialias, const picture::FieldSource* source);
+  /// Makes a compositor. All arguments must outlive it.
+  Compositor(Context& context, const PaintList& list, const SpanKernels& kernels, bool antialias);
 
-  /// Paints over the content of `root`, the whole tile. Errors: cancelled, and the source's; the
-  /// tile is then partly painted.
+  /// Paints over the content of `root`, the whole tile. Errors: limit (exact pixels), cancelled;
+  /// the tile is then partly painted.
   Status paint(std::size_t tile_index, const Tile& root);
 
   /// Returns the memory of one object.
@@ -35,7 +34,7 @@ class Compositor {
 
   Status paint_item(const ListedItem& listed, std::size_t tile_index);
   PixelRect pixels_of(const PaintItem& item, const TriangleList& triangles) const;
-  void paint_straight(const PaintItem& item, const TriangleList& triangles);
+  Status paint_straight(const PaintItem& item, const TriangleList& triangles);
   Status paint_shaded(const PaintItem& item, const TriangleList& triangles);
   Status paint_stroke(const StrokePainter& stroke);
   void close_group(const PaintItem& item);
@@ -43,11 +42,12 @@ class Compositor {
   /// was painted.
   Tile target(const PixelRect& rect);
 
-  const Context& context_;
+  Context& context_;
   const PaintList& list_;
   const SpanKernels& kernels_;
   bool antialias_;
   MixedPixels mixed_;
+  ExactPainter exact_;
   std::optional<LayerPainter> layer_painter_;
   std::vector<TilePlanes> groups_;
   std::vector<Level> levels_;

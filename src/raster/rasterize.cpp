@@ -19,7 +19,6 @@
 #include "raster/options.hpp"
 #include "raster/paint_list.hpp"
 #include "raster/rasterize_into.hpp"
-#include "raster/rasterize_source.hpp"
 
 namespace sfumato {
 namespace {
@@ -31,9 +30,8 @@ using raster::TileGrid;
 
 /// The input for painting a tile.
 struct TileJob {
-  const Context* context = nullptr;
+  Context* context = nullptr;
   const RasterOptions* options = nullptr;
-  const picture::FieldSource* source = nullptr;
   const raster::SpanKernels* kernels = nullptr;
   PaintList list;
   raster::Backdrop backdrop;
@@ -49,7 +47,7 @@ class TilePainter {
       : job_(job),
         planes_(std::make_unique_for_overwrite<float[]>(raster::kTileFloats *
                                                         (job.has_alpha() ? 4 : 3))),
-        compositor_(*job.context, job.list, *job.kernels, job.options->antialias, job.source) {}
+        compositor_(*job.context, job.list, *job.kernels, job.options->antialias) {}
 
   /// Returns the memory of one, with an overlay.
   static std::size_t bytes(const PaintList& list) {
@@ -212,8 +210,7 @@ Status ImagePainting::paint() {
 /// The input of drawing besides the options.
 struct Drawing {
   const Picture& picture;
-  const std::optional<Rgb>& own_background;      ///< for options without a background
-  const picture::FieldSource* source = nullptr;  ///< null: the picture's patches
+  const std::optional<Rgb>& own_background;  ///< for options without a background
 };
 
 /// Makes a plan. The picture and the options have not been checked against each other.
@@ -239,7 +236,6 @@ Status draw_window(Context& context, const PaintPlan& plan, const Drawing& drawi
   TileJob job;
   job.options = &options;
   job.context = &context;
-  job.source = drawing.source;
   job.kernels = &raster::span_kernels(context.simd);
   job.backdrop = raster::choose_backdrop(options, drawing.own_background);
   job.target = target;
@@ -319,21 +315,6 @@ Status rasterize_into(Context& context, const Picture& picture, const RasterOpti
                       std::uint8_t* pixels, std::size_t row_bytes) {
   return raster::rasterize_into_on(context, picture, options, picture.background, pixels,
                                    row_bytes);
-}
-
-Result<Image> rasterize(Context& context, const Picture& picture, const RasterOptions& options,
-                        const picture::FieldSource& source) {
-  RasterOptions plain = options;
-  plain.antialias = plain.mesh_overlay = false;
-  return public_verb(context, [&]() -> Result<Image> {
-    const auto is_opaque = [](const PatchLayer& layer) {
-      return layer.triangle_count() > 0 && layer.opacity.channel_count == 0;
-    };
-    if (std::ranges::any_of(picture.layers, is_opaque)) {
-      return make_error(StatusCode::bad_input, "a source of fields for a layer without opacity");
-    }
-    return draw(context, {picture, picture.background, &source}, plain);
-  });
 }
 
 struct PreparedRaster::Parts {

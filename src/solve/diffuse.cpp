@@ -76,7 +76,7 @@ Result<Picture> solve_document(Context& context, const Document& document,
   SFUMATO_TRY(validate(context, document));
   SFUMATO_TRY_ASSIGN(auto&& picture,
                      make_frame(context, document, options.viewport.value_or(document.artboard)));
-  picture.for_pixel_grid = solve::is_for_pixel_grid(options);
+  picture.for_pixel_grid = options.exact_pixels || solve::is_for_pixel_grid(options);
   ScopedCharge charge;  // for the frame, while layers are solved
   SFUMATO_TRY(charge.add(context, bytes_of(picture), "the picture"));
   SFUMATO_TRY_ASSIGN(auto&& sights, solve::sights_of_layers(context, document, picture.viewport));

@@ -114,6 +114,7 @@ TEST(GpuGatherDocuments, some_examples_have_the_pixels_of_the_twin) {
     const Box& artboard = read->document.artboard;
     RasterOptions options;
     options.width = 40;
+    options.antialias = false;
     options.height = static_cast<int>(std::ceil(40 * artboard.height() / artboard.width()));
     const auto drawn = [&](PointSource* source) {
       context.point_source = source;

@@ -72,6 +72,7 @@ TEST_P(ControlPoints, are_those_of_brute_force) {
   options.width = static_cast<int>(document.artboard.width());
   options.height = static_cast<int>(document.artboard.height());
   options.format = PixelFormat::rgba16;
+  options.antialias = false;
   const Result<Image> image = render_pixels(context, document, diffuse_options, options);
   ASSERT_TRUE(image.ok()) << image.status().message;
 

@@ -41,7 +41,9 @@ Image drawn(const Document& document, RasterOptions options = raster_options()) 
 
 Image drawn_at_every_pixel(const Document& document) {
   Context context;
-  Result<Image> image = render_pixels(context, document, {}, raster_options());
+  RasterOptions options = raster_options();
+  options.antialias = false;
+  Result<Image> image = render_pixels(context, document, {}, options);
   EXPECT_TRUE(image.ok()) << image.status().message;
   return std::move(*image);
 }

@@ -78,6 +78,7 @@ Image drawn(const Document& document, Way way, int width = kWidth, int height = 
   options.ends = gather::Ends::soft;
   options.pixels_per_unit = width / document.artboard.width();
   if (way == Way::pixels) {
+    size.antialias = false;
     Result<Image> image = render_pixels(context, document, options, size);
     EXPECT_TRUE(image.ok()) << image.status().message;
     return image ? std::move(*image) : Image{};

@@ -156,6 +156,7 @@ Image drawn_exactly(const Document& document, int band, std::optional<double> to
   raster.width = static_cast<int>(std::lround(whole.width()));
   raster.height = static_cast<int>(height);
   raster.format = PixelFormat::rgb16;
+  raster.antialias = false;
   DiffuseOptions options;
   options.tolerance = tolerance;
   Result<Image> image = render_pixels(context, document, options, raster);

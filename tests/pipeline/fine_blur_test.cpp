@@ -56,7 +56,8 @@ Values exact(const Document& document) {
   Context context;
   DiffuseOptions options;
   options.pixels_per_unit = kSamples;
-  const RasterOptions size = image_size(kSide * kSamples, kSide * kSamples, PixelFormat::rgba16);
+  RasterOptions size = image_size(kSide * kSamples, kSide * kSamples, PixelFormat::rgba16);
+  size.antialias = false;
   const Result<Image> image = render_pixels(context, document, options, size);
   EXPECT_TRUE(image.ok());
   return means(*image, kSamples);

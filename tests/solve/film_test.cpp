@@ -169,6 +169,7 @@ Image exact_pixels_of(const Document& document) {
   Context context;
   RasterOptions options;
   options.width = options.height = kSide;
+  options.antialias = false;
   Result<Image> image = render_pixels(context, document, kOptions, options);
   EXPECT_TRUE(image.ok());
   return std::move(*image);

@@ -2,13 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "sfumato/picture/picture_file.hpp"
-#include "sfumato/raster/rasterize.hpp"
-#include "sfumato/solve/diffuse.hpp"
 #include "sfumato/solve/solution.hpp"
-#include "support/drawing.hpp"
+#include "solve/pixel_pictures.hpp"
 #include "support/windows.hpp"
 
 // Pictures for a pixel grid: coarse chords whose bows the pixels correct.
@@ -17,7 +14,12 @@ namespace {
 
 using test::circle_curve;
 using test::colored;
+using test::drawn;
+using test::grid;
+using test::largest_difference;
 using test::one_layer;
+using test::plain_options;
+using test::solved;
 
 Document disk() {
   return one_layer({colored(circle_curve({50.3, 49.6}, 37.4), test::kWhite, test::kRed)});
@@ -50,43 +52,6 @@ Document ring() {
   }
   return one_layer({colored(circle_curve({50, 50}, 30), test::kBlue, test::kWhite),
                     colored(outer, test::kRed, test::kBlack)});
-}
-
-Picture solved(const Document& document, const DiffuseOptions& options) {
-  Context context;
-  Result<Picture> picture = diffuse(context, document, options);
-  EXPECT_TRUE(picture.ok()) << picture.status().message;
-  return std::move(*picture);
-}
-
-/// Draws on a background, so that colours count as much as they show.
-RasterOptions plain_options() {
-  RasterOptions options;
-  options.width = options.height = 100;
-  options.background = test::kGreen;
-  options.dither = false;
-  return options;
-}
-
-Image drawn(const Picture& picture) {
-  Context context;
-  Result<Image> image = rasterize(context, picture, plain_options());
-  EXPECT_TRUE(image.ok()) << image.status().message;
-  return std::move(*image);
-}
-
-int largest_difference(const Image& a, const Image& b) {
-  int most = 0;
-  EXPECT_EQ(a.bytes.size(), b.bytes.size());
-  for (std::size_t i = 0; i < a.bytes.size(); ++i)
-    most = std::max(most, std::abs(int{a.bytes[i]} - int{b.bytes[i]}));
-  return most;
-}
-
-constexpr DiffuseOptions grid() {
-  DiffuseOptions options;
-  options.pixel_grid = true;
-  return options;
 }
 
 DiffuseOptions fine() {

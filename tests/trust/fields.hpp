@@ -146,7 +146,8 @@ inline auto fields(ExactLayer& v) {
 }
 inline auto fields(PatchLayer& v) {
   auto& [frame, order, vertex_position, triangle_vertex, edge_is_curve, soft_edge, bow, color,
-         opacity, exact] = v;
+         opacity, exact, exact_points] = v;
+  static_cast<void>(exact_points);  // the solver's own
   return std::tie(frame, order, vertex_position, triangle_vertex, edge_is_curve, soft_edge, bow,
                   color, opacity, exact);
 }
@@ -169,9 +170,9 @@ inline auto fields(gather::GatherOptions& v) {
 }
 inline auto fields(DiffuseOptions& v) {
   auto& [viewport, pixels_per_unit, tolerance, min_angle_deg, max_area_fraction, max_error, order,
-         gather, ends, ignore_blur, pixel_grid, exact_fields] = v;
+         gather, ends, ignore_blur, pixel_grid, exact_pixels, exact_fields] = v;
   return std::tie(viewport, pixels_per_unit, tolerance, min_angle_deg, max_area_fraction, max_error,
-                  order, gather, ends, ignore_blur, pixel_grid, exact_fields);
+                  order, gather, ends, ignore_blur, pixel_grid, exact_pixels, exact_fields);
 }
 inline auto fields(RasterWindow& v) {
   auto& [x, y, of_width, of_height] = v;

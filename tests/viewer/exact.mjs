@@ -74,7 +74,7 @@ export async function gathered({ pages }, payload, wish) {
 /** Returns the library's pixels, 16 bits, as premultiplied code values from 0 to 1. */
 function expectedOf({ command, PNG }, name) {
   const path = command.file("exact_expected.png");
-  command.run("render", documentOf(command, name), "-o", path, "--method", "pixels", "--depth", 16,
+  command.run("render", documentOf(command, name), "-o", path, "--method", "pixels", "--depth", 16, "--no-antialias",
     "--width", SIZE[0], "--height", SIZE[1], "--quiet");
   const { data, width, height } = PNG.sync.read(readFileSync(path), { skipRescale: true });
   check(width === SIZE[0] && height === SIZE[1], `it is ${width} x ${height}`);

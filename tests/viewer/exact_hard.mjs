@@ -52,7 +52,7 @@ function expectedOf({ command, PNG }, path, { tolerance, size, zoom }) {
   const png = command.file("exact_expected.png");
   const [width, height] = size.map((length) => length / zoom);
   const part = [MIDDLE[0] - width / 2, MIDDLE[1] - height / 2, width, height];
-  command.run("render", path, "-o", png, "--method", "pixels", "--depth", 16, "--quiet",
+  command.run("render", path, "-o", png, "--method", "pixels", "--depth", 16, "--no-antialias", "--quiet",
     "--tolerance", tolerance, "--viewport", part.join(","), "--width", size[0], "--height", size[1]);
   return PNG.sync.read(readFileSync(png), { skipRescale: true }).data;
 }

@@ -8,16 +8,16 @@
 
 namespace sfumato {
 
-/// Draws a document without patches: gathers at every pixel centre. Use it as ground truth for the
-/// patches of diffuse(). A pixel has the colour of its centre: there is no antialiasing, and
-/// RasterOptions::antialias and RasterOptions::mesh_overlay are ignored.
+/// Draws a document without patches: gathers at every pixel centre and, with
+/// RasterOptions::antialias, in every part of a pixel that curves cut. Use it as ground truth for
+/// the patches of diffuse(). DiffuseOptions::exact_pixels does the same in two steps.
 ///
 /// The viewport is `raster_options.viewport`, else `diffuse_options.viewport`, else the artboard.
-/// `stats`, unless null, grows as in diffuse(): each pixel counts as a node, and there are no
-/// triangles. The result has the same bits for any thread count and SIMD level.
+/// `stats`, unless null, grows as in diffuse(), and each point that is gathered counts as a node.
+/// The result has the same bits for any thread count and SIMD level.
 ///
 /// Errors: bad_input (an invalid document or option), limit, cancelled, out_of_memory.
-/// Cost: one gather per pixel and layer.
+/// Cost: one gather per pixel and instance, and about two more where a curve cuts a pixel.
 Result<Image> render_pixels(Context& context, const Document& document,
                             const DiffuseOptions& diffuse_options,
                             const RasterOptions& raster_options, DiffuseStats* stats = nullptr);

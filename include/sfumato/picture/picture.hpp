@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -12,6 +13,10 @@
 #include "sfumato/document/document.hpp"
 
 namespace sfumato {
+
+namespace picture {
+class PointFields;
+}
 
 /// The number of nodes of a patch, for every PatchOrder.
 inline constexpr int kNodesPerTriangle = 10;
@@ -133,6 +138,29 @@ struct ExactLayer {
   std::vector<ExactField> field;               ///< the colour, and the opacity if there is one
 };
 
+/// A shared reference to exact fields that the solver made.
+class PointFieldsRef {
+ public:
+  PointFieldsRef() = default;
+  /// Takes over a reference to `fields`; null: refers to nothing.
+  explicit PointFieldsRef(const picture::PointFields* fields) : fields_(fields) {}
+  PointFieldsRef(const PointFieldsRef& other);
+  PointFieldsRef(PointFieldsRef&& other) noexcept
+      : fields_(std::exchange(other.fields_, nullptr)) {}
+  PointFieldsRef& operator=(PointFieldsRef other) noexcept {
+    std::swap(fields_, other.fields_);
+    return *this;
+  }
+  ~PointFieldsRef();
+
+  const picture::PointFields* get() const { return fields_; }
+  const picture::PointFields* operator->() const { return fields_; }
+  explicit operator bool() const { return fields_ != nullptr; }
+
+ private:
+  const picture::PointFields* fields_ = nullptr;
+};
+
 /// One solved layer: triangular patches over shared nodes (equations 6 and 10 of the paper).
 ///
 /// The colour at a point is channels 0 to 2 of `color`, in the space of Picture::interpolation,
@@ -153,6 +181,9 @@ struct PatchLayer {
   /// Has fields only with DiffuseOptions::exact_fields, and where no side has an image-domain
   /// shader.
   ExactLayer exact;
+  /// For a pixel grid: the exact fields, which pixels show instead of patches. Then `color` and
+  /// `opacity` have channels and shaders, but no nodes. Null: pixels show the patches.
+  PointFieldsRef exact_points;
 
   /// Returns the number of triangles; 0 where no instance shows a part of the layer.
   std::uint32_t triangle_count() const {

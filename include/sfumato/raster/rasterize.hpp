@@ -52,8 +52,9 @@ struct RasterOptions {
 ///
 /// A pixel shows the patch at its centre, and each centre belongs to one triangle only. Where a
 /// curve cuts the pixel and RasterOptions::antialias is set, the pixel shows the mean of its
-/// patches, by exact area, of premultiplied colours. Layers, local curves and groups are composited
-/// in sRGB code values, as in CSS (docs/mathematics.md, "Pixels").
+/// patches, by exact area, of premultiplied colours. A layer with PatchLayer::exact_points gathers
+/// its colours instead, which takes about 1 µs a point. Layers, local curves and groups are
+/// composited in sRGB code values, as in CSS (docs/mathematics.md, "Pixels").
 ///
 /// Errors: bad_input (no pixels, an empty viewport, an invalid picture), limit (size, memory,
 /// limits of the picture), cancelled, out_of_memory.

@@ -37,11 +37,16 @@ struct DiffuseOptions {
   gather::Ends ends = gather::Ends::soft;  ///< the colours ahead of the ends of open curves
   bool ignore_blur = false;  ///< draw diffusion curves sharp, as if their blur radii were 0
 
-  /// Solves only for rasterize() with antialiasing at `pixels_per_unit`, about twice as fast.
-  /// Chords are coarser, and pixels correct the area between a chord and its curve. Triangles
-  /// smaller than a few pixels are not refined. All other outputs refuse the picture
+  /// Solves only for rasterize() with antialiasing at `pixels_per_unit`, two to three times as
+  /// fast. Chords are coarser, and pixels correct the area between a chord and its curve. Triangles
+  /// smaller than a few pixels are not refined, and dense layers have no patches: pixels gather
+  /// their colours when they are drawn. All other outputs refuse the picture
   /// (Picture::for_pixel_grid). No effect if `tolerance` is set or `max_error` is 0.
   bool pixel_grid = false;
+
+  /// Solves for rasterize() alone, without patches: gathers at every pixel when it is drawn. Use it
+  /// as ground truth for patches.
+  bool exact_pixels = false;
 
   /// Whether layers get PatchLayer::exact. Use it for viewers that compute exact pixels.
   bool exact_fields = false;

@@ -165,8 +165,10 @@ Result<Bytes> PictureMaker::make_image(Document& document) {
 
 Result<Bytes> PictureMaker::make_image(const Picture& picture) {
   const Stopwatch watch;
+  const std::uint64_t read_before = picture::count_read_points(picture);
   Result<Image> image = draw_picture(picture);
   stats_.rasterise_seconds = watch.seconds();
+  stats_.diffuse.nodes += picture::count_read_points(picture) - read_before;
   picture_ = {};
   return encode(std::move(image));
 }

@@ -39,6 +39,7 @@ Result<std::vector<std::uint8_t>> bent_triangles(Context& context, const PatchLa
                                                  TableMemory& memory) {
   std::vector<std::uint8_t> bent;
   SFUMATO_TRY(memory.resize(context, bent, layer.triangle_count()));
+  if (layer.exact_points) return bent;
   RarePoll<16384> poll(context);
   for (std::size_t t = 0; t < bent.size(); ++t) {
     if (poll.cancelled()) return context.cancel_status();

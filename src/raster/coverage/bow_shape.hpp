@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "curves/flatten.hpp"
 #include "raster/coverage/painted_edge.hpp"
 #include "raster/coverage/soft_strip.hpp"
 
@@ -18,6 +19,9 @@ struct BowShape {
   static constexpr int kMostParts = 8;
 
   PaintedEdge edge;
+  Vec2 normal;              ///< of the edge, for a height of 1
+  curves::ChordBow height;  ///< of the curve
+  double bend = 0;   ///< distance of the curve in the middle from the line between its ends, pixels
   double reach = 0;  ///< no point of the polygon is farther from the line through the edge
   Vec2 corner[2 + kMostParts + 1];  ///< the edge's ends, then the curve back from its end
   int corner_count = 0;

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <optional>
 
-#include "base/largest_scale.hpp"
+#include "raster/coverage/coverage_parts.hpp"
+#include "raster/coverage/edge_search.hpp"
+#include "raster/coverage/placed_parts.hpp"
 #include "raster/coverage/split_triangle.hpp"
 
 namespace sfumato::raster {
@@ -20,51 +22,6 @@ PixelCorners pixel_corners_of(const LayerView& layer, std::uint32_t triangle) {
   for (int k = 0; k < 3; ++k) corners.at[k] = corner_position(layer, triangle, k);
   return corners;
 }
-
-/// One of the placed triangles.
-struct Placed {
-  Placed(const PlacedTriangles& all, std::size_t i)
-      : box{{all.left[i], all.top[i]}, {all.right[i], all.bottom[i]}},
-        range{all.begin[i], all.end[i], all.first_row[i], all.end_row[i]} {
-    for (int k = 0; k < 3; ++k) corner[k] = {all.x[k][i], all.y[k][i]};
-  }
-
-  Vec2 corner[3];
-  Box box;
-  PixelRange range;
-};
-
-/// The parts of a triangle in unit squares.
-class TriangleParts {
- public:
-  /// Prepares a triangle. Its corners are clockwise on the screen, unless the layer is mirrored; it
-  /// uses `cells` as its workspace.
-  TriangleParts(const Placed& placed, bool mirrored, double scale, CellCoverage* cells)
-      : cells_(cells) {
-    const Vec2 a = placed.corner[0] * scale;
-    const Vec2 b = placed.corner[mirrored ? 2 : 1] * scale;
-    const Vec2 c = placed.corner[mirrored ? 1 : 2] * scale;
-    if (!cells_->cut({a, b, c}, {placed.box.min * scale, placed.box.max * scale})) {
-      cells_ = nullptr;
-      clip_ = clip_triangle(a, b, c);
-    }
-  }
-
-  Coverage in(int x, int y) const {
-    return cells_ ? cells_->in(x, y) : pixel_coverage(*clip_, x, y);
-  }
-  /// Returns the part of a pixel's quarter, as a part of a pixel, for a triangle of double size.
-  Coverage in_quarter(int x, int y, int quarter) const {
-    const Vec2 corner{1.0 * (quarter & 1), 1.0 * (quarter >> 1)};
-    const Coverage part = in(2 * x + (quarter & 1), 2 * y + (quarter >> 1));
-    if (part.area == 0) return {};
-    return {0.25 * part.area, 0.5 * (corner + part.centroid)};
-  }
-
- private:
-  CellCoverage* cells_;  ///< null: not small
-  std::optional<ClipTriangle> clip_;
-};
 
 /// Shades directly into a tile: opaque, in code values.
 class OpaqueShader {
@@ -159,75 +116,7 @@ bool is_read_in_quarters(const LayerView& layer, std::uint32_t triangle, const V
          longest > kWholeTrianglePx * kWholeTrianglePx;
 }
 
-/// Finds the SoftEdges or CurveBows of triangles, which are queried in increasing order.
-template <class Edge>
-class EdgeSearch {
- public:
-  EdgeSearch(const LayerView& layer, std::span<const Edge> edges)
-      : is_curve_(layer.edge_is_curve), rest_(edges) {}
-
-  std::span<const Edge> of(std::uint32_t triangle) {
-    const std::uint8_t* is_curve = is_curve_ + std::size_t{3} * triangle;
-    if (rest_.empty() || !(is_curve[0] | is_curve[1] | is_curve[2])) return {};
-    skip_before(triangle);
-    std::size_t count = 0;
-    while (count < rest_.size() && painting_triangle(rest_[count]) == triangle) ++count;
-    return rest_.first(count);
-  }
-
- private:
-  /// Skips in steps that double: the next one is near, or far where a tile shows little of a layer.
-  void skip_before(std::uint32_t triangle) {
-    std::size_t reach = 1;
-    while (reach < rest_.size() && painting_triangle(rest_[reach - 1]) < triangle) reach *= 2;
-    const auto near = rest_.first(std::min(reach, rest_.size()));
-    const auto found = std::ranges::lower_bound(near, triangle, {}, painting_triangle<Edge>);
-    rest_ = rest_.subspan(static_cast<std::size_t>(found - near.begin()));
-  }
-
-  const std::uint8_t* is_curve_;
-  std::span<const Edge> rest_;
-};
-
-EdgeSearch<SoftEdge> soft_edges_of(const LayerView& layer) {
-  return {layer, {layer.soft_edge, layer.soft_edge_count}};
-}
-
-EdgeSearch<CurveBow> bows_of(const LayerView& layer) {
-  return {layer, {layer.bow, layer.bow_count}};
-}
-
-/// Finds the bows that show where the layer is placed in the image.
-class BowSight {
- public:
-  explicit BowSight(const LayerView& layer)
-      : least_height_(kLeastBowPx / largest_scale(layer.image_from_layer)) {}
-
-  bool operator()(const CurveBow& bow) const { return largest_height(bow) > least_height_; }
-
- private:
-  double least_height_;  ///< in the layer's frame
-};
-
-/// Returns the outline of all strips of a soft edge.
-std::array<Vec2, 4> outline(const SoftStrip& strip) {
-  constexpr double kReach = kStripReach[kStrips - 1];
-  const auto& end = strip.edge.end;
-  return {end[0], end[1], end[1] + strip.reach[1] * kReach, end[0] + strip.reach[0] * kReach};
-}
-
 }  // namespace
-
-/// Calls visit(triangle, place in placed_) for the triangles of a list, one after another.
-template <class Visit>
-void MixedPixels::for_each_placed(const LayerView& layer, const TriangleList& triangles,
-                                  const Tile& tile, const Visit& visit) {
-  for (std::size_t first = 0; first < triangles.count; first += PlacedTriangles::kMost) {
-    const std::size_t count = std::min(triangles.count - first, PlacedTriangles::kMost);
-    kernels_.place_triangles(layer, triangles.triangle + first, count, tile, &placed_);
-    for (std::size_t i = 0; i < count; ++i) visit(triangles.triangle[first + i], i);
-  }
-}
 
 void MixedPixels::mark(const LayerView& layer, const TriangleList& triangles, const Tile& tile) {
   marks_.clear();
@@ -370,8 +259,7 @@ template <class Shader>
 void MixedPixels::read_side(Shader* shader, const PaintedEdge& painted, std::uint32_t slot,
                             int side) {
   if (slot == SoftEdge::kNone) {
-    for (EdgePixel& pixel : edge_pixel_)
-      pixel.side[side] = pixel.side[1 - side] * color4(1, 1, 1, 0);
+    for (EdgePixel& pixel : edge_pixel_) pixel.side[side] = without_alpha(pixel.side[1 - side]);
     return;
   }
   const PixelCorners corners = pixel_corners_of(shader->layer(), slot / 3);
@@ -423,40 +311,18 @@ template <class Shader>
 void MixedPixels::add_blur(Shader* shader, const SoftEdge& edge, const Tile& tile) {
   const SoftStrip strip = soft_strip(shader->layer(), edge);
   const auto part_in = [&](int x, int y) { return strip_part(strip, x, y); };
-  const auto change = [&](const EdgePixel& pixel, Sum& changed) {
-    const Color4 across = Color4(edge.contrast) * (pixel.side[0] - pixel.side[1]);
-    // The share of the colour across falls by an eighth from strip to strip.
-    const auto shown = [&](int strips_left) {
-      return shader->shown(pixel.side[1] + Color4(0.125f * strips_left) * across);
-    };
-    Color4 sum = Color4::load(changed.edges);
-    Color4 inner = shown(kStrips);
-    for (int i = 0; i < kStrips; ++i) {
-      const Color4 outer = shown(kStrips - 1 - i);
-      sum = sum + Color4(pixel.part.area[i]) * (inner - outer);
-      inner = outer;
-    }
-    sum.store(changed.edges);
+  const auto change = [&](const EdgePixel& pixel, Sum& sum) {
+    change_by_blur(*shader, edge, pixel, sum);
   };
   add_edge(shader, edge, strip.edge, box_of(outline(strip)), tile, part_in, change);
 }
 
-/// Gives the area between an edge and its curve to the side of the curve on which it lies.
 template <class Shader>
 void MixedPixels::add_bow(Shader* shader, const CurveBow& bow, const Tile& tile) {
   const BowShape shape = bow_shape(shader->layer(), bow);
-  const bool has_front = bow.front != SoftEdge::kNone, has_back = bow.back != SoftEdge::kNone;
   const auto part_in = [&](int x, int y) { return bow_part(shape, x, y); };
   const auto change = [&](const EdgePixel& pixel, Sum& sum) {
-    const float area = pixel.part.area[0];
-    const Color4 back = shader->shown(pixel.side[0]), front = shader->shown(pixel.side[1]);
-    if (has_front && has_back) {
-      (Color4::load(sum.edges) + Color4(area) * (back - front)).store(sum.edges);
-    } else {
-      const float sign = has_back ? 1.0f : -1.0f;
-      const float moment[2] = {sign * pixel.part.moment[0], sign * pixel.part.moment[1]};
-      sum.add(sign * area, moment, has_back ? back : front);
-    }
+    change_by_bow(*shader, bow, pixel, sum);
   };
   add_edge(shader, bow, shape.edge, box_of(shape.corners()), tile, part_in, change);
 }
@@ -472,14 +338,6 @@ void MixedPixels::add_edges(Shader* shader, const TriangleList& triangles, const
     for (const CurveBow& bow : bows.of(triangles.triangle[i]))
       if (is_visible(bow)) add_bow(shader, bow, tile);
     for (const SoftEdge& edge : soft_edges.of(triangles.triangle[i])) add_blur(shader, edge, tile);
-  }
-}
-
-/// Calls visit(x, row, index of its sum) for every marked pixel.
-template <class Visit>
-void MixedPixels::for_each_marked(const Tile& tile, const Visit& visit) const {
-  for (int row = 0; row < tile.height; ++row) {
-    marks_.for_each(row, 0, tile.width, [&](int x, std::uint32_t index) { visit(x, row, index); });
   }
 }
 

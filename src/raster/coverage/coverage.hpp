@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <variant>
 #include <vector>
 
+#include "base/table_memory.hpp"
 #include "raster/coverage/abutting.hpp"
 #include "raster/coverage/bow_shape.hpp"
 #include "raster/coverage/cell_coverage.hpp"
@@ -11,9 +13,12 @@
 #include "raster/coverage/soft_strip.hpp"
 #include "raster/kernels/span_kernels.hpp"
 #include "raster/kernels/tile.hpp"
+#include "raster/layers/exact_points.hpp"
 #include "raster/shaders/point_shader.hpp"
 
 namespace sfumato::raster {
+
+class ExactShader;
 
 /// The antialiasing of one tile. A pixel that a curve, its bow or fine blur passes through gets,
 /// instead of the value at its centre, the mean of the patches in it, each weighted by its exact
@@ -54,6 +59,15 @@ class MixedPixels {
   /// Premultiplied colours are averaged.
   void paint(PointShader* shader, const TriangleList& triangles, const Tile& tile);
 
+  /// Collects the points at which paint() reads the marked pixels of a layer with exact fields.
+  /// Error: limit (memory).
+  Status collect(Context& context, const LayerView& layer, const TriangleList& triangles,
+                 const Tile& tile, ExactPoints* points);
+
+  /// Repaints these pixels once the points were read. is_straight: onto the pixels that
+  /// `keep_below` saved; else separately, as for a PointShader.
+  void paint(const ExactShader& shader, const Tile& tile, bool is_straight);
+
  private:
   struct Sum {
     float first[4] = {};  ///< the first triangle's colour
@@ -76,6 +90,32 @@ class MixedPixels {
     int x, y;
     StripPart part;  ///< a bow has one area
     Color4 side[2];  ///< the shader's values across the edge, and on its own side
+  };
+
+  static constexpr std::uint32_t kNoPart = 0xffffffff;
+
+  /// The part of a triangle in a marked pixel of a layer with exact fields. Parts that no curve
+  /// separates are read as one, at their common centroid.
+  struct ExactPart {
+    Coverage coverage;  ///< of all parts that are read with this one
+    std::uint32_t sum;
+    std::uint32_t point;  ///< in the ExactPoints
+    std::uint32_t triangle;
+    std::uint32_t before;  ///< another part of this pixel, or kNoPart
+    std::uint32_t whole;   ///< a part that this one is read with, or itself
+  };
+
+  /// An edge of a part's triangle: its vertices, the lower one first.
+  struct PartEdge {
+    std::uint64_t ends;
+    std::uint32_t part;
+  };
+
+  /// The change of such a pixel by an edge.
+  struct ExactEdge {
+    EdgePixel pixel;
+    std::variant<const CurveBow*, const SoftEdge*> edge;
+    std::uint32_t point[2];  ///< for EdgePixel::side; kNoPart: there is no triangle
   };
 
  public:
@@ -114,6 +154,26 @@ class MixedPixels {
   void read_sides(Shader* shader, const Edge& edge, const PaintedEdge& painted);
   template <class Shader>
   void read_side(Shader* shader, const PaintedEdge& painted, std::uint32_t slot, int side);
+  template <class Shader>
+  void change_by_blur(const Shader& shader, const SoftEdge& edge, const EdgePixel& pixel,
+                      Sum& changed) const;
+  template <class Shader>
+  void change_by_bow(const Shader& shader, const CurveBow& bow, const EdgePixel& pixel,
+                     Sum& sum) const;
+  Status settle(const Context& context, ExactPoints& points);
+  void collect_parts(const LayerView& layer, std::uint32_t triangle, std::size_t place,
+                     const Tile& tile);
+  Status collect_edges(Context& context, const LayerView& layer, const TriangleList& triangles,
+                       const Tile& tile, ExactPoints* points);
+  template <class Edge, class PartIn>
+  void collect_edge(const LayerView& layer, const Edge& edge, const PaintedEdge& painted,
+                    const Box& box, const Tile& tile, const PartIn& part_in, ExactPoints* points);
+  std::uint32_t whole_of(std::uint32_t part) const;
+  void join_parts(const LayerView& layer, std::uint32_t sum, int x, int y);
+  void join(std::uint32_t one, std::uint32_t other, Vec2 from, Vec2 to);
+  std::uint32_t point_beside(const LayerView& layer, std::uint32_t slot, Vec2 foot,
+                             const EdgePixel& pixel, ExactPoints* points) const;
+  static void read_sides(const ExactShader& shader, ExactEdge* edge);
   void write(const LayerView& layer, const Tile& tile, bool is_straight);
 
   template <class Visit>
@@ -126,6 +186,12 @@ class MixedPixels {
   std::vector<Sum> sum_;  ///< of the marked pixels, row by row
   std::vector<EdgePixel> edge_pixel_;
   AbuttingParts abutting_;
+  std::vector<ExactPart> parts_;
+  std::vector<std::uint32_t> last_part_;  ///< per sum: its last part in parts_
+  std::vector<PartEdge> part_edges_;      ///< of one pixel
+  std::vector<ExactEdge> exact_edges_;
+  std::size_t charged_ = 0;
+  TableMemory memory_{"exact pixels"};
 };
 
 }  // namespace sfumato::raster

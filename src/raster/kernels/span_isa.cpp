@@ -100,46 +100,11 @@ SFUMATO_INLINE bool is_skipped(const PlacedTriangles& placed, std::size_t i,
                    {placed.begin[i], placed.end[i], placed.first_row[i], placed.end_row[i]});
 }
 
-template <int W, class Channels>
-SFUMATO_INLINE void draw_triangle(const LayerView& layer, const Channels& channels,
-                                  std::uint32_t triangle, const PixelPoint (&corner)[3], double top,
-                                  double bottom, const Tile& tile, const PixelMask* skipped) {
-  const int y_end = tile.y0 + tile.height;
-  const int first_row = clamped_ceil(top - 0.5, tile.y0, y_end);
-  const int end_row = clamped_ceil(bottom - 0.5, tile.y0, y_end);
-  if (first_row >= end_row) return;
-  const TriangleFrame frame = triangle_frame(corner, layer.mirrored);
-
-  PatchPolynomial patch;
-  bool patch_is_known = false;
-  for (int y = first_row; y < end_row; ++y) {
-    const double center_y = y + 0.5;
-    const double long_x = frame.long_edge_x(center_y);
-    const double short_x = frame.short_edges_x(center_y);
-    const double left = frame.middle_on_right ? long_x : short_x;
-    const double right = frame.middle_on_right ? short_x : long_x;
-    const int x_end = tile.x0 + tile.width;
-    const int begin = clamped_ceil(left - 0.5, tile.x0, x_end);
-    const int end = clamped_ceil(right - 0.5, tile.x0, x_end);
-    if (begin >= end) continue;
-    const int row = y - tile.y0;
-    if (skipped && holds_all(*skipped, {begin - tile.x0, end - tile.x0, row, row + 1})) continue;
-    if (!patch_is_known) patch = patch_polynomial(channels, layer.order, triangle, frame);
-    patch_is_known = true;
-    const double q = (center_y - frame.top_y) * frame.inverse_height;
-    const double u0 = clamp_unit((begin + 0.5 - long_x) * frame.inverse_width);
-    const std::size_t offset = static_cast<std::size_t>(row) * kTileStride + (begin - tile.x0);
-    draw_span<W, Channels::kCount>(
-        row_polynomial(patch, static_cast<float>(q)),
-        {offset, end - begin, static_cast<float>(u0), static_cast<float>(frame.inverse_width)},
-        tile);
-  }
-}
-
-template <int W, class Channels>
-SFUMATO_INLINE void draw_channels(const LayerView& layer, const Channels& channels,
-                                  const TriangleList& triangles, const Tile& tile,
-                                  const PixelMask* skipped) {
+/// Calls body(triangle, its corners, top, bottom) for the triangles of a list.
+template <class Body>
+SFUMATO_INLINE void for_each_triangle(const LayerView& layer, const TriangleList& triangles,
+                                      const Tile& tile, const PixelMask* skipped,
+                                      const Body& body) {
   PlacedTriangles placed;
   for (std::size_t first = 0; first < triangles.count; first += PlacedTriangles::kMost) {
     const std::uint32_t* triangle = triangles.triangle + first;
@@ -151,10 +116,76 @@ SFUMATO_INLINE void draw_channels(const LayerView& layer, const Channels& channe
       const PixelPoint corner[3] = {{placed.x[0][i], placed.y[0][i]},
                                     {placed.x[1][i], placed.y[1][i]},
                                     {placed.x[2][i], placed.y[2][i]}};
-      draw_triangle<W>(layer, channels, triangle[i], corner, placed.top[i], placed.bottom[i], tile,
-                       skipped);
+      body(triangle[i], corner, placed.top[i], placed.bottom[i]);
     }
   }
+}
+
+/// The pixels of a row of the image whose centres lie in a triangle.
+struct TriangleRow {
+  int y, begin, end;
+  double long_x;  ///< TriangleFrame::long_edge_x()
+};
+
+/// Calls body(frame, row) for the rows in which a triangle has pixels of the tile.
+template <class Body>
+SFUMATO_INLINE void for_each_row(const LayerView& layer, const PixelPoint (&corner)[3], double top,
+                                 double bottom, const Tile& tile, const Body& body) {
+  const int y_end = tile.y0 + tile.height;
+  const int first_row = clamped_ceil(top - 0.5, tile.y0, y_end);
+  const int end_row = clamped_ceil(bottom - 0.5, tile.y0, y_end);
+  if (first_row >= end_row) return;
+  const TriangleFrame frame = triangle_frame(corner, layer.mirrored);
+  for (int y = first_row; y < end_row; ++y) {
+    const double center_y = y + 0.5;
+    const double long_x = frame.long_edge_x(center_y);
+    const double short_x = frame.short_edges_x(center_y);
+    const double left = frame.middle_on_right ? long_x : short_x;
+    const double right = frame.middle_on_right ? short_x : long_x;
+    const int x_end = tile.x0 + tile.width;
+    const int begin = clamped_ceil(left - 0.5, tile.x0, x_end);
+    const int end = clamped_ceil(right - 0.5, tile.x0, x_end);
+    if (begin < end) body(frame, TriangleRow{y, begin, end, long_x});
+  }
+}
+
+template <int W, class Channels>
+SFUMATO_INLINE void draw_channels(const LayerView& layer, const Channels& channels,
+                                  const TriangleList& triangles, const Tile& tile,
+                                  const PixelMask* skipped) {
+  for_each_triangle(
+      layer, triangles, tile, skipped,
+      [&](std::uint32_t triangle, const PixelPoint(&corner)[3], double top, double bottom) {
+        PatchPolynomial patch;
+        bool patch_is_known = false;
+        const auto draw_row = [&](const TriangleFrame& frame, const TriangleRow& pixels) {
+          const int row = pixels.y - tile.y0, column = pixels.begin - tile.x0;
+          if (skipped && holds_all(*skipped, {column, pixels.end - tile.x0, row, row + 1})) return;
+          if (!patch_is_known) patch = patch_polynomial(channels, layer.order, triangle, frame);
+          patch_is_known = true;
+          const double q = (pixels.y + 0.5 - frame.top_y) * frame.inverse_height;
+          const double u0 = clamp_unit((pixels.begin + 0.5 - pixels.long_x) * frame.inverse_width);
+          const std::size_t offset = static_cast<std::size_t>(row) * kTileStride + column;
+          draw_span<W, Channels::kCount>(row_polynomial(patch, static_cast<float>(q)),
+                                         {offset, pixels.end - pixels.begin, static_cast<float>(u0),
+                                          static_cast<float>(frame.inverse_width)},
+                                         tile);
+        };
+        for_each_row(layer, corner, top, bottom, tile, draw_row);
+      });
+}
+
+inline void cover_triangles(const LayerView& layer, const TriangleList& triangles, const Tile& tile,
+                            PixelMask* covered) {
+  for_each_triangle(layer, triangles, tile, nullptr,
+                    [&](std::uint32_t, const PixelPoint(&corner)[3], double top, double bottom) {
+                      const auto cover_row = [&](const TriangleFrame&, const TriangleRow& pixels) {
+                        const int begin = pixels.begin - tile.x0, end = pixels.end - tile.x0;
+                        for (int i = begin / 64; i <= (end - 1) / 64; ++i)
+                          covered->word[pixels.y - tile.y0][i] |= columns_in_word(i, begin, end);
+                      };
+                      for_each_row(layer, corner, top, bottom, tile, cover_row);
+                    });
 }
 
 template <int W>
@@ -183,9 +214,9 @@ const SpanKernels& span_kernels(LaneCount<SFUMATO_ISA_LANES>) {
   constexpr int kLanes = SFUMATO_ISA_LANES;
   static constexpr SpanKernels kKernels{place_triangles,        box_of_triangles,
                                         draw_triangles<kLanes>, draw_color_opacity<kLanes>,
-                                        draw_weights<kLanes>,   finish_shading<kLanes>,
-                                        blend<kLanes>,          unpremultiply<kLanes>,
-                                        write_pixels<kLanes>};
+                                        draw_weights<kLanes>,   cover_triangles,
+                                        finish_shading<kLanes>, blend<kLanes>,
+                                        unpremultiply<kLanes>,  write_pixels<kLanes>};
   return kKernels;
 }
 

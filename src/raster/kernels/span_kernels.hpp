@@ -42,6 +42,10 @@ struct SpanKernels {
   void (*draw_weights)(const LayerView& layer, const FieldView& field, int first_channel,
                        const TriangleList& triangles, const Tile& tile);
 
+  /// Sets, in an empty mask, each pixel that draw_triangles() paints.
+  void (*cover_triangles)(const LayerView& layer, const TriangleList& triangles, const Tile& tile,
+                          PixelMask* covered);
+
   /// Converts the results of these, a colour of `space` and an opacity, to the input of `blend`:
   /// code values and alpha, clamped to [0, 1] and premultiplied.
   void (*finish_shading)(InterpolationSpace space, const Tile& tile);

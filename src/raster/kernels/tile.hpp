@@ -50,6 +50,7 @@ struct LayerView {
   std::size_t bow_count = 0;
   FieldView color;
   FieldView opacity;
+  const picture::PointFields* exact = nullptr;  ///< PatchLayer::exact_points
   PatchOrder order = PatchOrder::cubic;
   Box frame;  ///< PatchLayer::frame
   Affine image_from_layer;

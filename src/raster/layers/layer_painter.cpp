@@ -87,49 +87,31 @@ void LayerPainter::add_shaders(const LayerView& layer, const FieldView& field,
   }
 }
 
-/// Adds the shaders of a field that was read, row by row.
-void LayerPainter::add_read_shaders(const FieldView& field, const std::vector<float>& value,
-                                    const ShadingInput& input, const Tile& tile) {
-  const auto channels = static_cast<std::size_t>(field.channel_count);
-  float weight[kTileWidth];
-  for (int channel = field.first_weight(); channel < field.channel_count; ++channel) {
-    for (int row = 0; row < tile.height; ++row) {
-      const float* first =
-          value.data() + channel + channels * static_cast<std::size_t>(row) * tile.width;
-      for (int x = 0; x < tile.width; ++x) weight[x] = first[channels * x];
-      add_run(field, channel, input, tile.x0, tile.y0 + row, weight, tile.width, tile);
-    }
+/// Adds the shaders of an exact field.
+void LayerPainter::add_exact_shaders(const FieldView& field, const ShadingInput& input,
+                                     const Tile& tile, const ExactPainter& exact) {
+  for (int first = field.first_weight(); first < field.channel_count; first += 4) {
+    const Tile weights = weights_.tile(tile.rect());
+    clear(weights);
+    exact.write_channels(field, first, weights);
+    const int end = std::min(first + 4, field.channel_count);
+    for (int channel = first; channel < end; ++channel)
+      add_shader(field, channel, input, weights, tile);
   }
 }
 
-Status LayerPainter::read_source(const LayerView& layer, const ShadingInput& input,
-                                 const Tile& tile) {
-  SFUMATO_TRY(source_->read(layer.index, input.layer_from_image, tile.rect(), &pixels_));
-  const auto channels = static_cast<std::size_t>(layer.color.channel_count);
-  const auto opacity_channels = static_cast<std::size_t>(layer.opacity.channel_count);
-  const bool has_opacity = !pixels_.opacity.empty();
-  const auto pixel_count = static_cast<std::size_t>(tile.height) * tile.width;
-  if (pixels_.color.size() != channels * pixel_count || pixels_.hit.size() != pixel_count ||
-      (has_opacity && pixels_.opacity.size() != opacity_channels * pixel_count)) {
-    return make_error(StatusCode::bad_input, "a source of fields gave other tables than asked for");
-  }
-  const auto for_each_pixel = [&](auto body) {
-    for (int row = 0; row < tile.height; ++row) {
-      for (int x = 0; x < tile.width; ++x) {
-        body(static_cast<std::size_t>(row) * tile.width + x,
-             static_cast<std::size_t>(row) * kTileStride + x);
-      }
-    }
-  };
-  for_each_pixel([&](std::size_t i, std::size_t at) {
-    for (std::size_t c = 0; c < 3; ++c) tile.color[c][at] = pixels_.color[channels * i + c];
-    tile.alpha[at] = has_opacity ? pixels_.opacity[opacity_channels * i] : 1;
-  });
-  add_read_shaders(layer.color, pixels_.color, input, tile);
-  if (has_opacity) add_read_shaders(layer.opacity, pixels_.opacity, input, tile);
-  for_each_pixel([&](std::size_t i, std::size_t at) {
-    if (!pixels_.hit[i]) tile.alpha[at] = 0;
-  });
+Status LayerPainter::draw_exact(Context& context, const LayerView& layer, const ShadingInput& input,
+                                const TriangleList& triangles, const Tile& tile,
+                                ExactPainter* exact) {
+  SFUMATO_TRY(
+      exact->paint_fields(context, layer, input.layer_from_image, triangles, tile, &mixed_));
+  add_exact_shaders(layer.color, input, tile, *exact);
+  add_exact_shaders(layer.opacity, input, tile, *exact);
+  if (layer.exact->max_miss() == 0) exact->clear_unseen(tile);
+  kernels_.finish_shading(input.space, tile);
+  if (!antialias_) return ok_status();
+  const PointShader shading(layer, input);
+  mixed_.paint(exact->shader(layer, &shading), tile, false);
   return ok_status();
 }
 
@@ -142,18 +124,19 @@ void LayerPainter::draw_patches(const LayerView& layer, const ShadingInput& inpu
   add_shaders(layer, layer.opacity, input, triangles, tile);
 }
 
-Result<Tile> LayerPainter::paint(const LayerView& layer, const ShadingInput& input,
-                                 const TriangleList& triangles, const PixelRect& rect) {
+Result<Tile> LayerPainter::paint(Context& context, const LayerView& layer,
+                                 const ShadingInput& input, const TriangleList& triangles,
+                                 const PixelRect& rect, ExactPainter* exact) {
   const Tile tile = shaded_.tile(rect);
   clear(tile);
-  if (source_) {
-    SFUMATO_TRY(read_source(layer, input, tile));
-  } else {
-    if (antialias_) mixed_.mark(layer, triangles, tile);
-    draw_patches(layer, input, triangles, tile);
+  if (layer.exact) {
+    SFUMATO_TRY(draw_exact(context, layer, input, triangles, tile, exact));
+    return tile;
   }
+  if (antialias_) mixed_.mark(layer, triangles, tile);
+  draw_patches(layer, input, triangles, tile);
   kernels_.finish_shading(input.space, tile);
-  if (antialias_ && !source_) {
+  if (antialias_) {
     PointShader shader(layer, input);
     mixed_.paint(&shader, triangles, tile);
   }

@@ -3,10 +3,10 @@
 #include <memory>
 #include <vector>
 
-#include "picture/field_source.hpp"
 #include "raster/coverage/coverage.hpp"
 #include "raster/kernels/span_kernels.hpp"
 #include "raster/kernels/tile.hpp"
+#include "raster/layers/exact_painter.hpp"
 #include "raster/shaders/point_shader.hpp"
 
 namespace sfumato::raster {
@@ -32,25 +32,25 @@ void clear(const Tile& tile);
 /// patches, image-domain shaders at every pixel, curves antialiased.
 class LayerPainter {
  public:
-  /// source   null: values come from the patches. Else they come from the source at every pixel,
-  ///          and nothing is antialiased.
-  LayerPainter(const SpanKernels& kernels, bool antialias, const picture::FieldSource* source)
-      : kernels_(kernels), antialias_(antialias), source_(source), mixed_(kernels) {}
+  LayerPainter(const SpanKernels& kernels, bool antialias)
+      : kernels_(kernels), antialias_(antialias), mixed_(kernels) {}
 
   /// Paints code values and alpha, premultiplied, in the pixels of `rect`, which lie in one tile
-  /// and contain everything that the triangles paint in that tile. The result is valid until the
-  /// next call. Errors: the source's.
-  Result<Tile> paint(const LayerView& layer, const ShadingInput& input,
-                     const TriangleList& triangles, const PixelRect& rect);
+  /// and contain everything that the triangles paint in that tile. `exact` paints a layer with
+  /// exact fields. The result is valid until the next call. Errors: limit (exact pixels),
+  /// cancelled.
+  Result<Tile> paint(Context& context, const LayerView& layer, const ShadingInput& input,
+                     const TriangleList& triangles, const PixelRect& rect, ExactPainter* exact);
 
   static constexpr std::size_t kBytes = 2 * TilePlanes::kBytes + MixedPixels::kMostBytes;
 
  private:
   void draw_patches(const LayerView& layer, const ShadingInput& input,
                     const TriangleList& triangles, const Tile& tile);
-  Status read_source(const LayerView& layer, const ShadingInput& input, const Tile& tile);
-  void add_read_shaders(const FieldView& field, const std::vector<float>& value,
-                        const ShadingInput& input, const Tile& tile);
+  Status draw_exact(Context& context, const LayerView& layer, const ShadingInput& input,
+                    const TriangleList& triangles, const Tile& tile, ExactPainter* exact);
+  void add_exact_shaders(const FieldView& field, const ShadingInput& input, const Tile& tile,
+                         const ExactPainter& exact);
   void add_shaders(const LayerView& layer, const FieldView& field, const ShadingInput& input,
                    const TriangleList& triangles, const Tile& tile);
   void add_shader(const FieldView& field, int channel, const ShadingInput& input,
@@ -60,8 +60,6 @@ class LayerPainter {
 
   const SpanKernels& kernels_;
   bool antialias_;
-  const picture::FieldSource* source_;
-  picture::FieldPixels pixels_;
   TilePlanes shaded_, weights_;
   std::vector<std::uint32_t> weighted_;
   MixedPixels mixed_;

@@ -46,6 +46,7 @@ LayerView view_instance(const Picture& picture, const PatchInstance& instance,
   view.bow_count = layer.bow.size();
   view.color = view_field(layer.color);
   view.opacity = view_field(layer.opacity);
+  view.exact = layer.exact_points.get();
   view.frame = layer.frame;
   view.order = layer.order;
   view.image_from_layer = image_from_artboard * instance.artboard_from_layer;

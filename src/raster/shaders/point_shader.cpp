@@ -43,6 +43,20 @@ void PointShader::add_shader(const FieldView& field, int channel, float weight, 
   value[2] += weight * sample.color.b;
 }
 
+/// Adds a field's shaders by their weights in the last of its channels.
+void PointShader::add_shaders(const FieldView& field, const float* value, Vec2 pixel_center,
+                              float (&sum)[4]) const {
+  for (int channel = field.first_weight(); channel < field.channel_count; ++channel)
+    if (value[channel] != 0) add_shader(field, channel, value[channel], pixel_center, sum);
+}
+
+Color4 PointShader::exact_value(const float* color, const float* opacity, Vec2 pixel_center) const {
+  float sum[4] = {color[0], color[1], color[2], opacity ? opacity[0] : 1};
+  add_shaders(layer_.color, color, pixel_center, sum);
+  if (opacity) add_shaders(layer_.opacity, opacity, pixel_center, sum);
+  return Color4::load(sum);
+}
+
 Color4 PointShader::at_center(std::uint32_t triangle) const {
   const std::size_t slot = node_slot(triangle, kCenterNode);
   if (layer_.opacity.channel_count > 0) return shown(ColorOpacityChannels(layer_).at(slot));

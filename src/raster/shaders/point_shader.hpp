@@ -51,6 +51,8 @@ class PointShader {
     if (layer_.opacity.channel_count == 0) patch.part[0][3] = 1;
     return weights_.empty() ? patch : with_shaders(patch, point, pixel_center);
   }
+  /// Returns the same for exact values of the layer's fields; opacity: null for an opaque layer.
+  Color4 exact_value(const float* color, const float* opacity, Vec2 pixel_center) const;
   Color4 shown(const Color4& value) const {
     return input_.space == InterpolationSpace::srgb ? premultiplied(clamped_unit(value))
                                                     : shown_from(value);
@@ -73,6 +75,8 @@ class PointShader {
   Color4 shown_from(const Color4& value) const;
   Color4 with_shaders(const Color4& patch, const PatchPoint& point, Vec2 pixel_center) const;
   void add_weights(const FieldView& field, std::uint32_t triangle, const TriangleFrame& frame);
+  void add_shaders(const FieldView& field, const float* value, Vec2 pixel_center,
+                   float (&sum)[4]) const;
   void add_shader(const FieldView& field, int channel, float weight, Vec2 pixel_center,
                   float (&value)[4]) const;
 

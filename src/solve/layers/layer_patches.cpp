@@ -9,6 +9,7 @@
 #include "solve/layers/curve_bows.hpp"
 #include "solve/layers/layer_solver.hpp"
 #include "solve/layers/soft_edges.hpp"
+#include "solve/points/layer_points.hpp"
 
 /// The patches that a LayerSolver finally makes.
 namespace sfumato::solve {
@@ -19,6 +20,9 @@ constexpr float kInvisibleOpacity = 1.0f / 4096;
 
 constexpr std::size_t kTrianglesPerTask = 4096;
 
+/// Pixels are interpolated where they miss by at most this share of DiffuseOptions::max_error.
+constexpr double kMissShare = 0.5;
+
 }  // namespace
 
 /// Returns per half-edge, parts included, 1 on curves and where no triangle is kept beyond it.
@@ -26,10 +30,6 @@ Result<std::vector<std::uint8_t>> LayerSolver::edges_of_curves(std::span<const s
                                                                TableMemory& memory) const {
   const std::size_t whole = mesh_->half_edge_twin.size();
   std::vector<std::uint8_t> marks;
-  if (!opacity_ && cuts_.part_count() == 0 && std::ranges::count(keep, 0) == 0) {
-    SFUMATO_TRY(memory.assign(context_, color_.layout().edge_is_curve, marks));
-    return marks;
-  }
   SFUMATO_TRY(memory.resize(context_, marks, mesh_->triangle_vertex.size()));
   SFUMATO_TRY(parallel_for(
       context_, marks.size(), kTrianglesPerTask, [&](std::size_t begin, std::size_t end) {
@@ -117,13 +117,9 @@ Result<std::vector<SoftEdge>> LayerSolver::soft_edges(std::span<std::uint8_t> ke
   SFUMATO_TRY_ASSIGN(const std::vector<std::uint32_t>& fine,
                      updates ? fine_near_changes(*inserted_into_->soft_edge_, is_near, scratch)
                              : fine_half_edges(scratch));
-  std::vector<std::uint8_t> curves_of_both;
-  std::span<const std::uint8_t> is_curve_edge = color_.layout().edge_is_curve;
-  if (opacity) {
-    SFUMATO_TRY(scratch.resize(context_, curves_of_both, mesh_->half_edge_twin.size()));
-    for (std::uint32_t h = 0; h < curves_of_both.size(); ++h) curves_of_both[h] = is_curve(h);
-    is_curve_edge = curves_of_both;
-  }
+  std::vector<std::uint8_t> is_curve_edge;
+  SFUMATO_TRY(scratch.resize(context_, is_curve_edge, mesh_->half_edge_twin.size()));
+  for (std::uint32_t h = 0; h < is_curve_edge.size(); ++h) is_curve_edge[h] = is_curve(h);
   if (updates) {
     return update_soft_edges(context_, *mesh_, {is_curve_edge, fine, fine_radius, is_meshed},
                              *inserted_into_->soft_edge_, is_near, memory);
@@ -149,6 +145,18 @@ Result<std::vector<CurveBow>> LayerSolver::bows(std::span<const std::uint8_t> ke
 bool LayerSolver::sees_curves_everywhere() const {
   return cuts_.part_count() == 0 && color_.sees_curves_everywhere() &&
          (!opacity_ || opacity_->sees_curves_everywhere());
+}
+
+/// Returns whether points may see no colour. Where both sides of every edge with curves have a
+/// value, each point sees at least the nearest edge.
+bool LayerSolver::may_see_none() const {
+  bool has_curves = false;
+  for (std::uint32_t h = 0; h < mesh_->half_edge_twin.size(); ++h) {
+    if (!mesh_->has_curves(h)) continue;
+    if (!color_.seams().has_value(h)) return true;
+    has_curves = true;
+  }
+  return !has_curves;
 }
 
 /// Returns whether no triangle is left out: because all are opaque, or because the frames of a drag
@@ -186,6 +194,33 @@ Result<PatchLayer> LayerSolver::take_patches(bool keeps_tables) {
   SFUMATO_TRY_ASSIGN(auto&& marks, edges_of_curves(keep, memory));
   SFUMATO_TRY(take_triangles(keep, std::move(marks), memory, layer));
   SFUMATO_TRY(take_fields(keep, keeps_tables, memory, layer));
+  if (stats_) {
+    stats_->triangles += layer.triangle_count();
+    stats_->vertices += layer.vertex_position.size();
+  }
+  return layer;
+}
+
+Result<PatchLayer> LayerSolver::take_exact() {
+  TableMemory memory("patches");
+  SFUMATO_TRY(take_mesh());
+  std::vector<std::uint8_t> keep;
+  SFUMATO_TRY(memory.resize(context_, keep, mesh_->triangle_count(), 1));
+  PatchLayer layer;
+  layer.frame = frame_;
+  SFUMATO_TRY_ASSIGN(layer.soft_edge, soft_edges(keep, memory));
+  SFUMATO_TRY_ASSIGN(layer.bow, bows(keep, memory));
+  SFUMATO_TRY_ASSIGN(auto&& marks, edges_of_curves(keep, memory));
+  SFUMATO_TRY(take_triangles(keep, std::move(marks), memory, layer));
+  layer.vertex_position = std::move(mesh_->vertex_position);
+  PreparedFields fields{color_.release_field(), {}};
+  if (opacity_) fields.opacity.emplace(opacity_->release_field());
+  const double max_miss = options_.exact_pixels ? 0 : kMissShare * options_.max_error / 255;
+  auto* const points = new LayerPoints(std::move(fields), options_.gather, may_see_none(),
+                                       static_cast<float>(max_miss));
+  layer.exact_points = PointFieldsRef(points);
+  layer.color = points->color_field();
+  layer.opacity = points->opacity_field();
   if (stats_) {
     stats_->triangles += layer.triangle_count();
     stats_->vertices += layer.vertex_position.size();

@@ -161,7 +161,9 @@ Result<PatchLayer> LayerRuns::solve_layer_by(const DiffuseOptions& options, std:
   SFUMATO_TRY_ASSIGN(auto&& prepared, prepare_layer(context_, document_, layer, sight, options,
                                                     &stats, use, way.side_by_side));
   runs_[index].is_prepared = true;
+  const bool is_exact = prepared.is_exact;
   LayerSolver solver(context_, std::move(prepared), options, &stats, {}, way);
+  if (is_exact) return solver.take_exact();
   Result<PatchLayer> solved = solver.solve(most_kept_ ? &runs_[index].refined : nullptr);
   if (has_border) *has_border = solved.ok() && solver.has_border();
   return solved;

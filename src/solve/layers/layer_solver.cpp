@@ -361,8 +361,7 @@ Status LayerSolver::cut_at_border() {
 
 /// Of the mesher's triangles.
 bool LayerSolver::is_curve(std::uint32_t half_edge) const {
-  return color_.layout().edge_is_curve[half_edge] ||
-         (opacity_ && opacity_->layout().edge_is_curve[half_edge]);
+  return color_.seams().is_seam(half_edge) || (opacity_ && opacity_->seams().is_seam(half_edge));
 }
 
 /// At the triangle's nodes, or `enough` where it is at least that; 1 where the layer is opaque.

@@ -123,6 +123,10 @@ class LayerSolver {
   ///           where its nodes have not their exact values, or memory is lacking for it
   Result<PatchLayer> solve(std::optional<RefinedLayer>* refined = nullptr);
 
+  /// In place of solve(): the layer's mesh without nodes, whose pixels are gathered when it is
+  /// drawn. Errors: limit, cancelled.
+  Result<PatchLayer> take_exact();
+
   /// Returns whether solve() found a border of the region that sees a curve, away from the curves.
   bool has_border() const { return cuts_.part_count() > 0; }
 
@@ -207,6 +211,7 @@ class LayerSolver {
     return triangle < cuts_.is_cut.size() && cuts_.is_cut[triangle] != 0;
   }
   bool sees_curves_everywhere() const;
+  bool may_see_none() const;
   bool keeps_everything() const;
   bool may_be_fine(std::uint32_t half_edge) const;
   Result<std::vector<std::uint32_t>> fine_half_edges(TableMemory& memory) const;

@@ -14,6 +14,7 @@
 #include "sfumato/base/limits.hpp"
 #include "solve/fields/field_mesh.hpp"
 #include "solve/layers/layer_units.hpp"
+#include "solve/layers/pixel_cost.hpp"
 #include "solve/layers/rough.hpp"
 
 namespace sfumato::solve {
@@ -107,6 +108,7 @@ void add_instance(const LayerInstance& instance, const Box& viewport, LayerSight
   const Affine& map = instance.artboard_from_layer;
   const LayerView view{mapped_box(inverse(map), viewport), largest_scale(map)};
   sight.viewport = united(sight.viewport, view.window);
+  sight.instance_count += !view.window.empty();
   if (!(view.scale > 0)) return;
   sight.scale = sight.views.empty() ? view.scale : std::max(sight.scale, view.scale);
   add_view(view, sight.views);
@@ -218,9 +220,19 @@ Result<std::optional<mesh::Mesher>> kept_mesher(Context& context, const mesh::Me
   return kept;
 }
 
-void count_geometry(const curves::FlatCurves& flat, std::size_t curve_count, DiffuseStats& stats) {
-  stats.curves += curve_count;
-  stats.segments += flat.segment_count();
+/// The seconds that the parts of a preparation took.
+struct Seconds {
+  double geometry, mesh, gather;
+};
+
+void add_to(DiffuseStats* stats, const curves::FlatCurves& flat, std::size_t curve_count,
+            const Seconds& seconds) {
+  if (!stats) return;
+  stats->curves += curve_count;
+  stats->segments += flat.segment_count();
+  stats->geometry_seconds += seconds.geometry;
+  stats->triangulation_seconds += seconds.mesh;
+  stats->gather_seconds += seconds.gather;
 }
 
 }  // namespace
@@ -238,8 +250,12 @@ Result<PreparedLayer> prepare_layer(Context& context, const Document& document, 
   const FlatLayer flat_layer{flat, curves, document.interpolation,
                              for_patches && curves::opacity_goes_with_color(curves)};
   std::optional<double> smallest_radius;
-  if (for_patches) smallest_radius = units.smallest_radius();
+  if (for_patches && !options.exact_pixels) smallest_radius = units.smallest_radius();
   SFUMATO_TRY_ASSIGN(auto&& sampled, sample_fields(context, flat_layer, options, smallest_radius));
+  const bool is_exact =
+      options.exact_pixels ||
+      (use == LayerUse::patches && is_for_pixel_grid(options) && sight.instance_count == 1 &&
+       has_plain_colors(sampled) && pixels_cost_less(flat, sight.viewport, units.pixel()));
   const double geometry_seconds = geometry_watch.seconds();
 
   const Stopwatch mesh_watch;
@@ -262,18 +278,17 @@ Result<PreparedLayer> prepare_layer(Context& context, const Document& document, 
     if (prepared) fields.emplace(std::move(*prepared));
     return prepared.status();
   };
-  const bool refines = for_patches && side_by_side;
+  const bool refines = for_patches && side_by_side && !is_exact;
   SFUMATO_TRY(refines ? run_both(context, prepare, [&] { return mesher.refine(context); })
                       : prepare());
-  if (stats) {
-    count_geometry(flat, curves.size(), *stats);
-    stats->geometry_seconds += geometry_seconds;
-    stats->triangulation_seconds += mesh_seconds;
-    stats->gather_seconds += gather_watch.seconds();
-  }
-  PreparedLayer prepared{std::move(mesher),          std::move(fields->color),
-                         std::move(fields->opacity), units.mesh_options().frame,
-                         units.smallest_edges(),     refines};
+  add_to(stats, flat, curves.size(), {geometry_seconds, mesh_seconds, gather_watch.seconds()});
+  PreparedLayer prepared{std::move(mesher),
+                         std::move(fields->color),
+                         std::move(fields->opacity),
+                         units.mesh_options().frame,
+                         units.smallest_edges(),
+                         refines,
+                         is_exact};
   if (kept) {
     prepared.flat_mesh.emplace(
         FlatMesh{std::move(flat), std::move(flat_charge), std::move(*kept), std::move(visibility)});

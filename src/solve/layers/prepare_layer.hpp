@@ -48,6 +48,7 @@ struct PreparedLayer {
   Box frame;  ///< the area of the patch mesh, layer frame
   SmallestEdges smallest_edges;
   bool is_mesh_refined = false;          ///< Mesher::refine was called
+  bool is_exact = false;                 ///< to be gathered at its pixels
   std::optional<FlatMesh> flat_mesh{};   ///< for LayerUse::drags
   std::optional<ChargedCurves> bowed{};  ///< the polylines with their bows, if those are kept
 };
@@ -65,6 +66,7 @@ struct LayerSight {
   Box viewport;      ///< the part of the layer frame that any instance brings into the viewport
   double scale = 1;  ///< artboard units per layer unit, for the instance that enlarges it most
   std::vector<LayerView> views{};  ///< instances whose scales share a power of two are combined
+  std::size_t instance_count = 0;
 
   friend bool operator==(const LayerSight&, const LayerSight&) = default;
 };

@@ -56,7 +56,7 @@ function drawn(text, { x, y, zoom, width, height }) {
     const [drawing, picture] = ["drawing.svg", "picture.png"].map((name) => join(folder, name));
     writeFileSync(drawing, text);
     const part = [x, y, width / zoom, height / zoom].join(",");
-    const size = ["--width", String(width), "--height", String(height), "--viewport", part];
+    const size = ["--no-antialias", "--width", String(width), "--height", String(height), "--viewport", part];
     execFileSync(command, ["render", drawing, "-o", picture, "--method", "pixels", "--no-dither", "--quiet", ...size]);
     return readFileSync(picture);
   } finally {
