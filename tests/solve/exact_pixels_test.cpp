@@ -61,6 +61,9 @@ TEST(ExactPixels, other_layers_have_patches) {
   EXPECT_FALSE(is_exact(dense(), {})) << "no pixel grid";
   EXPECT_FALSE(is_exact(one_layer({colored(circle_curve({50, 50}, 40), test::kRed, test::kBlue)})))
       << "sparse";
+  DiffuseOptions rays = grid();
+  rays.gather.method = gather::Method::rays;
+  EXPECT_FALSE(is_exact(dense(), rays)) << "random rays";
   Document twice = dense();
   twice.stack.push_back(LayerInstance{0, {1, 0, 0, 1, 3, 0}});
   EXPECT_FALSE(is_exact(twice)) << "two instances";

@@ -55,7 +55,6 @@ Status ExactPainter::paint_fields(Context& context, const LayerView& layer,
   add_pixels(pixel_, tile, &points_);
   if (antialias_) SFUMATO_TRY(mixed->collect(context, layer, triangles, tile, &points_));
   SFUMATO_TRY(read(context, &points_));
-  if (antialias_) mixed->keep_below(tile);
   write_colors(layer, points_, tile);
   return interpolates ? interpolate(context, layer, layer_from_image, tile) : ok_status();
 }
@@ -112,7 +111,9 @@ Status ExactPainter::paint_straight(Context& context, const LayerView& layer,
                                     const Affine& layer_from_image, const TriangleList& triangles,
                                     const Tile& tile, MixedPixels* mixed) {
   SFUMATO_TRY(paint_fields(context, layer, layer_from_image, triangles, tile, mixed));
-  if (antialias_) mixed->paint(shader(layer, nullptr), tile, true);
+  if (!antialias_) return ok_status();
+  mixed->keep_below(tile);  // these pixels are still as they were
+  mixed->paint(shader(layer, nullptr), tile, true);
   return ok_status();
 }
 

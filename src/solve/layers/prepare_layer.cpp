@@ -254,7 +254,7 @@ Result<PreparedLayer> prepare_layer(Context& context, const Document& document, 
   SFUMATO_TRY_ASSIGN(auto&& sampled, sample_fields(context, flat_layer, options, smallest_radius));
   const bool is_exact =
       options.exact_pixels ||
-      (use == LayerUse::patches && is_for_pixel_grid(options) && sight.instance_count == 1 &&
+      (use == LayerUse::patches && may_gather_pixels(options) && sight.instance_count == 1 &&
        has_plain_colors(sampled) && pixels_cost_less(flat, sight.viewport, units.pixel()));
   const double geometry_seconds = geometry_watch.seconds();
 

@@ -29,4 +29,9 @@ inline bool is_for_pixel_grid(const DiffuseOptions& options) {
   return options.pixel_grid && refines(options) && !options.tolerance;
 }
 
+/// Returns whether dense layers are gathered at the pixels instead of solved.
+inline bool may_gather_pixels(const DiffuseOptions& options) {
+  return is_for_pixel_grid(options) && options.gather.method == gather::Method::exact;
+}
+
 }  // namespace sfumato::solve
