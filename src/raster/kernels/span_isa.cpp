@@ -155,10 +155,12 @@ SFUMATO_INLINE void draw_channels(const LayerView& layer, const Channels& channe
                                   const PixelMask* skipped) {
   for_each_triangle(
       layer, triangles, tile, skipped,
-      [&](std::uint32_t triangle, const PixelPoint(&corner)[3], double top, double bottom) {
+      [&](std::uint32_t triangle, const PixelPoint(&corner)[3], double top,
+          double bottom) SFUMATO_INLINE_LAMBDA {
         PatchPolynomial patch;
         bool patch_is_known = false;
-        const auto draw_row = [&](const TriangleFrame& frame, const TriangleRow& pixels) {
+        const auto draw_row = [&](const TriangleFrame& frame,
+                                  const TriangleRow& pixels) SFUMATO_INLINE_LAMBDA {
           const int row = pixels.y - tile.y0, column = pixels.begin - tile.x0;
           if (skipped && holds_all(*skipped, {column, pixels.end - tile.x0, row, row + 1})) return;
           if (!patch_is_known) patch = patch_polynomial(channels, layer.order, triangle, frame);
