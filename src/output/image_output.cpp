@@ -7,6 +7,7 @@
 
 #include "base/table_memory.hpp"
 #include "base/try.hpp"
+#include "picture/cover.hpp"
 #include "sfumato/codecs/jpeg_encode.hpp"
 #include "sfumato/codecs/png.hpp"
 #include "sfumato/codecs/webp_encode.hpp"
@@ -74,6 +75,11 @@ PixelFormat with_alpha(PixelFormat format) {
 
 PixelFormat drawn_format(PixelFormat format, options::OutputKind kind, bool has_background) {
   return options::has_alpha(kind) || !has_background ? with_alpha(format) : format;
+}
+
+PixelFormat needed_format(PixelFormat format, const Picture& picture, const Box& viewport) {
+  if (channel_count(format) != 4 || !picture::covers(picture, viewport)) return format;
+  return bytes_per_channel(format) == 1 ? PixelFormat::rgb8 : PixelFormat::rgb16;
 }
 
 Status drop_opaque_alpha(Context& context, Image& image) {

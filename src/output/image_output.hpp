@@ -8,6 +8,7 @@
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/image.hpp"
 #include "sfumato/base/status.hpp"
+#include "sfumato/picture/picture.hpp"
 
 namespace sfumato::output {
 
@@ -17,6 +18,10 @@ PixelFormat with_alpha(PixelFormat format);
 /// Returns the format for drawing an output of this kind: with alpha if the kind always has it, or
 /// if there is no background. format: settled.
 PixelFormat drawn_format(PixelFormat format, options::OutputKind kind, bool has_background);
+
+/// Returns the format for drawing a picture whose alpha is dropped where it is opaque everywhere:
+/// without alpha if that is known already.
+PixelFormat needed_format(PixelFormat format, const Picture& picture, const Box& viewport);
 
 /// Removes the alpha channel if the image is opaque everywhere. Errors: cancelled.
 Status drop_opaque_alpha(Context& context, Image& image);

@@ -63,12 +63,14 @@ Result<Bytes> make_image(Context& context, const sfumato_picture& handle, Output
                                          settings.window.has_value()));
   RasterOptions options = settings.raster;
   options.format = output::drawn_format(options.format, kind, background.has_value());
+  const bool drops_alpha = !settings.no_background && !options::has_alpha(kind);
+  if (drops_alpha) options.format = output::needed_format(options.format, picture, viewport);
   options.viewport = viewport;
   output::set_size(size, settings.window, options);
   SFUMATO_TRY_ASSIGN(auto&& image, raster::rasterize_on(context, picture, options, background));
   ScopedCharge charge;
   SFUMATO_TRY(charge.add(context, capacity_bytes(image.bytes), "the image"));
-  if (!settings.no_background) SFUMATO_TRY(output::drop_opaque_alpha(context, image));
+  if (drops_alpha) SFUMATO_TRY(output::drop_opaque_alpha(context, image));
   return output::encode_image(context, image, kind, settings.output);
 }
 
