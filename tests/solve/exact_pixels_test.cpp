@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <numbers>
 #include <optional>
 
 #include "sfumato/api/render_pixels.hpp"
@@ -81,6 +82,25 @@ TEST(ExactPixels, other_layers_have_patches) {
 TEST(ExactPixels, interpolated_pixels_are_near_those_of_the_gather_at_every_pixel) {
   const Image some = drawn(solved(dense(), grid())), all = drawn(solved(dense(), every_pixel()));
   EXPECT_LE(largest_difference(some, all), 3);
+}
+
+TEST(ExactPixels, a_part_that_surrounds_another_has_its_own_colour) {
+  // The centroid of the part outside of such a circle lies in the circle.
+  constexpr double kRadius = 0.3;
+  std::vector<Curve> curves;
+  for (int i = 0; i < 400; ++i) {
+    const Vec2 center{2.5 + 5 * (i % 20), 2.5 + 5 * (i / 20)};
+    curves.push_back(colored(circle_curve(center, kRadius), test::kGreen, test::kRed));
+  }
+  const Picture picture = solved(one_layer(curves), grid());
+  ASSERT_TRUE(picture.layers[0].exact_points);
+  const Image image = drawn(picture);
+  const double share = std::numbers::pi * kRadius * kRadius;
+  for (int i = 0; i < 400; ++i) {
+    const std::size_t at = 3 * (100 * (2 + std::size_t{5} * (i / 20)) + 2 + 5 * (i % 20));
+    ASSERT_NEAR(image.bytes[at], 255 * share, 3) << i;
+    ASSERT_NEAR(image.bytes[at + 1], 255 * (1 - share), 3) << i;
+  }
 }
 
 TEST(ExactPixels, windows_have_the_bytes_of_the_whole_image) {

@@ -95,14 +95,18 @@ class MixedPixels {
   static constexpr std::uint32_t kNoPart = 0xffffffff;
 
   /// The part of a triangle in a marked pixel of a layer with exact fields. Parts that no curve
-  /// separates are read as one, at their common centroid.
+  /// separates are read as one: at their common centroid or, where that lies beyond the curve, at
+  /// the nearest of their own centroids.
   struct ExactPart {
-    Coverage coverage;  ///< of all parts that are read with this one
+    Coverage own;
+    Coverage all;  ///< with all parts that are read with this one
     std::uint32_t sum;
     std::uint32_t point;  ///< in the ExactPoints
     std::uint32_t triangle;
-    std::uint32_t before;  ///< another part of this pixel, or kNoPart
-    std::uint32_t whole;   ///< a part that this one is read with, or itself
+    std::uint32_t before;   ///< another part of this pixel, or kNoPart
+    std::uint32_t whole;    ///< a part that this one is read with, or itself
+    std::uint32_t nearest;  ///< of those that are read with this one, to the centroid of all
+    bool is_inside;         ///< one of these has the centroid of all in its triangle
   };
 
   /// An edge of a part's triangle: its vertices, the lower one first.
@@ -168,11 +172,11 @@ class MixedPixels {
   template <class Edge, class PartIn>
   void collect_edge(const LayerView& layer, const Edge& edge, const PaintedEdge& painted,
                     const Box& box, const Tile& tile, const PartIn& part_in, ExactPoints* points);
-  std::uint32_t whole_of(std::uint32_t part) const;
+  std::uint32_t whole_of(std::uint32_t part);
   void join_parts(const LayerView& layer, std::uint32_t sum, int x, int y);
   void join(std::uint32_t one, std::uint32_t other, Vec2 from, Vec2 to);
   std::uint32_t point_beside(const LayerView& layer, std::uint32_t slot, Vec2 foot,
-                             const EdgePixel& pixel, ExactPoints* points) const;
+                             const EdgePixel& pixel, ExactPoints* points);
   static void read_sides(const ExactShader& shader, ExactEdge* edge);
   void write(const LayerView& layer, const Tile& tile, bool is_straight);
 

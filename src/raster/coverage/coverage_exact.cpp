@@ -43,6 +43,16 @@ PixelRange columns_in_row(const Placed& placed, int row, const Tile& tile) {
   return range;
 }
 
+/// Returns whether a point of the image lies in a triangle.
+bool contains(const LayerView& layer, std::uint32_t triangle, Vec2 p) {
+  Vec2 corner[3];
+  for (std::uint32_t k = 0; k < 3; ++k)
+    corner[k] = layer.image_from_layer(corner_in_layer(layer, 3 * triangle + k)) - p;
+  const double turn = layer.mirrored ? -1 : 1;
+  return turn * cross(corner[0], corner[1]) > 0 && turn * cross(corner[1], corner[2]) > 0 &&
+         turn * cross(corner[2], corner[0]) > 0;
+}
+
 /// Returns a point of the image on the side of a slot's triangle.
 Vec2 beside(const LayerView& layer, std::uint32_t slot, Vec2 foot) {
   const std::uint32_t first = slot / 3 * 3;
@@ -71,8 +81,9 @@ Status MixedPixels::collect(Context& context, const LayerView& layer, const Tria
     join_parts(layer, index, x, y);
     for (std::uint32_t i = last_part_[index]; i != kNoPart; i = parts_[i].before) {
       if (parts_[i].whole != i) continue;
-      const Vec2 centroid = parts_[i].coverage.centroid;
-      parts_[i].point = points->add({x + centroid.x, y + centroid.y}, x, y);
+      const ExactPart& part = parts_[i];
+      const Coverage& read = part.is_inside ? part.all : parts_[part.nearest].own;
+      parts_[i].point = points->add(Vec2{1.0 * x, 1.0 * y} + read.centroid, x, y);
     }
   });
   return status ? collect_edges(context, layer, triangles, tile, points) : status;
@@ -98,15 +109,16 @@ void MixedPixels::collect_parts(const LayerView& layer, std::uint32_t triangle, 
       const Coverage part = parts.in(x, y);
       if (!(part.area > 0)) return;
       const auto own = static_cast<std::uint32_t>(parts_.size());
-      parts_.push_back({part, index, kNoPart, triangle, last_part_[index], own});
+      parts_.push_back({part, part, index, kNoPart, triangle, last_part_[index], own, own, true});
       last_part_[index] = own;
     });
   }
 }
 
 /// Returns the part that a part is read with.
-std::uint32_t MixedPixels::whole_of(std::uint32_t part) const {
-  while (parts_[part].whole != part) part = parts_[part].whole;
+std::uint32_t MixedPixels::whole_of(std::uint32_t part) {
+  while (parts_[part].whole != part)
+    part = parts_[part].whole = parts_[parts_[part].whole].whole;  // halves the way for later calls
   return part;
 }
 
@@ -131,25 +143,36 @@ void MixedPixels::join_parts(const LayerView& layer, std::uint32_t sum, int x, i
     };
     join(whole_of(one.part), whole_of(other.part), end(one.ends >> 32), end(one.ends & 0xffffffff));
   }
+  for (std::uint32_t i = last_part_[sum]; i != kNoPart; i = parts_[i].before) {
+    const ExactPart& part = parts_[i];
+    ExactPart& whole = parts_[whole_of(i)];
+    if (whole.is_inside) continue;
+    const Vec2 centroid = whole.all.centroid;
+    whole.is_inside = contains(layer, part.triangle, Vec2{1.0 * x, 1.0 * y} + centroid);
+    const auto distance = [&](const ExactPart& p) {
+      return length_squared(p.own.centroid - centroid);
+    };
+    if (distance(part) < distance(parts_[whole.nearest])) whole.nearest = i;
+  }
 }
 
-/// Joins two parts at their common edge, if the line between their centroids crosses it: so no
-/// curve separates these.
+/// Joins two parts at their common edge, if the line between their centroids crosses it: seldom
+/// does a curve separate these then.
 void MixedPixels::join(std::uint32_t one, std::uint32_t other, Vec2 from, Vec2 to) {
   if (one == other) return;
-  Coverage& all = parts_[one].coverage;
-  const Coverage& added = parts_[other].coverage;
-  const Vec2 along = added.centroid - all.centroid;
-  if (!(cross(along, from - all.centroid) * cross(along, to - all.centroid) < 0)) return;
-  parts_[other].whole = one;
-  const double area = all.area + added.area;
-  all.centroid = lerp(all.centroid, added.centroid, added.area / area);
-  all.area = area;
+  ExactPart &whole = parts_[one], &added = parts_[other];
+  const Vec2 along = added.all.centroid - whole.all.centroid;
+  const Vec2 start = whole.all.centroid;
+  if (!(cross(along, from - start) * cross(along, to - start) < 0)) return;
+  added.whole = one;
+  whole.is_inside = false;  // join_parts() finds out
+  const double area = whole.all.area + added.all.area;
+  whole.all = {area, lerp(start, added.all.centroid, added.all.area / area)};
 }
 
 /// Returns the point that gives the colour of a triangle in a pixel.
 std::uint32_t MixedPixels::point_beside(const LayerView& layer, std::uint32_t slot, Vec2 foot,
-                                        const EdgePixel& pixel, ExactPoints* points) const {
+                                        const EdgePixel& pixel, ExactPoints* points) {
   int left = kMostCompared;
   for (std::uint32_t i = last_part_[pixel.sum]; i != kNoPart && left > 0;
        i = parts_[i].before, --left)
@@ -221,7 +244,7 @@ void MixedPixels::paint(const ExactShader& shader, const Tile& tile, bool is_str
     const Vec2 center = Vec2{1.0 * (tile.x0 + x), 1.0 * (tile.y0 + row)} + half;
     for (std::uint32_t i = last_part_[index]; i != kNoPart; i = parts_[i].before)
       if (parts_[i].whole == i)
-        sum_[index].add(parts_[i].coverage, shader.shown(shader.value(parts_[i].point, center)));
+        sum_[index].add(parts_[i].all, shader.shown(shader.value(parts_[i].point, center)));
   });
   for (ExactEdge& edge : exact_edges_) {
     read_sides(shader, &edge);
