@@ -144,17 +144,23 @@ class PointFieldsRef {
   PointFieldsRef() = default;
   /// Takes over a reference to `fields`; null: refers to nothing.
   explicit PointFieldsRef(const picture::PointFields* fields) : fields_(fields) {}
+  /// Shares the fields of `other`.
   PointFieldsRef(const PointFieldsRef& other);
+  /// Takes over the reference of `other`.
   PointFieldsRef(PointFieldsRef&& other) noexcept
       : fields_(std::exchange(other.fields_, nullptr)) {}
+  /// Exchanges the references.
   PointFieldsRef& operator=(PointFieldsRef other) noexcept {
     std::swap(fields_, other.fields_);
     return *this;
   }
   ~PointFieldsRef();
 
+  /// Returns the fields; null: none.
   const picture::PointFields* get() const { return fields_; }
+  /// Does get().
   const picture::PointFields* operator->() const { return fields_; }
+  /// Returns whether there are fields.
   explicit operator bool() const { return fields_ != nullptr; }
 
  private:
