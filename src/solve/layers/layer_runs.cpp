@@ -157,7 +157,9 @@ Result<PatchLayer> LayerRuns::solve_layer(std::uint32_t index, DiffuseStats& sta
 Result<PatchLayer> LayerRuns::solve_layer_by(const DiffuseOptions& options, std::uint32_t index,
                                              DiffuseStats& stats, SolveWay way, bool* has_border) {
   const auto& [layer, sight, last_drag] = tasks_[index];
-  const LayerUse use = most_kept_ ? LayerUse::drags : LayerUse::patches;
+  const LayerUse use = options.exact_pixels ? LayerUse::points
+                       : most_kept_         ? LayerUse::drags
+                                            : LayerUse::patches;
   SFUMATO_TRY_ASSIGN(auto&& prepared, prepare_layer(context_, document_, layer, sight, options,
                                                     &stats, use, way.side_by_side));
   runs_[index].is_prepared = true;

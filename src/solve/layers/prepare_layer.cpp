@@ -250,7 +250,7 @@ Result<PreparedLayer> prepare_layer(Context& context, const Document& document, 
   const FlatLayer flat_layer{flat, curves, document.interpolation,
                              for_patches && curves::opacity_goes_with_color(curves)};
   std::optional<double> smallest_radius;
-  if (for_patches && !options.exact_pixels) smallest_radius = units.smallest_radius();
+  if (for_patches) smallest_radius = units.smallest_radius();
   SFUMATO_TRY_ASSIGN(auto&& sampled, sample_fields(context, flat_layer, options, smallest_radius));
   const bool is_exact =
       options.exact_pixels ||

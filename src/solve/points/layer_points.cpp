@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "base/try.hpp"
-#include "solve/fields/nodes.hpp"
 
 namespace sfumato::solve {
 namespace {
@@ -25,14 +24,13 @@ LayerPoints::LayerPoints(PreparedFields fields, const gather::GatherOptions& opt
       options_(options),
       may_see_none_(may_see_none),
       max_miss_(max_miss) {
-  if (fields_.color.attributes.base_channels > kOpacityChannel) joint_channel_ = kOpacityChannel;
   bytes_ = leave_budget(fields_.color);
   if (fields_.opacity) bytes_ += leave_budget(*fields_.opacity);
 }
 
 PatchField LayerPoints::color_field() const {
   const curves::SegmentAttributes& attributes = fields_.color.attributes;
-  return field_without_nodes(attributes.channel_count() - is_joint(), attributes.shader);
+  return field_without_nodes(attributes.channel_count(), attributes.shader);
 }
 
 PatchField LayerPoints::opacity_field() const {
@@ -40,7 +38,7 @@ PatchField LayerPoints::opacity_field() const {
     const curves::SegmentAttributes& attributes = fields_.opacity->attributes;
     return field_without_nodes(attributes.channel_count(), attributes.shader);
   }
-  return field_without_nodes(is_joint() || may_see_none_ ? 1 : 0, {});
+  return field_without_nodes(may_see_none_ ? 1 : 0, {});
 }
 
 Status LayerPoints::read(Context& context, std::span<const Vec2> points,
@@ -57,28 +55,8 @@ Status LayerPoints::read(Context& context, std::span<const Vec2> points,
   values->opacity.clear();
   SFUMATO_TRY(gather(fields_.color, values->color, values->hit));
   if (fields_.opacity) return gather(*fields_.opacity, values->opacity, {});
-  if (is_joint()) return split_opacity(context, values);
   if (may_see_none_) values->opacity.assign(points.size(), 1);
   return ok_status();
-}
-
-Status LayerPoints::split_opacity(Context& context, picture::PointValues* values) const {
-  const auto channels = static_cast<std::size_t>(fields_.color.gatherer.channel_count());
-  const std::size_t count = values->hit.size();
-  values->opacity.resize(count);
-  float* rest = values->color.data();
-  for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t c = 0; c < channels; ++c) {
-      const float value = values->color[channels * i + c];
-      if (c == kOpacityChannel) {
-        values->opacity[i] = value;
-      } else {
-        *rest++ = value;
-      }
-    }
-  }
-  values->color.resize((channels - 1) * count);
-  return context.check();
 }
 
 }  // namespace sfumato::solve

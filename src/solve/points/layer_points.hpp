@@ -11,7 +11,8 @@ namespace sfumato::solve {
 /// The exact fields of a layer, gathered where they are asked for.
 class LayerPoints final : public picture::PointFields {
  public:
-  /// The fields no longer count for their Budget, and may outlive it.
+  /// The fields no longer count for their Budget, and may outlive it. No field holds both colour
+  /// and opacity.
   ///
   /// may_see_none   whether points may see no colour: they are transparent then
   LayerPoints(PreparedFields fields, const gather::GatherOptions& options, bool may_see_none,
@@ -31,13 +32,8 @@ class LayerPoints final : public picture::PointFields {
   PatchField opacity_field() const;
 
  private:
-  /// Whether one field holds colour and opacity.
-  bool is_joint() const { return joint_channel_ > 0; }
-  Status split_opacity(Context& context, picture::PointValues* values) const;
-
   PreparedFields fields_;
   gather::GatherOptions options_;
-  int joint_channel_ = 0;  ///< the opacity's channel in the field of the colour; 0: none
   bool may_see_none_;
   float max_miss_;
   std::size_t bytes_ = 0;
