@@ -11,12 +11,11 @@
 namespace sfumato::raster {
 namespace {
 
-/// A point that stands for a side of an edge is moved from the edge by this fraction towards the
-/// triangle's barycentre.
+/// A point on an edge is moved by this fraction towards the barycentre of the triangle whose colour
+/// it gives.
 constexpr double kNudge = 4e-3;
 
-/// So many other parts of a pixel are compared with a part: in a pixel with thousands of triangles
-/// all would take too long.
+/// The number of parts of a pixel that are searched for a triangle. A pixel may have thousands.
 constexpr int kMostCompared = 16;
 
 /// Returns the columns that a triangle meets in a row of pixels, among those of its range.
@@ -156,8 +155,8 @@ void MixedPixels::join_parts(const LayerView& layer, std::uint32_t sum, int x, i
   }
 }
 
-/// Joins two parts at their common edge, if the line between their centroids crosses it: seldom
-/// does a curve separate these then.
+/// Joins two parts if the line between their centroids crosses their common edge. The centroid of
+/// the joined parts is then seldom beyond a curve.
 void MixedPixels::join(std::uint32_t one, std::uint32_t other, Vec2 from, Vec2 to) {
   if (one == other) return;
   ExactPart &whole = parts_[one], &added = parts_[other];

@@ -8,9 +8,9 @@
 
 namespace sfumato::raster {
 
-/// Pixels of a tile from its corner; x1 and y1 belong to the block. Its nodes are the pixels at its
-/// ends and in its middle: neighbouring blocks share those at their ends, and the nodes of its
-/// quarters are nodes of the next round.
+/// A block of pixels of a tile, counted from the tile's corner: columns x0 to x1 and rows y0 to y1,
+/// both included. Its nine nodes are the pixels at its ends and in its middle. Neighbouring blocks
+/// share the nodes at their common end.
 struct ExactBlock {
   std::int16_t x0, x1, y0, y1;
 
@@ -20,9 +20,11 @@ struct ExactBlock {
   bool is_small() const { return x1 - x0 <= 2 && y1 - y0 <= 2; }
 };
 
-/// Chooses the pixels of a tile that are gathered. Where a field is smooth, a block of pixels is
-/// interpolated from nine of them by a quadratic; four others tell whether that is good enough. If
-/// it is not, the block is parted, in rounds. Blocks near curves are small.
+/// Chooses the pixels of a tile that are gathered. Where a field is smooth, a quadratic through the
+/// nine nodes of a block gives its other pixels. Four probes, the middles of its quarters, measure
+/// the error. A block with too large an error is divided into quarters for the next round. Blocks
+/// near curves are small. In the smallest, 3 by 3 pixels, the corners are interpolated and the
+/// middle is the probe.
 class ExactBlocks {
  public:
   /// Starts a tile.
@@ -31,17 +33,18 @@ class ExactBlocks {
   /// cut      pixels that curves pass through
   void start(const Tile& tile, const PixelMask& usable, const PixelMask* cut);
 
-  /// Lists the pixels to gather in this round; false: all pixels are known.
+  /// Lists the pixels to gather in the next round. Returns false if all pixels are known.
   bool next_round();
-  /// Returns the pixels of the round: x + kTileStride y.
+  /// Returns the pixels of the round, as x + kTileStride y.
   const std::vector<std::uint32_t>& pixels() const { return pixel_; }
 
   /// Returns the memory of the lists.
   std::size_t bytes() const { return capacity_bytes(waiting_, tried_, rejected_, pixel_); }
 
-  /// After their values were written into the tile: interpolates blocks, and parts others.
+  /// Ends a round whose values were written into the tile: interpolates the blocks whose probes
+  /// fit, and divides the others.
   ///
-  /// most   the largest difference in a channel
+  /// most   the largest error of a channel
   void end_round(const Tile& tile, float most);
 
  private:

@@ -66,7 +66,7 @@ Status ExactPainter::read(Context& context, ExactPoints* points) {
   return points->read(context);
 }
 
-/// Ends the first round of the blocks, and does the others.
+/// Interpolates the blocks of the first round, and gathers the pixels of the later rounds.
 Status ExactPainter::interpolate(Context& context, const LayerView& layer,
                                  const Affine& layer_from_image, const Tile& tile) {
   blocks_.end_round(tile, layer.exact->max_miss());
