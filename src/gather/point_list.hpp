@@ -21,8 +21,8 @@ class PointList {
   /// Returns the points of the same table at these indices.
   PointList among(std::span<const std::uint32_t> chosen) const { return {table_, chosen}; }
 
-  /// Returns the same points in groups, one after another, that end before these listed points. The
-  /// value of a point then depends on no point of another group, to the bit.
+  /// Returns the same points, divided into groups of consecutive points. Group i ends before the
+  /// listed point ends[i]. The value of a point depends only on the points of its own group.
   PointList in_groups(std::span<const std::uint32_t> ends) const {
     PointList list = *this;
     list.group_end_ = ends;

@@ -77,6 +77,10 @@ PixelFormat drawn_format(PixelFormat format, options::OutputKind kind, bool has_
   return options::has_alpha(kind) || !has_background ? with_alpha(format) : format;
 }
 
+bool drops_opaque_alpha(const options::Settings& settings, options::OutputKind kind) {
+  return !settings.no_background && !options::has_alpha(kind);
+}
+
 PixelFormat needed_format(PixelFormat format, const Picture& picture, const Box& viewport) {
   if (channel_count(format) != 4 || !picture::covers(picture, viewport)) return format;
   return bytes_per_channel(format) == 1 ? PixelFormat::rgb8 : PixelFormat::rgb16;

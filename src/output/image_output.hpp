@@ -19,8 +19,10 @@ PixelFormat with_alpha(PixelFormat format);
 /// if there is no background. format: settled.
 PixelFormat drawn_format(PixelFormat format, options::OutputKind kind, bool has_background);
 
-/// Returns the format for drawing a picture whose alpha is dropped where it is opaque everywhere:
-/// without alpha if that is known already.
+/// Returns whether an output loses its alpha channel if the image is opaque everywhere.
+bool drops_opaque_alpha(const options::Settings& settings, options::OutputKind kind);
+
+/// Returns the format for drawing such an output: without alpha if the picture is certainly opaque.
 PixelFormat needed_format(PixelFormat format, const Picture& picture, const Box& viewport);
 
 /// Removes the alpha channel if the image is opaque everywhere. Errors: cancelled.

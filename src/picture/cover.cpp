@@ -1,7 +1,5 @@
 #include "picture/cover.hpp"
 
-#include <algorithm>
-
 #include "base/boxes.hpp"
 
 namespace sfumato::picture {

@@ -34,7 +34,7 @@ Pace::Pace(const std::string& binary) : binary_(binary) {
 }
 
 double Pace::run() const {
-  // Drawn by the mesh of all outputs: its time does not depend on what is done for pixels.
+  // Without antialiasing the mesh of all outputs is drawn. Faster pixels do not change its time.
   const Case plain = Case().also({"--no-antialias"});
   const Ended ended = sandbox_.run(binary_, plain.arguments, {});
   if (ended.exit_code != kDone) throw std::runtime_error("the reference fails: " + ended.err);

@@ -63,7 +63,7 @@ Result<Bytes> make_image(Context& context, const sfumato_picture& handle, Output
                                          settings.window.has_value()));
   RasterOptions options = settings.raster;
   options.format = output::drawn_format(options.format, kind, background.has_value());
-  const bool drops_alpha = !settings.no_background && !options::has_alpha(kind);
+  const bool drops_alpha = output::drops_opaque_alpha(settings, kind);
   if (drops_alpha) options.format = output::needed_format(options.format, picture, viewport);
   options.viewport = viewport;
   output::set_size(size, settings.window, options);

@@ -39,7 +39,6 @@ class PictureMaker {
  private:
   void choose_background(std::optional<Rgb>& background) const;
   bool is_for_pixel_grid() const;
-  bool drops_opaque_alpha() const;
   Status choose_options(const Box& shown, Vec2 own_scale, bool has_background);
   Result<Image> draw_pixels(const Document& document);
   Result<Image> draw_picture(const Picture& picture);
@@ -164,13 +163,8 @@ Result<Bytes> PictureMaker::make_image(Document& document) {
   return picture ? make_image(**picture) : picture.status();
 }
 
-/// Returns whether the file shows no alpha where the picture is opaque.
-bool PictureMaker::drops_opaque_alpha() const {
-  return !settings_.no_background && !options::has_alpha(arguments_.kind);
-}
-
 Result<Bytes> PictureMaker::make_image(const Picture& picture) {
-  if (drops_opaque_alpha())
+  if (output::drops_opaque_alpha(settings_, arguments_.kind))
     raster_.format = output::needed_format(raster_.format, picture, *raster_.viewport);
   const Stopwatch watch;
   const std::uint64_t read_before = picture::count_read_points(picture);
@@ -188,7 +182,7 @@ Result<Bytes> PictureMaker::encode(Result<Image> image) {
   charge_ = {};
   SFUMATO_TRY(charge_.add(context_, capacity_bytes(image->bytes), "the image"));
   const Stopwatch watch;
-  if (drops_opaque_alpha()) {
+  if (output::drops_opaque_alpha(settings_, arguments_.kind)) {
     SFUMATO_TRY(output::drop_opaque_alpha(context_, *image));
   }
   Result<Bytes> file = output::encode_image(context_, *image, arguments_.kind, settings_.output);

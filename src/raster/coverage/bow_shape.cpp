@@ -68,7 +68,7 @@ StripPart bow_part(const BowShape& shape, int x, int y) {
   const double square = dot(along, along), beside = cross(along, center);
   const double most = shape.reach + kHalfDiagonal;
   if (beside * beside > most * most * square) return part;
-  // Of the bow only the part over the pixel counts.
+  // Integrate only the part of the bow that may lie in the pixel.
   const double middle = dot(center, along) / square, half = most / std::sqrt(square);
   const double from = std::max(middle - half, 0.0), to = std::min(middle + half, 1.0);
   if (from >= to) return part;

@@ -294,16 +294,10 @@ void MixedPixels::add_edge(Shader* shader, const Edge& edge, const PaintedEdge& 
     for (const EdgePixel& pixel : edge_pixel_) change(pixel, sum_[pixel.sum]);
     edge_pixel_.clear();
   };
-  const PixelRange range = pixels_in(box, tile);
-  for (int row = range.first_row; row < range.end_row; ++row) {
-    marks_.for_each(row, range.begin, range.end, [&](int column, std::uint32_t index) {
-      const int x = tile.x0 + column, y = tile.y0 + row;
-      const StripPart part = part_in(x, y);
-      if (part.empty()) return;
-      edge_pixel_.push_back({index, x, y, part, {}});
-      if (edge_pixel_.size() == kMostEdgePixels) add_collected();
-    });
-  }
+  for_each_edge_pixel(box, tile, part_in, [&](const EdgePixel& pixel) {
+    edge_pixel_.push_back(pixel);
+    if (edge_pixel_.size() == kMostEdgePixels) add_collected();
+  });
   add_collected();
 }
 

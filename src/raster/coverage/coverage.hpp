@@ -99,14 +99,14 @@ class MixedPixels {
   /// the nearest of their own centroids.
   struct ExactPart {
     Coverage own;
-    Coverage all;  ///< with all parts that are read with this one
+    Coverage all;  ///< of this part and the parts that are joined to it
     std::uint32_t sum;
     std::uint32_t point;  ///< in the ExactPoints
     std::uint32_t triangle;
     std::uint32_t before;   ///< another part of this pixel, or kNoPart
-    std::uint32_t whole;    ///< a part that this one is read with, or itself
-    std::uint32_t nearest;  ///< of those that are read with this one, to the centroid of all
-    bool is_inside;         ///< one of these has the centroid of all in its triangle
+    std::uint32_t whole;    ///< the part that this one was joined to, or itself
+    std::uint32_t nearest;  ///< the joined part whose own centroid is nearest to that of `all`
+    bool is_inside;         ///< whether a joined part's triangle contains the centroid of `all`
   };
 
   /// An edge of a part's triangle: its vertices, the lower one first.
@@ -154,6 +154,9 @@ class MixedPixels {
   template <class Shader, class Edge, class PartIn, class Change>
   void add_edge(Shader* shader, const Edge& edge, const PaintedEdge& painted, const Box& box,
                 const Tile& tile, const PartIn& part_in, const Change& change);
+  template <class PartIn, class Visit>
+  void for_each_edge_pixel(const Box& box, const Tile& tile, const PartIn& part_in,
+                           const Visit& visit) const;
   template <class Shader, class Edge>
   void read_sides(Shader* shader, const Edge& edge, const PaintedEdge& painted);
   template <class Shader>

@@ -18,7 +18,8 @@ constexpr double kNudge = 4e-3;
 /// The number of parts of a pixel that are searched for a triangle. A pixel may have thousands.
 constexpr int kMostCompared = 16;
 
-/// Returns the columns that a triangle meets in a row of pixels, among those of its range.
+/// Narrows the triangle's range of pixels to the columns that the triangle touches in one row of
+/// the tile.
 PixelRange columns_in_row(const Placed& placed, int row, const Tile& tile) {
   PixelRange range = placed.range;
   const double top = tile.y0 + row, bottom = top + 1;
@@ -75,6 +76,7 @@ Status MixedPixels::collect(Context& context, const LayerView& layer, const Tria
     collect_parts(layer, t, place, tile);
     status = settle(context, *points);
   });
+  SFUMATO_TRY(status);
   for_each_marked(tile, [&](int column, int row, std::uint32_t index) {
     const int x = tile.x0 + column, y = tile.y0 + row;
     join_parts(layer, index, x, y);
@@ -85,12 +87,13 @@ Status MixedPixels::collect(Context& context, const LayerView& layer, const Tria
       parts_[i].point = points->add(Vec2{1.0 * x, 1.0 * y} + read.centroid, x, y);
     }
   });
-  return status ? collect_edges(context, layer, triangles, tile, points) : status;
+  return collect_edges(context, layer, triangles, tile, points);
 }
 
 Status MixedPixels::settle(const Context& context, ExactPoints& points) {
   SFUMATO_TRY(points.settle(context));
-  return memory_.settle(context, capacity_bytes(parts_, exact_edges_), charged_);
+  return memory_.settle(context, capacity_bytes(parts_, last_part_, part_edges_, exact_edges_),
+                        charged_);
 }
 
 void MixedPixels::collect_parts(const LayerView& layer, std::uint32_t triangle, std::size_t place,
@@ -114,7 +117,7 @@ void MixedPixels::collect_parts(const LayerView& layer, std::uint32_t triangle, 
   }
 }
 
-/// Returns the part that a part is read with.
+/// Returns the part that a part, after all joins, belongs to.
 std::uint32_t MixedPixels::whole_of(std::uint32_t part) {
   while (parts_[part].whole != part)
     part = parts_[part].whole = parts_[parts_[part].whole].whole;  // halves the way for later calls
@@ -183,22 +186,16 @@ template <class Edge, class PartIn>
 void MixedPixels::collect_edge(const LayerView& layer, const Edge& edge, const PaintedEdge& painted,
                                const Box& box, const Tile& tile, const PartIn& part_in,
                                ExactPoints* points) {
-  const PixelRange range = pixels_in(box, tile);
-  for (int row = range.first_row; row < range.end_row; ++row) {
-    marks_.for_each(row, range.begin, range.end, [&](int column, std::uint32_t index) {
-      const int x = tile.x0 + column, y = tile.y0 + row;
-      const StripPart part = part_in(x, y);
-      if (part.empty()) return;
-      ExactEdge exact{{index, x, y, part, {}}, &edge, {kNoPart, kNoPart}};
-      const Vec2 foot = lerp(painted.end[0], painted.end[1], double{part.along});
-      const std::uint32_t slot[2] = {edge.back, edge.front};
-      for (int side = 0; side < 2; ++side) {
-        if (slot[side] == SoftEdge::kNone) continue;
-        exact.point[side] = point_beside(layer, slot[side], foot, exact.pixel, points);
-      }
-      exact_edges_.push_back(exact);
-    });
-  }
+  for_each_edge_pixel(box, tile, part_in, [&](const EdgePixel& pixel) {
+    ExactEdge exact{pixel, &edge, {kNoPart, kNoPart}};
+    const Vec2 foot = lerp(painted.end[0], painted.end[1], double{pixel.part.along});
+    const std::uint32_t slot[2] = {edge.back, edge.front};
+    for (int side = 0; side < 2; ++side) {
+      if (slot[side] == SoftEdge::kNone) continue;
+      exact.point[side] = point_beside(layer, slot[side], foot, pixel, points);
+    }
+    exact_edges_.push_back(exact);
+  });
 }
 
 Status MixedPixels::collect_edges(Context& context, const LayerView& layer,
@@ -238,9 +235,8 @@ void MixedPixels::read_sides(const ExactShader& shader, ExactEdge* edge) {
 }
 
 void MixedPixels::paint(const ExactShader& shader, const Tile& tile, bool is_straight) {
-  const Vec2 half{0.5, 0.5};
   for_each_marked(tile, [&](int x, int row, std::uint32_t index) {
-    const Vec2 center = Vec2{1.0 * (tile.x0 + x), 1.0 * (tile.y0 + row)} + half;
+    const Vec2 center{tile.x0 + x + 0.5, tile.y0 + row + 0.5};
     for (std::uint32_t i = last_part_[index]; i != kNoPart; i = parts_[i].before)
       if (parts_[i].whole == i)
         sum_[index].add(parts_[i].all, shader.shown(shader.value(parts_[i].point, center)));

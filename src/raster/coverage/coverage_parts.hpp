@@ -28,6 +28,22 @@ void MixedPixels::for_each_marked(const Tile& tile, const Visit& visit) const {
   }
 }
 
+/// Calls visit(pixel) for the marked pixels of a box in which an edge has a part.
+///
+/// part_in   part_in(x, y) returns the part of a pixel that changes
+template <class PartIn, class Visit>
+void MixedPixels::for_each_edge_pixel(const Box& box, const Tile& tile, const PartIn& part_in,
+                                      const Visit& visit) const {
+  const PixelRange range = pixels_in(box, tile);
+  for (int row = range.first_row; row < range.end_row; ++row) {
+    marks_.for_each(row, range.begin, range.end, [&](int column, std::uint32_t index) {
+      const int x = tile.x0 + column, y = tile.y0 + row;
+      const StripPart part = part_in(x, y);
+      if (!part.empty()) visit(EdgePixel{index, x, y, part, {}});
+    });
+  }
+}
+
 template <class Shader>
 void MixedPixels::change_by_blur(const Shader& shader, const SoftEdge& edge, const EdgePixel& pixel,
                                  Sum& changed) const {

@@ -127,7 +127,7 @@ struct TriangleRow {
   double long_x;  ///< TriangleFrame::long_edge_x()
 };
 
-/// Calls body(frame, row) for the rows in which a triangle has pixels of the tile.
+/// Calls body(frame, row) for each row of the tile that has pixel centres in the triangle.
 template <class Body>
 SFUMATO_INLINE void for_each_row(const LayerView& layer, const PixelPoint (&corner)[3], double top,
                                  double bottom, const Tile& tile, const Body& body) {

@@ -10,7 +10,8 @@ bool holds(const PixelMask& mask, int x, int y) {
   return (mask.word[y][x / 64] >> (x % 64) & 1) != 0;
 }
 
-/// The share of each of three nodes in the quadratic through them.
+/// The share of each of three nodes in the quadratic through them; of two nodes if there are no
+/// more pixels.
 struct NodeShares {
   NodeShares(int begin, int middle, int end) : first(begin) {
     for (int x = begin; x <= end; ++x) {
@@ -117,15 +118,16 @@ bool ExactBlocks::is_smooth(const ExactBlock& block) const {
               std::max(range.first_row - reach, 0), std::min(range.end_row + reach, height_)});
 }
 
-void ExactBlocks::part(const ExactBlock& block, std::vector<ExactBlock>& parts) const {
+/// Replaces a block by its quarters, or by its halves if it is narrow.
+void ExactBlocks::divide(const ExactBlock& block) {
   const auto x = static_cast<std::int16_t>(block.middle_x());
   const auto y = static_cast<std::int16_t>(block.middle_y());
   const bool wide = block.x1 - block.x0 > 2, high = block.y1 - block.y0 > 2;
   const ExactBlock left{block.x0, wide ? x : block.x1, block.y0, high ? y : block.y1};
-  parts.push_back(left);
-  if (wide) parts.push_back({x, block.x1, left.y0, left.y1});
-  if (high) parts.push_back({left.x0, left.x1, y, block.y1});
-  if (wide && high) parts.push_back({x, block.x1, y, block.y1});
+  waiting_.push_back(left);
+  if (wide) waiting_.push_back({x, block.x1, left.y0, left.y1});
+  if (high) waiting_.push_back({left.x0, left.x1, y, block.y1});
+  if (wide && high) waiting_.push_back({x, block.x1, y, block.y1});
 }
 
 template <class Visit>
@@ -145,7 +147,7 @@ void ExactBlocks::place(const ExactBlock& block) {
     tried_.push_back(block);
     return;
   }
-  if (!is_smooth(block)) return part(block, waiting_);
+  if (!is_smooth(block)) return divide(block);
   for (const int y : {int{block.y0}, block.middle_y(), int{block.y1}})
     for (const int x : {int{block.x0}, block.middle_x(), int{block.x1}}) ask(x, y);
   for_each_probe(block, [&](int x, int y) { ask(x, y); });
@@ -209,7 +211,7 @@ void ExactBlocks::end_round(const Tile& tile, float most) {
       });
     }
     if (!fits) {
-      part(block, waiting_);
+      divide(block);
       continue;
     }
     for (int c = 0; c < planes; ++c) {

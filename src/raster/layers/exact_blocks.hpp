@@ -51,7 +51,7 @@ class ExactBlocks {
   static constexpr int kLargest = 16;
 
   void place(const ExactBlock& block);
-  void part(const ExactBlock& block, std::vector<ExactBlock>& parts) const;
+  void divide(const ExactBlock& block);
   bool is_smooth(const ExactBlock& block) const;
   void ask(int x, int y);
   void ask_all(const ExactBlock& block);
