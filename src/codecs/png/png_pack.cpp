@@ -143,9 +143,14 @@ class Counter {
   std::size_t extra_bits_ = 0;
 };
 
+/// Has its own BitWriter, which the compiler keeps in registers: another's members might be among
+/// the bytes that are written.
 class Writer {
  public:
-  Writer(BitWriter& bits, std::span<const HuffmanWord> words) : bits_(bits), words_(words) {}
+  Writer(const BitWriter& bits, const HuffmanWord* words) : bits_(bits), words_(words) {}
+
+  /// Returns the writer after what was written.
+  const BitWriter& bits() const { return bits_; }
 
   void literal(std::uint8_t byte) { symbol(byte); }
   void literals(const std::uint8_t* bytes) {
@@ -176,8 +181,8 @@ class Writer {
     bits_.flush();
   }
 
-  BitWriter& bits_;
-  std::span<const HuffmanWord> words_;
+  BitWriter bits_;
+  const HuffmanWord* words_;
 };
 
 /// Returns the bits of a block with its own Huffman code.
@@ -207,9 +212,10 @@ class Packer {
     touch(packed_bytes);
     bits_.put(0b100, kBlockHeadBits);
     lengths.write(bits_);
-    Writer writer(bits_, words);
+    Writer writer(bits_, words.data());
     for_each_run(bytes, writer);
     writer.symbol(kEndOfBlock);
+    bits_ = writer.bits();
   }
 
   void store(Bytes bytes) {
