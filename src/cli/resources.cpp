@@ -1,14 +1,11 @@
 #include "cli/resources.hpp"
 
-#if defined(__GLIBC__)
-#include <malloc.h>
-#endif
-
 #include <algorithm>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "cli/heap.hpp"
 #include "cli/options/option_helpers.hpp"
 #include "options/limit_option.hpp"
 #include "options/tables.hpp"
@@ -31,32 +28,9 @@ void set_limits(const std::vector<std::string>& texts, Limits& limits) {
   }
 }
 
-#if defined(__GLIBC__)
-constexpr int kMiB = 1 << 20;
-#endif
-
-/// Keeps freed memory in the process, because the next table uses it again. Fetching it again from
-/// the system, page by page and in one thread, takes up to a sixth of the time.
-void keep_freed_memory() {
-#if defined(__GLIBC__)
-  mallopt(M_MMAP_THRESHOLD, 32 * kMiB);
-  mallopt(M_TRIM_THRESHOLD, 1024 * kMiB);
-#endif
-}
-
-/// Returns freed blocks of a MiB to the system if the user sets a bound; glibc would keep them in
-/// addition to the charged memory.
-void return_freed_memory() {
-#if defined(__GLIBC__)
-  mallopt(M_MMAP_THRESHOLD, kMiB);
-  mallopt(M_TRIM_THRESHOLD, kMiB / 8);
-#endif
-}
-
 }  // namespace
 
 void add_resources(CommandSyntax& command, options::Resources& resources) {
-  keep_freed_memory();
   for (const options::Option<options::Resources>& option : options::resource_options()) {
     add_option(command, option, resources);
   }

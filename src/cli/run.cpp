@@ -3,6 +3,7 @@
 #include <new>
 
 #include "cli/commands/commands.hpp"
+#include "cli/heap.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/messages.hpp"
 
@@ -46,6 +47,7 @@ int parse_and_run(int argc, const char* const* argv) {
 
 int run(int argc, const char* const* argv) {
   ignore_write_signals();
+  prepare_heap();
   try {
     return parse_and_run(argc, argv);
   } catch (const std::bad_alloc&) {  // without another allocation
