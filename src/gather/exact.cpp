@@ -13,7 +13,7 @@
 namespace sfumato::gather {
 namespace {
 
-constexpr std::size_t kPacketsPerTask = 16;
+constexpr std::size_t kPacketsPerTask = 4;
 
 /// A packet may walk through every triangle of the mesh, in some 30 ns each: this many between two
 /// polls of the cancel flag.

@@ -30,7 +30,7 @@ namespace {
 /// The steps of find_viewers() for each triangle: gathering the nodes of a triangle takes longer.
 constexpr std::size_t kStepsPerTriangle = 128;
 
-constexpr std::size_t kPointsPerTask = 1024;
+constexpr std::size_t kPointsPerTask = 256;
 
 /// Writes the result where there is nothing to see.
 void leave_empty(const PointList& points, std::size_t channels, std::span<float> out,

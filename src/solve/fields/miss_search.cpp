@@ -10,8 +10,8 @@
 namespace sfumato::solve {
 namespace {
 
-constexpr std::size_t kSearchedPerTask = 1024;
-constexpr std::size_t kProbesPerTask = 2048;
+constexpr std::size_t kSearchedPerTask = 256;
+constexpr std::size_t kProbesPerTask = 256;
 
 /// Measured on eight drawings: one in 70 of the patches that are off by more than the limit has a
 /// prediction below three times the limit. Above that one probe comes first, elsewhere three…

@@ -87,7 +87,7 @@ class ProbePlacer {
   }
 
  private:
-  static constexpr std::size_t kTrianglesPerTask = 1024;
+  static constexpr std::size_t kTrianglesPerTask = 256;
 
   Status for_each_range(FunctionRef<void(std::size_t, std::size_t)> body) {
     return parallel_for(context_, triangles_.size(), kTrianglesPerTask, body);

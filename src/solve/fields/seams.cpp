@@ -13,7 +13,7 @@ namespace {
 /// Values of a curve's two neighbouring pieces at their common vertex differ only by rounding.
 constexpr float kSameValue = 1.0f / (255 * 64);
 
-constexpr std::size_t kSeamsPerTask = 1024;
+constexpr std::size_t kSeamsPerTask = 256;
 
 bool same(float a, float b) {
   return std::fabs(a - b) <= kSameValue;
