@@ -307,8 +307,7 @@ Status LayerSolver::find_misses(std::vector<std::uint32_t>& missed) {
   const auto limit = static_cast<float>(options_.max_error / 255);
   const auto opacity = [&](std::uint32_t t) { return largest_opacity(t, 1); };
   const bool for_grid = is_for_pixel_grid(options_);
-  const MissLimit most{limit, options_.order, opacity,
-                       for_grid && !is_blurred_ ? kGridMissFactors : MissFactors()};
+  const MissLimit most{limit, options_.order, opacity, for_grid ? kGridMissFactors : MissFactors()};
   std::vector<std::uint32_t> large;
   if (for_grid) {
     SFUMATO_TRY_ASSIGN(large, large_triangles(scratch));
