@@ -1,5 +1,6 @@
 // The tools' further gestures.
-import { check, checkEqual, EditorPage, packageOf, until } from "./harness.mjs";
+import { readFileSync } from "node:fs";
+import { check, checkEqual, EditorPage, packageOf, pathOf, until } from "./harness.mjs";
 import { changing } from "./draw.mjs";
 import { atOnce } from "./hooks.mjs";
 import { one, photo, Tools, withTools } from "./tools.mjs";
@@ -256,6 +257,38 @@ async function testTouchLoupe({ browser, address }) {
   await editor.close();
 }
 
+/** Collects the transforms that the picture has from now on. */
+const watchTransforms = (page) =>
+  page.evaluate(() => {
+    const picture = document.querySelector(".canvas-stage > canvas");
+    window.seenTransforms = new Set();
+    const look = () => {
+      window.seenTransforms.add(picture.style.transform);
+      requestAnimationFrame(look);
+    };
+    look();
+  });
+
+/** Turns what the picture shows off and on again, so that all of it is drawn. */
+async function drawAnew(page) {
+  for (let k = 0; k < 2; k += 1) await page.keyboard.press("m");
+}
+
+async function testMovedFrame({ editor, page }) {
+  await editor.load(readFileSync(pathOf("examples/portrait.svg"), "utf8"));
+  await page.locator(".canvas-stage").focus();
+  await watchTransforms(page);
+  await page.mouse.move(...(await editor.at(300, 300)));
+  for (let k = 0; k < 3; k += 1) await page.mouse.wheel(0, -40);
+  const moved = await editor.picture();
+  const seen = await page.evaluate(() => [...window.seenTransforms]);
+  check(seen.some((transform) => transform.startsWith("matrix(")), `no frame was moved: ${JSON.stringify(seen)}`);
+  checkEqual(await page.evaluate(() => document.querySelector(".canvas-stage > canvas").style.transform), "", "the picture at rest");
+  await drawAnew(page);
+  const drawn = await editor.picture();
+  check(moved.equals(drawn), "the picture at rest is another one than when it is drawn anew");
+}
+
 export async function testGestures(tap, given) {
   const gestures = {
     "the box scales and turns by the keyboard": testGrips,
@@ -266,11 +299,13 @@ export async function testGestures(tap, given) {
     "the photo lies above or below, and is moved when it is not locked": testPhoto,
     "the loupe shows what is sampled": testLoupe,
     "a stop takes the colour that is seen": testPickAsSeen,
+    "slow frames are moved until the view rests": testMovedFrame,
   };
-  const looks = [testPhoto, testLoupe, testPickAsSeen];
+  const looks = [testPhoto, testLoupe, testPickAsSeen, testMovedFrame];
   for (const [name, body] of Object.entries(gestures)) {
     // Numbers are as exact as the pixels of the screen.
     const options = body === testGrips ? { ratio: 1 } : { isDrawn: looks.includes(body) };
+    if (body === testMovedFrame) options.size = [800, 600];
     await tap.test(name, () => withTools(given, body, options));
   }
   await tap.test("the loupe stands above the finger", () => testTouchLoupe(given));

@@ -7,13 +7,13 @@ const artboard: Box = [0, 0, 400, 300];
 const seen = (zoom: number, x = 200, y = 150): Box => [x - 500 / zoom, y - 400 / zoom, x + 500 / zoom, y + 400 / zoom];
 
 describe("detail", () => {
-  it("is never coarser than the screen where the artboard shows", () => {
+  it("has at least half of the screen's pixels where the artboard shows", () => {
     let before: Detail | null = null;
     for (let i = 0; i < 4000; ++i) {
       const zoom = 2 ** (8 * Math.sin(i * 0.37) + 2);
       const box = seen(zoom, 200 + 150 * Math.sin(i), 150 + 100 * Math.cos(i * 1.7));
       const detail: Detail = detailFor(zoom, box, artboard, before);
-      expect(detail.pixelsPerUnit).toBeGreaterThanOrEqual(zoom * (1 - 1e-9));
+      expect(detail.pixelsPerUnit).toBeGreaterThanOrEqual((zoom / 2) * (1 - 1e-9));
       const [x0, y0, x1, y1] = detail.part ?? artboard;
       const sides = [
         [x0, x1, box[0], box[2], 400],
@@ -34,6 +34,8 @@ describe("detail", () => {
     expect(detailFor(1.2, seen(1.2), artboard, detailFor(1.5, seen(1.5), artboard, null)).pixelsPerUnit).toBe(2);
     expect(detailFor(0.9, seen(0.9), artboard, first)).toBe(first);
     expect(detailFor(0.5, seen(0.5), artboard, first)).toBe(first);
+    expect(detailFor(2, seen(2), artboard, first)).toBe(first);
+    expect(detailFor(2.6, seen(2.6), artboard, first).pixelsPerUnit).toBe(4);
     const near = detailFor(100, seen(100), artboard, null);
     expect(detailFor(100, seen(100, 201, 151), artboard, near)).toBe(near);
     expect(detailFor(100, seen(100, 260, 151), artboard, near)).not.toBe(near);

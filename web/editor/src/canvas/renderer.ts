@@ -1,6 +1,7 @@
 // Draws the picture into the stage's canvas: at once where something has changed, then finer, then
 // not at all until something changes.
 import { computed, effect } from "@preact/signals";
+import { MovedFrame } from "../../../viewer/moved_frame.js";
 import { makeTexels } from "../../../viewer/paints.js";
 import { Renderer } from "../../../viewer/renderer.js";
 import { SmallPictures } from "../../../viewer/small.js";
@@ -45,6 +46,9 @@ export class PictureCanvas {
   /** Whether layers and paints belong together: while textures are decoded they do not. */
   #isWhole = true;
   #isDirty = false;
+  /** Shows the last frame moved while nothing but the view has changed; null: something else has. */
+  #moved: MovedFrame | null = null;
+  #movable: MovedFrame | null = null;
   #frame = 0;
   #changedAt = 0;
   /** Whether frames only make exact what is drawn. */
@@ -72,8 +76,10 @@ export class PictureCanvas {
     this.#canvas = canvas;
     if (!canvas) return;
     canvas.classList.add("picture");
+    this.#movable = new MovedFrame(canvas);
     this.#open(canvas);
-    this.#stop = effect(() => this.#watch());
+    const stops = [effect(() => this.#watch()), effect(() => this.#watchView())];
+    this.#stop = () => stops.forEach((stop) => stop());
   }
 
   #open(canvas: HTMLCanvasElement) {
@@ -103,11 +109,19 @@ export class PictureCanvas {
     this.change();
   }
 
-  /** Reads the signals that a frame depends on, besides the picture. */
+  /** Reads the signals that a frame depends on, besides the picture and the view. */
   #watch() {
-    const { opened, view, stage, showMesh, settings, tool } = this.#editor;
-    void [opened.value, tool.value, this.#isClear.value, view.value, stage.value, showMesh.value, settings.surround.value, settings.theme.value, settings.exactPixels.value];
+    const { opened, stage, showMesh, settings, tool } = this.#editor;
+    void [opened.value, tool.value, this.#isClear.value, stage.value, showMesh.value, settings.surround.value, settings.theme.value, settings.exactPixels.value];
     this.change();
+  }
+
+  #watchView() {
+    void this.#editor.view.value;
+    const isMove = !this.#isDirty || this.#moved !== null;
+    this.change();
+    // The loupe of this tool reads the pixels under the pointer.
+    if (isMove && this.#editor.tool.peek() !== "sample") this.#moved = this.#movable;
   }
 
   take(update: PictureUpdate): void {
@@ -145,6 +159,7 @@ export class PictureCanvas {
   /** Something is to be seen that was not drawn yet. */
   change(): void {
     this.#isDirty = true;
+    this.#moved = null;
     this.#isDrawn = false;
     this.#changedAt = performance.now();
     this.#exact.leave();
@@ -160,12 +175,18 @@ export class PictureCanvas {
     const renderer = this.#renderer;
     // Without graphics there is nothing to wait for; what comes makes a frame itself.
     if (!renderer || !this.#isWhole) return this.#settle();
+    const isBusy = renderer.isBusy;
+    if (!isBusy) this.#movable?.finish();
+    const isStandIn = this.#moved?.standsIn(this.#changedAt);
+    if (isStandIn) this.#moved?.move(this.#editor.stageFromArtboard());
     // More work would only pile up behind unfinished work of the GPU.
-    if (renderer.isBusy) return this.#schedule();
+    if (isBusy || isStandIn) return this.#schedule();
     if (!this.#isOurs) return this.#showNothing();
     if (this.#isDirty) {
       this.#isDirty = false;
+      this.#moved = null;
       renderer.draw(this.#frameOf());
+      this.#movable?.begin(this.#editor.stageFromArtboard());
       this.#keep();
     } else if (!renderer.canRefine) {
       this.#settle();

@@ -6,6 +6,8 @@ import type { SolveOptions } from "./session.js";
 const WHOLE = 4096;
 /** The least size: a smaller one would show chords of the paper's mesh. */
 const LEAST = 512;
+/** How much nearer a picture may be seen than it was made for: its chords then stray by 0.08 pixels. */
+const NEARER = 2;
 
 /** The settings of the last picture. */
 export interface Detail {
@@ -47,7 +49,7 @@ export function detailFor(
   const wanted = Math.max(rounded(pixelsPerUnit), LEAST / side);
   const visible = cut(seen, artboard);
   const isEmpty = !(visible[0] < visible[2] && visible[1] < visible[3]);
-  const isFineEnough = before !== null && before.pixelsPerUnit >= pixelsPerUnit;
+  const isFineEnough = before !== null && NEARER * before.pixelsPerUnit >= pixelsPerUnit;
   const isNotTooFine = before !== null && before.pixelsPerUnit <= 4 * wanted;
   const isThere = before?.part === null || (before && holds(before.part, visible));
   if (before && isThere && (isEmpty || (isFineEnough && isNotTooFine))) return before;
