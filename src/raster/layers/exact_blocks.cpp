@@ -80,8 +80,10 @@ class BlockPatch {
 
 }  // namespace
 
-void ExactBlocks::start(const Tile& tile, const PixelMask& usable, const PixelMask* cut) {
+void ExactBlocks::start(const Tile& tile, const PixelMask& usable, const PixelMask* cut,
+                        float most) {
   usable_ = usable;
+  most_ = most;
   asked_ = {};
   cut_ = cut;
   width_ = tile.width;
@@ -130,6 +132,14 @@ void ExactBlocks::divide(const ExactBlock& block) {
   if (wide && high) waiting_.push_back({x, block.x1, y, block.y1});
 }
 
+/// Visits its nodes and probes.
+template <class Visit>
+void ExactBlocks::for_each_sample(const ExactBlock& block, const Visit& visit) {
+  for (const int y : {int{block.y0}, block.middle_y(), int{block.y1}})
+    for (const int x : {int{block.x0}, block.middle_x(), int{block.x1}}) visit(x, y);
+  for_each_probe(block, visit);
+}
+
 template <class Visit>
 void ExactBlocks::for_each_probe(const ExactBlock& block, const Visit& visit) {
   const int x = block.middle_x(), y = block.middle_y();
@@ -138,6 +148,8 @@ void ExactBlocks::for_each_probe(const ExactBlock& block, const Visit& visit) {
 }
 
 void ExactBlocks::place(const ExactBlock& block) {
+  if (most_ == 0 && std::max(block.x1 - block.x0, block.y1 - block.y0) < kLeastClear)
+    return ask_all(block);
   if (block.is_small()) {
     if (!is_smooth(block) || block.x1 - block.x0 < 2 || block.y1 - block.y0 < 2)
       return ask_all(block);
@@ -148,9 +160,7 @@ void ExactBlocks::place(const ExactBlock& block) {
     return;
   }
   if (!is_smooth(block)) return divide(block);
-  for (const int y : {int{block.y0}, block.middle_y(), int{block.y1}})
-    for (const int x : {int{block.x0}, block.middle_x(), int{block.x1}}) ask(x, y);
-  for_each_probe(block, [&](int x, int y) { ask(x, y); });
+  for_each_sample(block, [&](int x, int y) { ask(x, y); });
   tried_.push_back(block);
 }
 
@@ -160,7 +170,7 @@ void ExactBlocks::ask_all(const ExactBlock& block) {
 }
 
 /// Fills a block of nine pixels from its corners if they tell its centre.
-bool ExactBlocks::fill_small(const ExactBlock& block, const Tile& tile, float most) const {
+bool ExactBlocks::fill_small(const ExactBlock& block, const Tile& tile) const {
   float* const plane[4] = {tile.color[0], tile.color[1], tile.color[2], tile.alpha};
   const int planes = tile.alpha ? 4 : 3;
   const int x = block.middle_x(), y = block.middle_y();
@@ -168,7 +178,7 @@ bool ExactBlocks::fill_small(const ExactBlock& block, const Tile& tile, float mo
   for (int c = 0; c < planes; ++c) {
     const float mean = 0.25f * (at(c, block.x0, block.y0) + at(c, block.x1, block.y0) +
                                 at(c, block.x0, block.y1) + at(c, block.x1, block.y1));
-    if (!(std::fabs(mean - at(c, x, y)) <= most)) return false;
+    if (!(std::fabs(mean - at(c, x, y)) <= most_)) return false;
   }
   const auto fill = [&](int px, int py, int ax, int ay, int bx, int by) {
     if (holds(asked_, px, py)) return;
@@ -192,31 +202,43 @@ bool ExactBlocks::next_round() {
   return !pixel_.empty() || !tried_.empty();
 }
 
-void ExactBlocks::end_round(const Tile& tile, float most) {
+/// Returns whether the opacity is 0 at the block's nodes and probes.
+bool ExactBlocks::is_clear(const ExactBlock& block, const Tile& tile) const {
+  if (!tile.alpha) return false;
+  bool is_clear = true;
+  for_each_sample(
+      block, [&](int x, int y) { is_clear = is_clear && tile.alpha[y * kTileStride + x] == 0; });
+  return is_clear;
+}
+
+/// Interpolates a block, or makes it clear. Returns false if its pixels have to be gathered.
+bool ExactBlocks::fill(const ExactBlock& block, const Tile& tile) const {
+  float* const plane[4] = {tile.color[0], tile.color[1], tile.color[2], tile.alpha};
+  const int planes = tile.alpha ? 4 : 3;
+  const NodeShares x_shares(block.x0, block.middle_x(), block.x1);
+  const NodeShares y_shares(block.y0, block.middle_y(), block.y1);
+  BlockPatch patch(block, x_shares, y_shares);
+  bool fits = true;
+  for (int c = 0; c < planes && fits; ++c) {
+    patch.read(plane[c]);
+    for_each_probe(block, [&](int x, int y) {
+      fits = fits && std::fabs(patch.at(x, y) - plane[c][y * kTileStride + x]) <= most_;
+    });
+  }
+  if (!fits) return false;
+  for (int c = 0; c < planes; ++c) {
+    patch.read(plane[c]);
+    patch.write(plane[c]);
+  }
+  return true;
+}
+
+void ExactBlocks::end_round(const Tile& tile) {
   for (const ExactBlock& block : tried_) {
     if (block.is_small()) {
-      if (!fill_small(block, tile, most)) rejected_.push_back(block);
-      continue;
-    }
-    const NodeShares x_shares(block.x0, block.middle_x(), block.x1);
-    const NodeShares y_shares(block.y0, block.middle_y(), block.y1);
-    BlockPatch patch(block, x_shares, y_shares);
-    float* const plane[4] = {tile.color[0], tile.color[1], tile.color[2], tile.alpha};
-    const int planes = tile.alpha ? 4 : 3;
-    bool fits = true;
-    for (int c = 0; c < planes && fits; ++c) {
-      patch.read(plane[c]);
-      for_each_probe(block, [&](int x, int y) {
-        fits = fits && std::fabs(patch.at(x, y) - plane[c][y * kTileStride + x]) <= most;
-      });
-    }
-    if (!fits) {
+      if (!fill_small(block, tile)) rejected_.push_back(block);
+    } else if (most_ == 0 ? !is_clear(block, tile) : !fill(block, tile)) {
       divide(block);
-      continue;
-    }
-    for (int c = 0; c < planes; ++c) {
-      patch.read(plane[c]);
-      patch.write(plane[c]);
     }
   }
 }

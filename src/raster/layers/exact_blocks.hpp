@@ -25,13 +25,17 @@ struct ExactBlock {
 /// the error. A block with too large an error is divided into quarters for the next round. Blocks
 /// near curves are small. In the smallest, 3 by 3 pixels, the corners are interpolated and the
 /// middle is the probe.
+///
+/// Where every pixel is gathered, that is done only for blocks that show something: a block without
+/// curves is clear if the opacity is 0 at its nodes and probes.
 class ExactBlocks {
  public:
   /// Starts a tile.
   ///
   /// usable   the pixels to paint
   /// cut      pixels that curves pass through
-  void start(const Tile& tile, const PixelMask& usable, const PixelMask* cut);
+  /// most     the largest error of a channel; 0: all pixels are gathered but for clear blocks
+  void start(const Tile& tile, const PixelMask& usable, const PixelMask* cut, float most);
 
   /// Lists the pixels to gather in the next round. Returns false if all pixels are known.
   bool next_round();
@@ -43,25 +47,30 @@ class ExactBlocks {
 
   /// Ends a round whose values were written into the tile: interpolates the blocks whose probes
   /// fit, and divides the others.
-  ///
-  /// most   the largest error of a channel
-  void end_round(const Tile& tile, float most);
+  void end_round(const Tile& tile);
 
  private:
   static constexpr int kLargest = 16;
+  /// Smaller blocks are not tried where they can only be clear.
+  static constexpr int kLeastClear = 8;
 
   void place(const ExactBlock& block);
   void divide(const ExactBlock& block);
   bool is_smooth(const ExactBlock& block) const;
   void ask(int x, int y);
   void ask_all(const ExactBlock& block);
-  bool fill_small(const ExactBlock& block, const Tile& tile, float most) const;
+  bool fill_small(const ExactBlock& block, const Tile& tile) const;
+  bool is_clear(const ExactBlock& block, const Tile& tile) const;
+  bool fill(const ExactBlock& block, const Tile& tile) const;
+  template <class Visit>
+  static void for_each_sample(const ExactBlock& block, const Visit& visit);
   template <class Visit>
   static void for_each_probe(const ExactBlock& block, const Visit& visit);
 
   PixelMask usable_, asked_;
   const PixelMask* cut_ = nullptr;
   int width_ = 0, height_ = 0;
+  float most_ = 0;
   std::vector<ExactBlock> waiting_, tried_;
   std::vector<ExactBlock> rejected_;  ///< small ones, all of whose pixels are gathered
   std::vector<std::uint32_t> pixel_;

@@ -44,9 +44,9 @@ Status ExactPainter::paint_fields(Context& context, const LayerView& layer,
   if (antialias_) mixed->mark(layer, triangles, tile);
   const PixelMask* const cut = antialias_ ? &mixed->marked() : nullptr;
   const PixelMask usable = usable_pixels(layer, triangles, tile, cut);
-  const bool interpolates = layer.exact->max_miss() > 0;
-  if (interpolates) {
-    blocks_.start(tile, usable, cut);
+  const bool in_rounds = is_in_rounds(layer);
+  if (in_rounds) {
+    blocks_.start(tile, usable, cut, layer.exact->max_miss());
     blocks_.next_round();
     pixel_ = blocks_.pixels();
   } else {
@@ -56,7 +56,16 @@ Status ExactPainter::paint_fields(Context& context, const LayerView& layer,
   if (antialias_) SFUMATO_TRY(mixed->collect(context, layer, triangles, tile, &points_));
   SFUMATO_TRY(read(context, &points_));
   write_colors(layer, points_, tile);
-  return interpolates ? interpolate(context, layer, layer_from_image, tile) : ok_status();
+  return in_rounds ? interpolate(context, layer, layer_from_image, tile) : ok_status();
+}
+
+/// Returns whether some pixels need not be gathered: those that can be interpolated, and those that
+/// a layer without shaders leaves clear. What is between the samples of a clear block is known only
+/// if curves mark their pixels.
+bool ExactPainter::is_in_rounds(const LayerView& layer) const {
+  if (layer.exact->max_miss() > 0) return true;
+  const bool has_shaders = layer.color.shader_count + layer.opacity.shader_count > 0;
+  return antialias_ && layer.opacity.channel_count > 0 && !has_shaders;
 }
 
 /// Charges the lists and reads the points.
@@ -69,14 +78,14 @@ Status ExactPainter::read(Context& context, ExactPoints* points) {
 /// Interpolates the blocks of the first round, and gathers the pixels of the later rounds.
 Status ExactPainter::interpolate(Context& context, const LayerView& layer,
                                  const Affine& layer_from_image, const Tile& tile) {
-  blocks_.end_round(tile, layer.exact->max_miss());
+  blocks_.end_round(tile);
   while (blocks_.next_round()) {
     pixel_ = blocks_.pixels();
     more_points_.start(layer, layer_from_image);
     add_pixels(pixel_, tile, &more_points_);
     SFUMATO_TRY(read(context, &more_points_));
     write_colors(layer, more_points_, tile);
-    blocks_.end_round(tile, layer.exact->max_miss());
+    blocks_.end_round(tile);
   }
   return ok_status();
 }
@@ -89,7 +98,8 @@ void ExactPainter::write_colors(const LayerView& layer, const ExactPoints& point
     const float* const color = points.color(i);
     for (int c = 0; c < 3; ++c) tile.color[c][pixel] = color[c];
     if (!tile.alpha) continue;
-    tile.alpha[pixel] = layer.opacity.channel_count > 0 ? points.opacity(i)[0] : 1;
+    const bool is_seen = layer.exact->max_miss() > 0 || points.is_hit(i);
+    tile.alpha[pixel] = !is_seen ? 0 : layer.opacity.channel_count > 0 ? points.opacity(i)[0] : 1;
   }
 }
 
@@ -102,7 +112,8 @@ void ExactPainter::write_channels(const FieldView& field, int first, const Tile&
   }
 }
 
-void ExactPainter::clear_unseen(const Tile& tile) const {
+void ExactPainter::clear_unseen(const LayerView& layer, const Tile& tile) const {
+  if (is_in_rounds(layer)) return;  // write_colors() has cleared them
   for (std::uint32_t i = 0; i < pixel_.size(); ++i)
     if (!points_.is_hit(i)) tile.alpha[pixel_[i]] = 0;
 }

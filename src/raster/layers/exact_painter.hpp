@@ -35,7 +35,7 @@ class ExactPainter {
   void write_channels(const FieldView& field, int first, const Tile& tile) const;
 
   /// Sets the opacity of those pixels that see no colour to 0.
-  void clear_unseen(const Tile& tile) const;
+  void clear_unseen(const LayerView& layer, const Tile& tile) const;
 
   /// Returns the shader of the mixed pixels. The arguments must outlive it.
   ExactShader shader(const LayerView& layer, const PointShader* shading) const {
@@ -50,6 +50,7 @@ class ExactPainter {
   void add_pixels(std::span<const std::uint32_t> pixels, const Tile& tile, ExactPoints* points);
   Status read(Context& context, ExactPoints* points);
   void write_colors(const LayerView& layer, const ExactPoints& points, const Tile& tile);
+  bool is_in_rounds(const LayerView& layer) const;
   Status interpolate(Context& context, const LayerView& layer, const Affine& layer_from_image,
                      const Tile& tile);
 

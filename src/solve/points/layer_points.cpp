@@ -16,6 +16,25 @@ PatchField field_without_nodes(int channels, const std::vector<std::uint32_t>& s
   return {channels, {}, {}, shaders};
 }
 
+/// The points at which the opacity is not 0, in the same groups.
+struct ShownPoints {
+  ShownPoints(std::span<const float> opacity, std::size_t count,
+              std::span<const std::uint32_t> all_ends) {
+    const std::size_t channels = opacity.size() / std::max<std::size_t>(count, 1);
+    std::uint32_t i = 0;
+    for (const std::uint32_t end : all_ends) {
+      for (; i < end; ++i) {
+        const std::span<const float> value = opacity.subspan(channels * i, channels);
+        if (std::ranges::any_of(value, [](float v) { return v != 0; })) point.push_back(i);
+      }
+      group_end.push_back(static_cast<std::uint32_t>(point.size()));
+    }
+  }
+
+  std::vector<std::uint32_t> point;
+  std::vector<std::uint32_t> group_end;
+};
+
 }  // namespace
 
 LayerPoints::LayerPoints(PreparedFields fields, const gather::GatherOptions& options,
@@ -44,19 +63,24 @@ PatchField LayerPoints::opacity_field() const {
 Status LayerPoints::read(Context& context, std::span<const Vec2> points,
                          std::span<const std::uint32_t> group_end,
                          picture::PointValues* values) const {
-  const auto gather = [&](const PreparedField& field, std::vector<float>& value,
-                          std::span<std::uint8_t> hit) {
-    value.resize(static_cast<std::size_t>(field.gatherer.channel_count()) * points.size());
-    const gather::PointList list = gather::PointList(points).in_groups(group_end);
+  const auto gather = [&](const PreparedField& field, const gather::PointList& list,
+                          std::vector<float>& value, std::span<std::uint8_t> hit) {
+    value.assign(static_cast<std::size_t>(field.gatherer.channel_count()) * points.size(), 0.0f);
     return field.gatherer.gather(context, list, options_, value, hit);
   };
   read_count_ += points.size();
-  values->hit.resize(points.size());
+  values->hit.assign(points.size(), 0);
   values->opacity.clear();
-  SFUMATO_TRY(gather(fields_.color, values->color, values->hit));
-  if (fields_.opacity) return gather(*fields_.opacity, values->opacity, {});
-  if (may_see_none_) values->opacity.assign(points.size(), 1);
-  return ok_status();
+  const gather::PointList all = gather::PointList(points).in_groups(group_end);
+  if (!fields_.opacity) {
+    SFUMATO_TRY(gather(fields_.color, all, values->color, values->hit));
+    if (may_see_none_) values->opacity.assign(points.size(), 1);
+    return ok_status();
+  }
+  SFUMATO_TRY(gather(*fields_.opacity, all, values->opacity, {}));
+  const ShownPoints shown(values->opacity, points.size(), group_end);
+  const gather::PointList listed(points, shown.point);
+  return gather(fields_.color, listed.in_groups(shown.group_end), values->color, values->hit);
 }
 
 }  // namespace sfumato::solve

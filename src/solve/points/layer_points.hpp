@@ -18,6 +18,7 @@ class LayerPoints final : public picture::PointFields {
   LayerPoints(PreparedFields fields, const gather::GatherOptions& options, bool may_see_none,
               float max_miss);
 
+  /// Colours are gathered where the opacity is not 0; elsewhere they are 0 and not hit.
   Status read(Context& context, std::span<const Vec2> points,
               std::span<const std::uint32_t> group_end,
               picture::PointValues* values) const override;
