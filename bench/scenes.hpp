@@ -12,6 +12,9 @@
 
 namespace sfumato::bench {
 
+/// The exit code of a program whose scene is missing (bench/regions.txt).
+constexpr int kSkipped = 77;
+
 /// Returns the text of a public scene; nothing if the scenes are missing.
 inline std::optional<std::string> scene_text(const std::string& name) {
   std::ifstream stream(test::shared_path("scenes/") + name, std::ios::binary);

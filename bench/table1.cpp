@@ -1,13 +1,15 @@
-// Prints the paper's Table 1 beside our figures, as Markdown: table1 [--runs N] [FOLDER OF SCENES]
+// Prints the paper's Table 1 beside our figures, as Markdown:
+//
+//   table1 [--runs N] [--threads N] [FOLDER OF SCENES]
 //
 // Times are medians of N runs (default 11) after one uncounted run, in milliseconds of wall clock,
-// with the best run in parentheses; ratios are of medians. The mesh is the paper's (no error-driven
-// refinement), except in the last two rows. The paper's machine had a GTX 780.
+// with the best run in parentheses; ratios are of medians. Default: all threads. The mesh is the
+// paper's (no error-driven refinement), except in the last two rows. The paper's machine had a
+// GTX 780. Exit 77 if a scene is missing (bench/regions.txt).
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
 #include <functional>
 #include <sfumato/sfumato.hpp>
 #include <string>
@@ -21,6 +23,7 @@ namespace sfumato {
 namespace {
 
 constexpr int kImagePixels = 1024;
+constexpr int kSkipped = 77;  // the exit code where a scene is missing
 
 struct PaperColumn {
   const char* name;
@@ -31,6 +34,7 @@ struct PaperColumn {
   const char* geometry;
   const char* triangulation;
   const char* color;
+  const char* rays_to_picture;
 };
 
 struct Scene {
@@ -39,9 +43,9 @@ struct Scene {
 };
 
 constexpr Scene kScenes[] = {
-    {"lady_bug", {"LADYBUG", "72", "9k", "5k", "37k", "18", "7", "49"}},
-    {"tomatos", {"TOMATOES", "395", "10k", "5k", "38k", "19", "5", "53"}},
-    {"dolphin", {"FISH", "1859", "53k", "27k", "113k", "61", "16", "277"}},
+    {"lady_bug", {"LADYBUG", "72", "9k", "5k", "37k", "18", "7", "49", "16"}},
+    {"tomatos", {"TOMATOES", "395", "10k", "5k", "38k", "19", "5", "53", "16"}},
+    {"dolphin", {"FISH", "1859", "53k", "27k", "113k", "61", "16", "277", "16"}},
 };
 
 /// Milliseconds of wall clock. On a busy machine `best` is more reliable.
@@ -203,66 +207,75 @@ std::string ratio(double value, double unit) {
   return number(value / unit);
 }
 
-void print_row(const char* name, const char* paper, const Measured& one, const Measured& all,
+/// A scene with its figures: two columns of the table.
+struct Column {
+  const Scene* scene;
+  Measured measured;
+};
+
+void print_row(const char* name, const std::vector<Column>& columns,
+               const char* PaperColumn::*paper,
                const std::function<std::string(const Measured&)>& text) {
-  std::printf("| %s | %s | %s | %s |\n", name, paper, text(one).c_str(), text(all).c_str());
+  std::printf("| %s |", name);
+  for (const Column& column : columns) {
+    const char* theirs = paper ? column.scene->paper.*paper : "";
+    std::printf(" %s | %s |", theirs, text(column.measured).c_str());
+  }
+  std::printf("\n");
 }
 
-void print_sizes(const PaperColumn& paper, const Measured& one) {
-  const auto row = [](const char* name, const char* theirs, std::uint64_t ours) {
-    const auto count = static_cast<unsigned long long>(ours);
-    std::printf("| %s | %s | %llu | |\n", name, theirs, count);
-  };
-  row("curves", paper.curves, one.sizes.curves);
-  row("triangles", paper.triangles, one.sizes.triangles);
-  row("vertices", paper.vertices, one.sizes.vertices);
-  row("nodes", paper.nodes, one.sizes.nodes);
+void print_head(const std::vector<Column>& columns) {
+  std::printf("| |");
+  for (const Column& column : columns) {
+    std::printf(" paper: %s | %s |", column.scene->paper.name, column.scene->file);
+  }
+  std::printf("\n|---|");
+  for (std::size_t i = 0; i < columns.size(); ++i) std::printf("---|---|");
+  std::printf("\n");
 }
 
-void print_times(const PaperColumn& paper, const Measured& one, const Measured& all) {
-  const auto row = [&](const char* name, const char* theirs, Time Measured::*time) {
-    print_row(name, theirs, one, all, [&](const Measured& m) { return text_of(m.*time); });
+void print_sizes(const std::vector<Column>& columns) {
+  const auto row = [&](const char* name, const char* PaperColumn::*paper, auto size) {
+    print_row(name, columns, paper,
+              [size](const Measured& m) { return std::to_string(m.sizes.*size); });
   };
-  row("geometry, ms", paper.geometry, &Measured::geometry);
-  row("triangulation, ms", paper.triangulation, &Measured::triangulation);
-  row("colour: exact gather, ms", "", &Measured::gather_exact);
-  row("colour: 64 rays a node, ms", paper.color, &Measured::gather_rays);
-  row("raster at 1024², ms", "", &Measured::raster);
-  row("exact gather at every pixel of 1024², ms", "", &Measured::pixels_exact);
-  print_row("exact : rays : every pixel", "", one, all, [](const Measured& m) {
+  row("curves", &PaperColumn::curves, &DiffuseStats::curves);
+  row("triangles", &PaperColumn::triangles, &DiffuseStats::triangles);
+  row("vertices", &PaperColumn::vertices, &DiffuseStats::vertices);
+  row("nodes", &PaperColumn::nodes, &DiffuseStats::nodes);
+}
+
+/// Returns the cost of 64 rays at every pixel, from the cost of a node, in units of the picture's.
+std::string rays_to_picture(const Measured& m) {
+  const double pixels = double{kImagePixels} * kImagePixels;
+  const double rays = m.gather_rays.median / static_cast<double>(m.sizes.nodes) * pixels;
+  return ratio(
+      rays, m.geometry.median + m.triangulation.median + m.gather_exact.median + m.raster.median);
+}
+
+void print_times(const std::vector<Column>& columns) {
+  const auto row = [&](const char* name, const char* PaperColumn::*paper, Time Measured::*time) {
+    print_row(name, columns, paper, [time](const Measured& m) { return text_of(m.*time); });
+  };
+  row("geometry", &PaperColumn::geometry, &Measured::geometry);
+  row("triangulation: both meshes, layout of the nodes", &PaperColumn::triangulation,
+      &Measured::triangulation);
+  row("colour: exact gather", nullptr, &Measured::gather_exact);
+  row("colour: 64 rays a node", &PaperColumn::color, &Measured::gather_rays);
+  row("raster at 1024²", nullptr, &Measured::raster);
+  row("exact gather at every pixel of 1024²", nullptr, &Measured::pixels_exact);
+  print_row("exact : rays : every pixel", columns, nullptr, [](const Measured& m) {
     return "1 : " + ratio(m.gather_rays.median, m.gather_exact.median) + " : " +
            ratio(m.pixels_exact.median, m.gather_exact.median);
   });
-  print_row("exact gather, ns a node", "", one, all, [](const Measured& m) {
+  print_row("exact gather, ns a node", columns, nullptr, [](const Measured& m) {
     return number(1e6 * m.gather_exact.median / static_cast<double>(m.sizes.nodes));
   });
-  print_row("64 rays at every pixel (from the cost of a node) : whole picture", "16", one, all,
-            [](const Measured& m) {
-              const double pixels = double{kImagePixels} * kImagePixels;
-              const double rays =
-                  m.gather_rays.median / static_cast<double>(m.sizes.nodes) * pixels;
-              const double picture = m.geometry.median + m.triangulation.median +
-                                     m.gather_exact.median + m.raster.median;
-              return ratio(rays, picture);
-            });
-  row("with refinement (the default): whole diffuse(), ms", "", &Measured::default_total);
-  print_row("with refinement: nodes", "", one, all,
+  print_row("64 rays at every pixel : whole picture", columns, &PaperColumn::rays_to_picture,
+            rays_to_picture);
+  row("with refinement (the default): whole diffuse()", nullptr, &Measured::default_total);
+  print_row("with refinement: nodes", columns, nullptr,
             [](const Measured& m) { return std::to_string(m.default_sizes.nodes); });
-}
-
-void print_scene(const Scene& scene, const Measured& one, const Measured& all) {
-  std::printf("\n| %s | paper: %s | 1 thread | %d threads |\n|---|---|---|---|\n", scene.file,
-              scene.paper.name, all.threads);
-  print_sizes(scene.paper, one);
-  print_times(scene.paper, one, all);
-}
-
-std::string processor_name() {
-  std::ifstream file("/proc/cpuinfo");
-  for (std::string line; std::getline(file, line);) {
-    if (line.rfind("model name", 0) == 0) return line.substr(line.find(':') + 2);
-  }
-  return "unknown processor";
 }
 
 const char* simd_name(SimdLevel level) {
@@ -276,27 +289,31 @@ const char* simd_name(SimdLevel level) {
   }
 }
 
-int run(const std::string& folder, int runs) {
-  std::printf("%s, %s; %s, %s; medians of %d runs (and the best)\n", processor_name().c_str(),
-              simd_name(detected_simd_level()), SFUMATO_COMPILER, SFUMATO_FLAGS, runs);
-  for (const Scene& scene : kScenes) {
-    const std::string path = folder + "/" + scene.file + ".xml";
-    auto xml = read_file(path, limits::kInputBytes);
-    if (!xml) {
-      std::fprintf(
-          stderr,
-          "table1: %s: not there. The scenes are Orzan et al.'s research data and not part "
-          "of this project: give the folder that holds them as an argument.\n",
-          path.c_str());
-      return 1;
-    }
-    Context context;
-    const auto read = value_or_fail(read_orzan(context, *xml, path));
-    const Measured one = measure(read.document, 1, runs);
-    const Measured all = measure(read.document, 0, runs);
-    print_scene(scene, one, all);
-    std::fflush(stdout);
+Document document_of(const std::string& folder, const Scene& scene) {
+  const std::string path = folder + "/" + scene.file + ".xml";
+  auto xml = read_file(path, limits::kInputBytes);
+  if (!xml) {
+    std::fprintf(stderr,
+                 "table1: no %s. The scenes are Orzan et al.'s research data and not part of this "
+                 "project: give the folder that holds them as an argument.\n",
+                 path.c_str());
+    std::exit(kSkipped);
   }
+  Context context;
+  return value_or_fail(read_orzan(context, *xml, path)).document;
+}
+
+int run(const std::string& folder, int threads, int runs) {
+  std::vector<Column> columns;
+  for (const Scene& scene : kScenes) {
+    columns.push_back({&scene, measure(document_of(folder, scene), threads, runs)});
+  }
+  const int used = columns.front().measured.threads;
+  std::printf("Milliseconds; medians of %d runs, and the best in parentheses; %d thread%s; %s.\n\n",
+              runs, used, used == 1 ? "" : "s", simd_name(detected_simd_level()));
+  print_head(columns);
+  print_sizes(columns);
+  print_times(columns);
   return 0;
 }
 
@@ -306,12 +323,16 @@ int run(const std::string& folder, int runs) {
 int main(int argc, char** argv) {
   std::string folder = sfumato::test::shared_path("scenes");
   int runs = 11;
+  int threads = 0;
   for (int i = 1; i < argc; ++i) {
-    if (std::string(argv[i]) == "--runs" && i + 1 < argc) {
+    const std::string word = argv[i];
+    if (word == "--runs" && i + 1 < argc) {
       runs = std::max(1, std::atoi(argv[++i]));
+    } else if (word == "--threads" && i + 1 < argc) {
+      threads = std::max(0, std::atoi(argv[++i]));
     } else {
-      folder = argv[i];
+      folder = word;
     }
   }
-  return sfumato::run(folder, runs);
+  return sfumato::run(folder, threads, runs);
 }
