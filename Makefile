@@ -24,7 +24,7 @@ help:
 	@echo 'make check-slurm   tiles and frames with Slurm and GNU parallel on this machine'
 	@echo 'make sanitize  the unit tests under AddressSanitizer, UBSan and ThreadSanitizer'
 	@echo 'make fuzz    each fuzz target for fuzz_seconds=$(fuzz_seconds) (fuzz/README.md)'
-	@echo 'make bench   the table of docs/benchmarks.md on this machine'
+	@echo 'make bench   measure and renew the tables of docs/benchmarks.md: ten minutes'
 	@echo 'make hostile-growth   time and memory of hostile inputs, doubled twice'
 	@echo 'make hostile-sanitized   all hostile inputs under AddressSanitizer and UBSan'
 	@echo 'make equal   random scenes $(equal_scenes): the same bits for all thread counts and instruction sets'
@@ -109,10 +109,8 @@ bench:
 	@scripts/setup build cache bench
 	@cmake --preset release -DSFUMATO_TESTS=OFF -DSFUMATO_BENCH=ON \
 	  -DSFUMATO_WERROR=OFF --log-level=WARNING >/dev/null
-	@cmake --build $(build_folder) --parallel $(jobs) --target sfumato_bench
-	@$(build_folder)/bench/table1
-	@$(build_folder)/bench/features
-	@$(build_folder)/bench/outputs
+	@cmake --build $(build_folder) --parallel $(jobs) --target sfumato sfumato_bench
+	@bench/report
 
 wasm:
 	@scripts/setup wasm cache
