@@ -6,6 +6,7 @@
 #include <numbers>
 #include <optional>
 
+#include "picture/point_fields.hpp"
 #include "sfumato/api/render_pixels.hpp"
 #include "sfumato/base/native/thread_pool.hpp"
 #include "sfumato/picture/picture_file.hpp"
@@ -204,6 +205,34 @@ TEST(ExactPixels, every_pixel_has_the_fields_of_its_centre) {
   Curve wave{.control_points = {{20, 50}, {40, 60}, {60, 40}, {80, 50}}};
   wave.left.color = test::one_color(test::kRed);
   expect_fields_at_centres(one_layer({wave}));
+}
+
+/// Returns shapes that are opaque inside and clear outside: a disk, one smaller than a pixel, and a
+/// thin lens from edge to edge.
+Document shapes() {
+  const Curve lens{
+      .control_points = {{2, 90}, {30, 90.4}, {70, 90.4}, {98, 90}, {70, 91}, {30, 91}, {2, 90}}};
+  std::vector<Curve> curves = {circle_curve({24.2, 23.7}, 9), circle_curve({81.4, 22.6}, 0.4),
+                               lens};
+  for (Curve& curve : curves)
+    curve = test::with_opacity(colored(curve, test::kWhite, test::kRed), 0, 1);
+  return one_layer(curves);
+}
+
+TEST(ExactPixels, clear_pixels_are_not_gathered) {
+  const Picture exact = solved(shapes(), every_pixel());
+  const Image image = drawn(exact);
+  EXPECT_LE(largest_difference(image, drawn(solved(shapes(), {}))), 4);
+  const std::uint64_t most = 100 * 100 / 2;
+  EXPECT_LT(exact.layers[0].exact_points.get()->read_count(), most);
+}
+
+TEST(ExactPixels, windows_of_clear_pixels_have_the_bytes_of_the_whole_image) {
+  Context context;
+  const Picture picture = solved(shapes(), every_pixel());
+  const test::Cut cut{23, 17, -5, -3};
+  EXPECT_EQ(test::painted_in_windows(context, picture, plain_options(), cut).bytes,
+            drawn(picture).bytes);
 }
 
 TEST(ExactPixels, curves_are_antialiased_at_every_pixel) {

@@ -14,7 +14,7 @@ namespace sfumato::test {
 template <int kStack = 16>
 class TwinSource : public PointSource {
  public:
-  std::size_t least_points() const override { return 0; }
+  std::size_t least_points() const override { return least; }
 
   Status sum(Context&, const gather::Scene& scene, std::span<const gather::WalkPoint> point,
              std::span<float> sums) override {
@@ -38,6 +38,7 @@ class TwinSource : public PointSource {
   /// Returns the largest number of steps of a point.
   int most_steps() const { return most_steps_; }
 
+  std::size_t least = 0;  ///< least_points()
   float negligible = gather::kPointNegligible;
   int step_limit = 1 << 17;
 
