@@ -29,9 +29,9 @@ bool has_bounded_addresses() {
   return getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur != RLIM_INFINITY;
 }
 
-/// Makes the heap's addresses as long as that, and asks for large pages there. What malloc itself
-/// offers for that, glibc.malloc.hugetlb, can be set by the environment alone. Where the system
-/// refuses, the heap grows in small steps as usual.
+/// Makes the heap grow by kLargePagedBytes at once, and asks for large pages there. malloc's own
+/// setting, glibc.malloc.hugetlb, is read from the environment only, when the program starts. If
+/// the system refuses, the heap grows in small steps as usual.
 void ask_for_large_pages() {
   const std::uintptr_t begin = heap_end();
   mallopt(M_TOP_PAD, kLargePagedBytes);

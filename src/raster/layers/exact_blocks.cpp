@@ -211,7 +211,7 @@ bool ExactBlocks::is_clear(const ExactBlock& block, const Tile& tile) const {
   return is_clear;
 }
 
-/// Interpolates a block, or makes it clear. Returns false if its pixels have to be gathered.
+/// Interpolates a block if its probes fit, and returns whether they do.
 bool ExactBlocks::fill(const ExactBlock& block, const Tile& tile) const {
   float* const plane[4] = {tile.color[0], tile.color[1], tile.color[2], tile.alpha};
   const int planes = tile.alpha ? 4 : 3;
