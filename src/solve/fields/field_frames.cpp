@@ -10,14 +10,14 @@
 #include "solve/fields/field_solver.hpp"
 #include "solve/fields/frame_rows.hpp"
 
-/// FieldSolver in the frames of a drag.
+/// The functions of FieldSolver for the frames of a drag.
 namespace sfumato::solve {
 namespace {
 
-/// So many nodes at least are gathered between two looks at the clock.
+/// The fewest nodes that are gathered between two readings of the clock.
 constexpr std::size_t kLeastBatch = 256;
 
-/// Seconds: what clocks of browsers may fail to see.
+/// The resolution of clocks in browsers, seconds.
 constexpr double kClockTick = 1e-4;
 
 }  // namespace
@@ -49,7 +49,8 @@ Status FieldSolver::start_from(const Context& context, const FieldSolver& before
   return memory_.assign(context, before.vertex_radius_, vertex_radius_);
 }
 
-/// Of nodes below `nodes` that stand where they stood in the field that the frame began from.
+/// Keeps the values of gathered nodes below `nodes` that have the same position as in the base of
+/// the frame.
 Status FieldSolver::remember_values(const Context& context, const FieldFrame& frame,
                                     std::size_t nodes) {
   const auto channels = static_cast<std::size_t>(frame.layout.channel_count);
@@ -89,11 +90,11 @@ Status FieldSolver::take_back_nodes(const Context& context, const FieldSolver& b
   return ok_status();
 }
 
-/// With room for what follows the change of so many triangles.
+/// Copies a layout, with room for the update of this many triangles.
 Status FieldSolver::copy_layout(const Context& context, const NodeLayout& from,
                                 std::span<const std::uint8_t> node_hit, std::size_t changed) {
   const std::size_t triangles = seams_->half_edge_count() / 3;
-  const std::size_t nodes = std::max(from.node_count() + 6 * changed,  // as update_layout asks
+  const std::size_t nodes = std::max(from.node_count() + 6 * changed,  // as update_layout needs
                                      std::size_t{from.node_count()} / 4 * 5);
   layout_.channel_count = from.channel_count;
   const auto width = static_cast<std::size_t>(from.channel_count);
@@ -113,10 +114,10 @@ Status FieldSolver::copy_layout(const Context& context, const NodeLayout& from,
 
 Status FieldSolver::list_moved(const Context& context, const NodeLayout& old) {
   RarePoll<65536> poll(context);
-  for (const std::uint32_t node : history_.unused) layout_.is_fixed[node] = 1;  // nobody asks
+  for (const std::uint32_t node : history_.unused) layout_.is_fixed[node] = 1;  // needs no value
   for (const std::uint32_t node : history_.met) {
     if (poll.cancelled()) return context.cancel_status();
-    if (node >= old.node_count()) continue;  // it is new, and listed
+    if (node >= old.node_count()) continue;  // new nodes are listed already
     if (layout_.is_fixed[node]) {
       node_hit_[node] = 1;
     } else if (old.is_fixed[node] || !(layout_.position[node] == old.position[node])) {
@@ -154,7 +155,7 @@ Status FieldSolver::list_changed(Context& context, const PreparedField& with,
   return ok_status();
 }
 
-/// Of nodes that list_moved() has listed, or that need no value, none is listed again.
+/// Skips nodes that the update met: list_moved() has listed them, or they need no value.
 Status FieldSolver::list_to_gather(Context& context, const PreparedField& with,
                                    const FieldSolver& without,
                                    std::span<const std::uint8_t> is_same,
@@ -197,12 +198,12 @@ Status FieldSolver::lay_out_from(Context& context, const FieldSolver& before,
   return status && waiting ? order_left(context, before, *waiting) : status;
 }
 
-/// By the change that each may take, the largest last; before those come the ones whose value in
-/// the last frame is known, which show that. Of the others, which show what they are without the
-/// curve, none waits at which that may be all wrong.
+/// Sorts left_ by the largest change that the curve may cause at a node, the largest last. Nodes
+/// whose value in the last frame is known come first and show that value. The other nodes show
+/// their value without the curve; they are gathered now if the curve may change it completely.
 Status FieldSolver::order_left(const Context& context, const FieldSolver& before,
                                const gather::ShareBound& share) {
-  std::vector<std::uint64_t> known, unknown;  // in their order
+  std::vector<std::uint64_t> known, unknown;  // keys: the change, then the node
   TableMemory scratch("patches");
   Status status = scratch.reserve(context, known, std::min(left_.size(), last_.node.size()));
   if (status) status = scratch.reserve(context, unknown, left_.size());
@@ -232,8 +233,8 @@ Status FieldSolver::order_left(const Context& context, const FieldSolver& before
   return status;
 }
 
-/// Returns whether there is one.
-/// at   0 for the first node, and what it became for the next, of ascending ones
+/// Sets a node to its value in the last frame if that is known, and returns whether it is.
+/// at   position in last_: 0 for the first node; later nodes must ascend
 bool FieldSolver::show_last_value(std::uint32_t node, std::size_t& at) {
   while (at < last_.node.size() && last_.node[at] < node) ++at;
   if (at == last_.node.size() || last_.node[at] != node) return false;
@@ -266,7 +267,7 @@ Status FieldSolver::count_shown(const Context& context) {
 
 Status FieldSolver::gather_last_of_left(Context& context, std::size_t count) {
   const auto batch = std::span(left_).last(count);
-  std::ranges::sort(batch);  // neighbours have near numbers
+  std::ranges::sort(batch);  // numbers of neighbours are close
   Status status = memory_.append(context, batch, to_gather_);
   if (status) {
     status = field_.gatherer.gather(context, {layout_.position, batch}, {}, layout_.value,
@@ -286,7 +287,8 @@ Status FieldSolver::lay_out_without(Context& context, const RefinedField& known,
   if (status) status = follow(context, mesh, changed);
   if (status) status = list_moved(context, known.layout);
   if (status) status = locate_nodes(context, known, is_same);
-  // Weights are known in units of the heaviest curve.
+  // Known weights are in units of the heaviest curve. The bound cannot use them if that curve was
+  // removed.
   const bool is_heaviest = field_.gatherer.weight_unit() != with.gatherer.weight_unit();
   if (is_heaviest || !has_code_values(field_.attributes)) bound = nullptr;
   if (status) status = list_to_gather(context, with, *this, is_same, bound, to_gather_);

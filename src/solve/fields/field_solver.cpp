@@ -32,7 +32,7 @@ Status FieldSolver::lay_out(Context& context, const mesh::TriangleMesh& mesh, st
   return status ? size_places(context) : status;
 }
 
-/// Of the nodes, if they are kept.
+/// Makes the table of places as long as the nodes, if places are kept.
 Status FieldSolver::size_places(const Context& context) {
   if (!keeps_places_) return ok_status();
   return memory_.grow(context, node_place_, layout_.node_count(), layout_.position.capacity(),
@@ -195,7 +195,7 @@ Result<std::size_t> FieldSolver::gather(Context& context, const gather::GatherOp
     SFUMATO_TRY(field_.gatherer.gather(context, {layout_.position, to_gather_}, options,
                                        layout_.value, node_hit_, true, node_place_));
   }
-  if (!history_.is_logged) memory_.free(to_gather_);  // list_rows() asks which they were
+  if (!history_.is_logged) memory_.free(to_gather_);  // else list_rows() reads them
   return count;
 }
 
@@ -210,8 +210,8 @@ Status FieldSolver::find_misses(Context& context, const mesh::TriangleMesh& mesh
 Status FieldSolver::find_coarse(Context& context, const mesh::TriangleMesh& mesh,
                                 std::span<const std::uint32_t> triangles, double edge_per_radius,
                                 std::span<std::uint8_t> coarse) {
-  // Per vertex the smallest radius of the curves that end or pass there; 0: no blurred curve. Cuts
-  // change no more of it than its last bit.
+  // Per vertex: the smallest blur radius of the curves that pass or end there; 0: no blurred curve.
+  // Cuts change only its last bit.
   const std::size_t vertices = mesh.vertex_position.size();
   SFUMATO_TRY(memory_.grow(context, vertex_radius_, vertices, vertices / 4 * 5));
   const auto lower = [&](std::uint32_t vertex, float radius) {
@@ -244,7 +244,7 @@ bool FieldSolver::sees_some(const std::uint32_t* node) const {
   return std::any_of(node, node + kNodes, hit) && !std::all_of(node, node + kNodes, hit);
 }
 
-/// Makes room for the values that fill_unseen_nodes adds.
+/// Reserves memory for the values that fill_unseen_nodes() adds.
 Status FieldSolver::make_room_for_means(Context& context) {
   RarePoll<16384> poll(context);
   std::size_t count = 0;
@@ -368,7 +368,7 @@ Result<PatchField> FieldSolver::copy(const Context& context, std::span<const std
                                      TableMemory& memory) const {
   PatchField field{layout_.channel_count, {}, {}, field_.attributes.shader};
   const auto kept = static_cast<std::size_t>(std::ranges::count(keep, 1));
-  // With room for the frames that use these tables again.
+  // Later frames reuse these tables and need some room.
   const std::vector<float>& value = layout_.value;
   SFUMATO_TRY(memory.assign(context, value, field.node_value, value.size() / 8));
   if (kept == keep.size()) {

@@ -9,13 +9,13 @@
 namespace sfumato::solve {
 namespace {
 
-/// Of a table's rows, so that it seldom moves as frames follow.
+/// Tables get additional room, 1 / kShareOfRoom of their rows, so that few frames move them.
 constexpr std::size_t kShareOfRoom = 16;
 
-/// To mark a row and find it again takes this share of what a row takes to be sorted.
+/// To sort a row costs this many times as much as to mark it and to find it again.
 constexpr std::size_t kMarksPerSort = 16;
 
-/// Values of a layer's one field that holds colour and opacity.
+/// Returns whether one field of the frame holds colour and opacity.
 bool is_joint(const FrameSource& frame, const PatchLayer& layer) {
   return !frame.opacity && layer.opacity.channel_count > 0;
 }
@@ -51,7 +51,7 @@ void write_values(const NodeLayout& from, const std::vector<std::uint32_t>& rows
   }
 }
 
-/// Of colour and opacity, parted as by split_channel().
+/// Writes the values of a joint field as colour and opacity, like split_channel().
 void write_joint_values(const NodeLayout& from, const std::vector<std::uint32_t>& rows,
                         PatchLayer& layer) {
   const auto channels = static_cast<std::size_t>(from.channel_count);
@@ -93,7 +93,7 @@ Status sort_rows(const Context& context, std::size_t count, std::vector<std::uin
   std::vector<std::uint8_t> is_listed;
   SFUMATO_TRY(scratch.resize(context, is_listed, count));
   for (const std::uint32_t row : rows) is_listed[row] = 1;
-  rows.clear();  // there are no more of them now than before
+  rows.clear();  // keeps its capacity, which is enough
   for (std::size_t row = 0; row < count; ++row)
     if (is_listed[row]) rows.push_back(static_cast<std::uint32_t>(row));
   return ok_status();

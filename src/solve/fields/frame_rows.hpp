@@ -12,36 +12,39 @@
 
 namespace sfumato::solve {
 
-/// Rows of a frame's patches that are not those of the layer which the frame began from, without
-/// the curve: all others have the same bits at the same place. Their soft edges are not counted.
+/// The rows of a frame's patches that may differ from its base: the layer without the curve. All
+/// other rows have the same bits at the same index. Soft edges are not included.
 struct FrameRows {
-  std::uint32_t first_vertex = 0;              ///< and all behind it
+  std::uint32_t first_vertex = 0;              ///< this vertex and all later ones
   std::vector<std::uint32_t> triangles{};      ///< ascending
   std::vector<std::uint32_t> nodes{};          ///< of colour, ascending
   std::vector<std::uint32_t> opacity_nodes{};  ///< ascending
   TableMemory memory{"a drag"};
 };
 
-/// Puts rows in ascending order, each once. Errors: limit (memory), cancelled.
-/// count   of the rows of their table
+/// Sorts a list of rows in ascending order and removes duplicates. Errors: limit (memory),
+/// cancelled.
+/// count   the number of rows in their table
 Status sort_rows(const Context& context, std::size_t count, std::vector<std::uint32_t>& rows);
 
-/// What the rows of a frame's patches are copied from.
+/// The source of the rows of a frame's patches.
 struct FrameSource {
   const mesh::TriangleMesh& mesh;
   const NodeLayout& color;
-  const NodeLayout* opacity = nullptr;  ///< null: there is none, or `color` holds it
+  const NodeLayout* opacity = nullptr;  ///< null: no opacity, or `color` holds it
 };
 
-/// Gives the tables of patches room for those of a frame; they stay as they are. Errors: limit
-/// (memory), cancelled.
+/// Reserves memory in the tables of patches for the rows of a frame. The rows do not change.
+/// Errors: limit (memory), cancelled.
 Status make_room(const Context& context, const FrameSource& frame, PatchLayer& layer);
 
-/// The same for frames of a layer that has been solved now.
+/// Does the same for future frames of a layer that was just solved.
 Status make_room(const Context& context, PatchLayer& layer);
 
-/// Makes patches that are not those of the base in the rows `then` the ones of a frame, in the rows
-/// `now`, but for soft edges. There is room in them.
+/// Replaces the patches of one frame by the patches of another frame with the same base, except for
+/// soft edges. Call make_room() first.
+/// then   the rows where `layer` differs from the base
+/// now    the rows where the new frame differs from the base
 void write_rows(const FrameSource& frame, const FrameRows& then, const FrameRows& now,
                 PatchLayer& layer);
 

@@ -7,16 +7,16 @@
 
 namespace sfumato::solve {
 
-/// How long a frame of a drag may take, counted from the construction of this.
+/// The time limit of a frame of a drag, counted from the construction of this object.
 class FrameTime {
  public:
   FrameTime() = default;
-  /// seconds   at least 0; none, or infinity: as long as it takes
+  /// seconds   at least 0; empty or infinity: no limit
   explicit FrameTime(std::optional<double> seconds) : seconds_(seconds.value_or(kNoLimit)) {}
 
   bool is_limited() const { return seconds_ < kNoLimit; }
 
-  /// What is left, at least 0.
+  /// Returns the remaining seconds, at least 0.
   double seconds_left() const {
     if (!is_limited()) return seconds_;
     const double left = seconds_ - watch_.seconds();

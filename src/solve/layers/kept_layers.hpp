@@ -6,17 +6,17 @@
 
 namespace sfumato::solve {
 
-/// A layer of which what drags begin from is kept.
+/// A layer whose tables for drags are kept.
 struct KeptLayer {
-  std::uint32_t index = 0;         ///< the caller's
-  std::uint64_t last_drag = 0;     ///< the larger the later; 0: it has seen none
-  std::size_t triangle_count = 0;  ///< memory grows with it
+  std::uint32_t index = 0;         ///< chosen by the caller
+  std::uint64_t last_drag = 0;     ///< larger is later; 0: never dragged
+  std::size_t triangle_count = 0;  ///< a measure of its memory
 };
 
-/// The indices of those to be given up so that the others have no more triangles than that. They
-/// are asked in the order of their last drags, the latest first, and of those without one the
-/// largest first, since small ones are soon solved again: each stays for which there is room left,
-/// and the one that was dragged last in any case.
+/// Returns the indices of the layers to release, so that the other layers have at most
+/// `most_triangles` triangles. Considers the layers in the order of their last drags, the latest
+/// first. Layers without a drag follow, the largest first, since small layers are solved again
+/// quickly. Keeps each layer that still fits. Always keeps the layer that was dragged last.
 std::vector<std::uint32_t> layers_beyond(std::vector<KeptLayer> layers, std::size_t most_triangles);
 
 }  // namespace sfumato::solve

@@ -11,12 +11,12 @@
 #include "solve/fields/fan.hpp"
 #include "solve/layers/layer_solver.hpp"
 
-/// LayerSolver where a layer is edited, as in the frames of a drag.
+/// The functions of LayerSolver for layers that are edited, for example in the frames of a drag.
 namespace sfumato::solve {
 namespace {
 
-/// Marks triangles whose nodes stand where those of a triangle of another layout stand.
-/// same   per triangle of the other: which one that may be, or mesh::kNone
+/// Sets marks[t] for triangles of `layout` whose nodes have the same positions as in `other`.
+/// same   per triangle of `other`: the matching triangle of `layout`, or mesh::kNone
 void mark_same(const NodeLayout& other, const NodeLayout& layout,
                std::span<const std::int32_t> same, std::span<std::uint8_t> marks) {
   const auto node = [](const NodeLayout& of, std::size_t t, std::size_t place) {
@@ -34,8 +34,8 @@ void mark_same(const NodeLayout& other, const NodeLayout& layout,
 
 }  // namespace
 
-/// Lays out all anew, after any edit of a copy of the mesher of `before`. Nodes keep the values
-/// that they have there unless the edit may change them: by more than the bound, if there is one.
+/// Lays out all nodes again, after any edit of a copy of the mesher of `before`. Nodes keep their
+/// values in `before` unless the edit may change them, by more than the bound if there is one.
 Status LayerSolver::continue_from(const LayerSolver& before, const gather::ShareBound* bound) {
   SFUMATO_TRY(take_mesh());
   if (is_blurred_) SFUMATO_TRY(list_all_triangles());
@@ -70,8 +70,8 @@ Result<PatchLayer> LayerSolver::solve_next(const FilmFrame* before, const StillM
   return layer;
 }
 
-/// After lay_out(): nodes keep the values that they had in the frame before unless what changed may
-/// change them, and triangles that kept all of them need not be probed again.
+/// Copies node values of the frame before, after lay_out(), unless the change may affect them.
+/// Removes a triangle from changed_ if all its nodes keep their values: it is not probed again.
 Status LayerSolver::take_known(const FilmFrame& before) {
   const auto& [mesher, nodes, fields] = before;
   if (opacity_.has_value() != nodes.opacity.has_value()) return ok_status();
@@ -94,7 +94,7 @@ Status LayerSolver::take_known(const FilmFrame& before) {
   return status;
 }
 
-/// Lists those of its triangles that are among these, which missed.
+/// Adds to still.missed the triangles of the still mesh that correspond to triangles in `missed`.
 Status LayerSolver::list_still(const StillMesh& still,
                                std::span<const std::uint32_t> missed) const {
   TableMemory scratch("patches");
@@ -138,7 +138,7 @@ Result<std::optional<FrameRows>> LayerSolver::continue_without(const CurveRemova
   return rows;
 }
 
-/// What continue_inserted() of others needs of this.
+/// Prepares this object so that other solvers can continue_inserted() from it.
 Status LayerSolver::prepare_to_be_edited() {
   SFUMATO_TRY(mesher_.bake(context_));
   if (sees_curves_everywhere()) {
@@ -179,7 +179,8 @@ Status LayerSolver::continue_inserted(const LayerSolver& before, const CurveInse
   return gather_left(limit->time, false);
 }
 
-/// Nothing may wait where what is seen ends: triangles are cut by what their nodes see.
+/// Gathers deferred nodes until the time is over. If a node sees no curve, ignores the time: the
+/// cuts at the border of the seen region depend on all nodes.
 Status LayerSolver::gather_left(const FrameTime& time, bool advances) {
   const Stopwatch watch;
   const auto gather_within = [&](const FrameTime& limit) {
@@ -206,8 +207,8 @@ Status LayerSolver::resume(const LayerSolver& before, FrameTables frame, const F
   return gather_left(time, true);
 }
 
-/// Begins with a mesh and fields that are those of `before`, as copies or because what the last
-/// frame changed is taken back.
+/// Begins with the mesh and the fields of `before`: restores the tables of the last frame to them,
+/// or copies them if there was no frame.
 /// remembers   as FieldSolver::start_from
 Status LayerSolver::start_inserted(const LayerSolver& before, FrameTables& last, bool remembers) {
   if (last.mesh) {
@@ -225,7 +226,8 @@ Status LayerSolver::start_inserted(const LayerSolver& before, FrameTables& last,
                               remembers);
 }
 
-/// Whether patches can be made of what continue_inserted() made, without more nodes or parts.
+/// Returns whether patches can be copied from the tables of continue_inserted(), without added
+/// nodes or parts.
 bool LayerSolver::can_keep_tables() const {
   return inserted_into_ && sees_curves_everywhere();
 }
@@ -241,7 +243,7 @@ FrameTables LayerSolver::release_frame() {
   return frame;
 }
 
-/// Follows blurs where the mesh changed, and adds what that changes to what is listed in changed_.
+/// Refines the mesh at blurs where it changed, and adds the refined triangles to changed_.
 Status LayerSolver::follow_blur_too() {
   std::vector<std::uint32_t> all_changed;
   Status status = memory_.append(context_, changed_, all_changed);
@@ -253,8 +255,8 @@ Status LayerSolver::follow_blur_too() {
   return status;
 }
 
-/// Adds the triangles around the vertices of inserted curves to those that changed: such a curve
-/// parts what was one sector.
+/// Adds the triangles around the vertices of inserted curves to changed_: such a curve splits a
+/// sector in two.
 Status LayerSolver::add_fans(std::span<const std::uint8_t> is_inserted) {
   TableMemory scratch("patches");
   std::vector<std::uint8_t> is_listed, is_met;
@@ -301,8 +303,8 @@ Result<FramePatches> LayerSolver::take_frame(bool wants_rows, std::optional<Fram
   return patches;
 }
 
-/// Of patches that keep everything.
-/// first_vertex   where vertices begin that only one of the two has
+/// Lists the rows that differ from the base, for patches with all triangles and nodes.
+/// first_vertex   only one of the two meshes has vertices from this one on
 Result<FrameRows> LayerSolver::list_rows(std::size_t first_vertex) const {
   FrameRows rows;
   rows.first_vertex = static_cast<std::uint32_t>(first_vertex);
@@ -322,7 +324,7 @@ Result<FrameRows> LayerSolver::list_rows(std::size_t first_vertex) const {
   return rows;
 }
 
-/// What write_rows() does not find in the tables.
+/// Finds the soft edges of a frame, which write_rows() does not copy.
 Status LayerSolver::take_rows(FramePatches& patches) const {
   TableMemory memory("patches");
   SFUMATO_TRY_ASSIGN(patches.layer.soft_edge, soft_edges({}, memory));

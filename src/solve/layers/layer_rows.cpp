@@ -17,7 +17,7 @@ std::size_t bytes_of(const LayerRows& rows) {
 namespace solve {
 namespace {
 
-/// The rows in either of two ascending lists.
+/// Returns the rows in either of two ascending lists.
 std::vector<std::uint32_t> in_either(std::span<const std::uint32_t> a,
                                      std::span<const std::uint32_t> b) {
   std::vector<std::uint32_t> rows;

@@ -17,18 +17,18 @@
 namespace sfumato::solve {
 namespace {
 
-/// Each round halves a triangle that misses; the artboard is a few hundred smallest edges across.
+/// Each round halves a triangle that misses. The artboard is a few hundred smallest edges wide.
 constexpr int kMaxRounds = 12;
 
-/// Four nodes on an edge of this many radii tell smoothstep to within a few code values; probes, to
-/// find what is missed, must stand closer.
+/// The longest edge at a blurred curve, in blur radii. Its four nodes resolve a smoothstep to a few
+/// code values. Where patches are probed, edges must be shorter, or probes would skip errors.
 constexpr double kEdgePerRadius = 3;
 constexpr double kProbedEdgePerRadius = 1.5;
 
-/// Nodes are copied where there is room for this many copies.
+/// Nodes are copied only if memory has room for this many copies.
 constexpr std::size_t kRoomPerCopy = 8;
 
-/// Where the border of what is seen crosses an edge is found to this share of the smallest edge.
+/// Accuracy of the border of the seen region on an edge, as a share of the smallest edge.
 constexpr double kBorderPerEdge = 1e-4;
 
 Status check_limits(const Limits& limits, const mesh::TriangleMesh& mesh) {
@@ -121,9 +121,9 @@ Result<PatchLayer> LayerSolver::solve(std::optional<RefinedLayer>* refined) {
   return layer;
 }
 
-/// Errors: limit (memory), cancelled.
+/// Moves the solved layer out, with these nodes. Errors: limit (memory), cancelled.
 Result<RefinedLayer> LayerSolver::keep(RefinedNodes nodes) {
-  if (cuts_.part_count() > 0) {  // they were added to the mesh
+  if (cuts_.part_count() > 0) {  // the parts were added to the mesh
     SFUMATO_TRY(take_mesh());
   }
   nodes.color.seams.emplace(color_.release_seams());
@@ -137,7 +137,7 @@ Result<RefinedLayer> LayerSolver::keep(RefinedNodes nodes) {
                       std::move(nodes),   std::move(*flat_mesh_), std::move(fields)};
 }
 
-/// Whether copies of all nodes leave enough for the patches.
+/// Returns whether copies of all nodes leave enough memory for the patches.
 bool LayerSolver::has_spare_memory() const {
   const std::size_t bytes = color_.bytes_of_nodes() + (opacity_ ? opacity_->bytes_of_nodes() : 0);
   return context_.budget.room() / kRoomPerCopy >= bytes;
@@ -159,8 +159,8 @@ Result<RefinedLayer> LayerSolver::refine_only() {
   return keep(std::move(nodes));
 }
 
-/// Afterwards the mesh is as fine as it has to be, and its nodes have their values. The exact
-/// gather decides where to refine; rays are shot once, on the mesh that comes of it.
+/// Refines the mesh as the options say, and gathers its nodes. The exact gather decides where to
+/// refine. Random rays are shot only once, on the final mesh.
 Status LayerSolver::refine(const FilmFrame* before, const StillMesh* still) {
   const Stopwatch watch;
   if (!is_mesh_refined_) {
@@ -194,7 +194,7 @@ Result<PatchLayer> LayerSolver::take() {
   return layer;
 }
 
-/// Takes the mesher's first mesh.
+/// Takes the mesher's first mesh, and starts the fields with it.
 Status LayerSolver::take_mesh() {
   const Stopwatch watch;
   SFUMATO_TRY_ASSIGN(auto&& mesh, mesher_.patch_mesh(context_));
@@ -207,7 +207,7 @@ Status LayerSolver::take_mesh() {
   return status;
 }
 
-/// Follows the mesher, and the fields that.
+/// Updates the mesh after a change of the mesher, and then the fields.
 Status LayerSolver::update_mesh() {
   const Stopwatch watch;
   Status status = mesher_.update_patch_mesh(context_, *mesh_, memory_, changed_);
@@ -220,7 +220,7 @@ Status LayerSolver::update_mesh() {
   return status;
 }
 
-/// All triangles are new then.
+/// Lays out the nodes. All triangles then count as changed.
 Status LayerSolver::lay_out() {
   const Stopwatch watch;
   const std::size_t spare = refines(options_) ? mesh_->triangle_count() / 2 : 0;
@@ -239,15 +239,15 @@ Status LayerSolver::put_in_order() {
   return status;
 }
 
-/// As those that changed.
+/// Lists all triangles as changed.
 Status LayerSolver::list_all_triangles() {
   Status status = memory_.resize(context_, changed_, mesh_->triangle_count());
   std::iota(changed_.begin(), changed_.end(), 0u);
   return status;
 }
 
-/// Makes the mesh at blurred curves as fine as their radii, before anything is gathered: where it
-/// changed.
+/// Refines changed triangles at blurred curves until they are small enough for the blur radii. Call
+/// this before nodes are gathered.
 Status LayerSolver::follow_blur(std::vector<std::uint32_t>* all_changed) {
   const double edge_per_radius = refines(options_) ? kProbedEdgePerRadius : kEdgePerRadius;
   TableMemory scratch("patches");
@@ -286,7 +286,7 @@ Status LayerSolver::gather(const gather::GatherOptions& options, bool all) {
   return status;
 }
 
-/// Returns the new triangles that are not too small to be made smaller.
+/// Returns the new triangles that are large enough to be refined.
 Result<std::vector<std::uint32_t>> LayerSolver::large_triangles(TableMemory& memory) const {
   std::vector<std::uint32_t> large;
   SFUMATO_TRY(memory.reserve(context_, large, changed_.size()));
@@ -298,7 +298,7 @@ Result<std::vector<std::uint32_t>> LayerSolver::large_triangles(TableMemory& mem
   return large;
 }
 
-/// Triangles new in this round whose patches miss by more than max_error.
+/// Lists the triangles new in this round whose patches miss by more than max_error.
 Status LayerSolver::find_misses(std::vector<std::uint32_t>& missed) {
   const Stopwatch watch;
   TableMemory scratch("patches");
@@ -329,7 +329,7 @@ Status LayerSolver::make_smaller(const std::vector<std::uint32_t>& triangles,
   return status;
 }
 
-/// Ends triangles where what is seen ends, and gathers the nodes of what is left of them.
+/// Cuts triangles at the border of the region that sees a curve, and gathers nodes of the parts.
 Status LayerSolver::cut_at_border() {
   const Stopwatch watch;
   bool has_border = false;
@@ -358,12 +358,12 @@ Status LayerSolver::cut_at_border() {
   return status ? check_limits(context_.limits, *mesh_) : status;
 }
 
-/// Of the mesher's triangles.
+/// Returns whether a half-edge of a triangle of the mesher is a seam of a field.
 bool LayerSolver::is_curve(std::uint32_t half_edge) const {
   return color_.seams().is_seam(half_edge) || (opacity_ && opacity_->seams().is_seam(half_edge));
 }
 
-/// At the triangle's nodes, or `enough` where it is at least that; 1 where the layer is opaque.
+/// Returns the largest opacity at the triangle's nodes, at most `enough`; 1 if the layer is opaque.
 float LayerSolver::largest_opacity(std::uint32_t triangle, float enough) const {
   if (opacity_) return opacity_->largest_value(triangle, 0, enough);
   return is_joint() ? color_.largest_value(triangle, kOpacityChannel, enough) : 1;

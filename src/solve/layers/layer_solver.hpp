@@ -17,23 +17,23 @@
 
 namespace sfumato::solve {
 
-/// Called after each round of a layer's solution, for tests, with its mesh and the gathered fields.
-/// opacity is null if `color` holds it or there is none.
+/// A callback for tests. It is called after each round of a layer's solution, with the mesh and the
+/// gathered fields. `opacity` is null if `color` holds it or there is none.
 using RoundWatch = FunctionRef<void(const mesh::TriangleMesh& mesh, const FieldSolver& color,
                                     const FieldSolver* opacity)>;
 
-/// How a layer is solved, beside what its options say.
+/// How a layer is solved, in addition to its options.
 struct SolveWay {
-  bool side_by_side = false;  ///< independent steps at the same time, which takes more memory
-  std::optional<FunctionRef<void(double fraction)>> progress{};  ///< told how far it has come
+  bool side_by_side = false;  ///< runs independent steps at the same time, with more memory
+  std::optional<FunctionRef<void(double fraction)>> progress{};  ///< called with the part done
 };
 
-/// What is kept of a layer that was solved for those who edit it: its patch mesh and the nodes, and
-/// what was prepared for that.
+/// The nodes of a solved layer, kept for edits.
 struct RefinedNodes {
   RefinedField color;
   std::optional<RefinedField> opacity;  ///< as PreparedLayer
 };
+/// A solved layer, kept for edits: its patch mesh, its nodes and its prepared fields.
 struct RefinedLayer {
   mesh::Mesher mesher;
   std::unique_ptr<mesh::TriangleMesh> mesh;  ///< its patch_mesh()
@@ -41,48 +41,49 @@ struct RefinedLayer {
   RefinedNodes nodes;
   FlatMesh flat_mesh;
   PreparedFields fields;  ///< made with may_be_changed
-  /// Whether the layer's patches have its triangles and nodes, all of them and in their order.
+  /// Whether the layer's patches have all triangles and nodes of `mesh`, in the same order.
   bool is_all_shown = false;
 };
 
-/// What the next frame of a film asks of a layer as a frame shows it.
+/// The nodes and fields of a layer in a frame of a film, kept for the next frame.
 struct FilmNodes {
   RefinedNodes nodes;  ///< without seams
   PreparedFields fields;
 };
 
-/// The frame before.
+/// A layer in the previous frame of a film.
 struct FilmFrame {
-  const mesh::Mesher& mesher;  ///< it and the solver's come of copies of one, edited since
+  const mesh::Mesher& mesher;  ///< this and the solver's mesher are edited copies of one mesher
   const RefinedNodes& nodes;
   const PreparedFields&
-      fields;  ///< these watch what is not there any more, this frame's what was not
+      fields;  ///< they watch segments that are gone now; the solver's fields watch new ones
 };
 
-/// The mesh without what moves, of which the solver's is a copy into which that was inserted.
+/// The mesh without the curves that move. The solver's mesh is a copy of it with these curves
+/// inserted.
 struct StillMesh {
   const mesh::Mesher& mesher;
-  std::vector<std::uint32_t>& missed;  ///< out: of its triangles, those whose patches miss
+  std::vector<std::uint32_t>& missed;  ///< out: its triangles whose patches miss
   TableMemory& memory;                 ///< of the list
 };
 
-/// A layer's tables as a frame of a drag left them: those of the layer that it began from, but for
-/// what the frame changed, which the next frame takes back.
+/// The tables of a layer after a frame of a drag. The next frame restores the rows that this frame
+/// changed; all other rows are equal to the rows of the base, the layer where all frames begin.
 struct FrameTables {
   std::optional<mesh::Mesher> mesher{};
-  std::unique_ptr<mesh::TriangleMesh> mesh{};  ///< or none, with no fields
+  std::unique_ptr<mesh::TriangleMesh> mesh{};  ///< null: no tables, and no fields
   FieldFrame color{};
   std::optional<FieldFrame> opacity{};
   std::vector<std::uint32_t> changed{};  ///< triangles that the frame changed
   TableMemory memory{"patches"};
 };
 
-/// A curve that was taken out of a layer, for a drag of it.
+/// A curve that was removed from a layer, to be dragged.
 struct CurveRemoval {
-  const RefinedLayer& known;              ///< the layer with it
-  const PreparedFields& fields;           ///< of the layer with it, which is watched
+  const RefinedLayer& known;              ///< the layer with the curve
+  const PreparedFields& fields;           ///< of that layer; they watch the curve
   std::span<const std::uint8_t> is_same;  ///< Mesher::same_triangles of the visibility meshes
-  /// Of the curve. Unless null: nodes at which it holds keep the values that they have with it.
+  /// Bound for the curve, or null. Nodes at which it holds keep their values with the curve.
   const gather::ShareBound* bound = nullptr;
 };
 
@@ -90,91 +91,95 @@ struct CurveRemoval {
 struct CurveInsertion {
   std::span<const std::uint8_t> is_inserted;  ///< per segment
   std::span<const std::uint8_t> is_same;      ///< Mesher::same_triangles of the visibility meshes
-  /// Unless null: nodes at which it holds keep their values.
+  /// Bound for the curve, or null. Nodes at which it holds keep their values.
   const gather::ShareBound* bound = nullptr;
-  /// Unless null: what the last frame, whose mesher is now the solver's, left of the rest. It is
-  /// used up.
+  /// The tables that the last frame left, or null. The solver has their mesher already, and moves
+  /// the rest out of them.
   FrameTables* last = nullptr;
-  /// Unless null: nodes that have values already may keep those of the last frame when its time is
-  /// over, if take_frame() can say which.
+  /// The time limit, or null. Nodes that have a value already may keep it when the time is over, if
+  /// take_frame() can keep the tables.
   const FrameLimit* limit = nullptr;
 };
 
 /// The patches of a frame.
 struct FramePatches {
-  PatchLayer layer{};               ///< unless is_whole, its soft edges alone
-  std::optional<FrameRows> rows{};  ///< none: any row may be another
-  bool is_whole = true;             ///< if not, its rows are to be written: write_rows()
-  std::size_t left = 0;  ///< nodes that have not been gathered, as CurveInsertion::limit allows
+  PatchLayer layer{};               ///< if not is_whole, only its soft edges
+  std::optional<FrameRows> rows{};  ///< empty: any row may differ from the base
+  bool is_whole = true;             ///< if not, call write_rows() for its rows
+  std::size_t left = 0;             ///< number of deferred nodes: CurveInsertion::limit
 };
 
 /// Solves one layer: patch mesh, node values of colour and opacity, error-driven refinement.
 ///
 /// A round gathers the new nodes and compares the new patches with the exact gather at probe
-/// points. Triangles whose error exceeds `max_error` are made smaller for the next round, and mesh
-/// and nodes are updated where they changed. At the end the nodes are numbered as if they had been
-/// laid out on the final mesh.
+/// points. Triangles whose error exceeds `max_error` are refined for the next round, which updates
+/// the mesh and the nodes where they changed. At the end the nodes get the numbers that a layout on
+/// the final mesh would give them.
 class LayerSolver {
  public:
   LayerSolver(Context& context, PreparedLayer prepared, const DiffuseOptions& options,
               DiffuseStats* stats, std::optional<RoundWatch> watch = {}, SolveWay way = {});
 
-  /// refined   unless null: gets what is kept of the layer, which was prepared for drags; nothing
-  ///           where its nodes have not their exact values, or memory is lacking for it
+  /// Solves the layer and returns its patches. Errors: limit, cancelled.
+  /// refined   unless null: out: the solved layer, which was prepared for drags. Empty if its nodes
+  ///           do not have their exact values, or if there is not enough memory
   Result<PatchLayer> solve(std::optional<RefinedLayer>* refined = nullptr);
 
-  /// In place of solve(): the layer's mesh without nodes, whose pixels are gathered when it is
+  /// Replaces solve(): returns the layer's mesh without nodes. Its pixels are gathered when it is
   /// drawn. Errors: limit, cancelled.
   Result<PatchLayer> take_exact();
 
   /// Returns whether solve() found a border of the region that sees a curve, away from the curves.
   bool has_border() const { return cuts_.part_count() > 0; }
 
-  /// What solve() keeps of a layer that was prepared for drags, without its patches and whatever
-  /// memory allows. Call last. Errors: limit, cancelled.
+  /// Replaces solve(): returns the solved layer, which was prepared for drags, without patches.
+  /// Does not check for spare memory. Call this last. Errors: limit, cancelled.
   Result<RefinedLayer> refine_only();
 
-  /// In place of solve(): the mesher was copied from that of a RefinedLayer, and segments were
-  /// taken out of it since. Nodes keep the values that are known unless the edit may change them;
-  /// nothing is made finer than the edit left it, except at blurs. Afterwards others may
-  /// continue_inserted() from this. Returns the rows in which the layer's own patches are not those
-  /// of this, as of a frame; none: any may be another. Errors: limit, cancelled.
+  /// Replaces solve() for a copy of the mesher of a RefinedLayer, after segments were removed from
+  /// the copy. Nodes keep their known values unless the edit may change them. The mesh is refined
+  /// at blurs only. Other solvers can then continue_inserted() from this one. Returns the rows
+  /// where the patches of the RefinedLayer differ from this layer; empty: any row may differ.
+  /// Errors: limit, cancelled.
   Result<std::optional<FrameRows>> continue_without(const CurveRemoval& removal);
 
-  /// The same for a mesher that was copied from that of `before`, which has continued itself, and
-  /// into which segments were inserted since, at a cost of copies of the tables and of what the
-  /// edit changed; where a segment crosses the frame, or fields differ, at that of laying out all.
+  /// Replaces solve() for a copy of the mesher of `before` into which segments were inserted.
+  /// Precondition: `before` has called continue_without(). Errors: limit, cancelled. Cost: copies
+  /// of the tables, and the changes of the edit. Where a segment crosses the frame, or the fields
+  /// have other channels, all nodes are laid out again.
   Status continue_inserted(const LayerSolver& before, const CurveInsertion& insertion);
 
-  /// In place of continue_inserted(), with the same `before`: gathers nodes that a frame left,
-  /// until the time is over, but some in any case.
-  /// frame   the rest of what take_frame() kept, whose mesher and fields are the solver's
+  /// Resumes an unfinished frame. Gathers deferred nodes until the time is over, at least one
+  /// batch. Errors: limit, cancelled.
+  /// before   as in continue_inserted()
+  /// frame    the tables that take_frame() kept; the solver has their mesher and fields already
   Status resume(const LayerSolver& before, FrameTables frame, const FrameTime& time);
 
-  /// In place of solve(), where the mesher is that of a RefinedLayer of the same layer, and a
-  /// field has a response: nodes that have none keep the values that are known, the others are
-  /// gathered. A layer whose fields were one may have two here. Errors: limit, cancelled.
+  /// Replaces solve() where a field has a response and the mesher is from a RefinedLayer of the
+  /// same layer. Nodes without a response keep their known values; the others are gathered. A layer
+  /// with one joint field may have two fields here. Errors: limit, cancelled.
   Status answer(const RefinedNodes& known);
 
-  /// In place of solve(), for a frame of a film.
-  /// before   or null: there is none whose nodes are known
-  /// still    or null: there is none
-  /// kept     gets the nodes of this one, unless memory is lacking for them or they have not their
-  ///          exact values
+  /// Replaces solve() for a frame of a film. Errors: limit, cancelled.
+  /// before   the frame before, or null if its nodes are unknown
+  /// still    the mesh without the curves that move, or null
+  /// kept     out: the nodes of this frame. Empty if they do not have their exact values, or if
+  ///          there is not enough memory
   Result<PatchLayer> solve_next(const FilmFrame* before, const StillMesh* still,
                                 std::optional<FilmNodes>& kept);
 
-  /// Moves the mesher out. Call last.
+  /// Moves the mesher out. Call this last.
   mesh::Mesher release_mesher() { return std::move(mesher_); }
 
-  /// The patches, after answer() or continue_inserted(). A response is
-  /// the last base channel of its field; triangles whose opacity has one are kept where that or the
-  /// opacity shows. Errors: limit, cancelled.
+  /// Returns the patches after answer() or continue_inserted(). A response is the last base channel
+  /// of its field. If the opacity has a response, triangles where either is visible are kept.
+  /// Errors: limit, cancelled.
   Result<PatchLayer> take();
 
-  /// The same after continue_inserted(), for a frame after which others come.
-  /// wants_rows   where these can be told, they are enough
-  /// kept         what the next frame may begin from, or nothing where these patches change more
+  /// Returns the patches after continue_inserted() or resume(), for a frame that others follow.
+  /// Errors: limit, cancelled.
+  /// wants_rows   returns only the rows where they can be listed
+  /// kept         out: the tables for the next frame; empty if it cannot use them
   Result<FramePatches> take_frame(bool wants_rows, std::optional<FrameTables>& kept);
 
   const mesh::Mesher& mesher() const { return mesher_; }
@@ -182,7 +187,7 @@ class LayerSolver {
   const PreparedField* opacity() const { return opacity_ ? &opacity_->field() : nullptr; }
 
  private:
-  /// before, still   as solve_next()
+  /// before, still   as in solve_next()
   Status refine(const FilmFrame* before = nullptr, const StillMesh* still = nullptr);
   Status take_known(const FilmFrame& before);
   Status list_still(const StillMesh& still, std::span<const std::uint32_t> missed) const;
@@ -196,7 +201,7 @@ class LayerSolver {
   Status lay_out();
   Status put_in_order();
   Status list_all_triangles();
-  /// `all_changed`, unless null, is added to: the triangles that change.
+  /// Adds the triangles that change to `all_changed` unless it is null.
   Status follow_blur(std::vector<std::uint32_t>* all_changed = nullptr);
   Status follow_blur_too();
   Status add_fans(std::span<const std::uint8_t> is_inserted);
@@ -224,7 +229,7 @@ class LayerSolver {
   Result<std::vector<std::uint8_t>> visible_triangles(TableMemory& memory) const;
   Result<std::vector<std::uint8_t>> edges_of_curves(std::span<const std::uint8_t> keep,
                                                     TableMemory& memory) const;
-  /// Whether color_ holds the opacity too, as its fourth channel.
+  /// Returns whether color_ also holds the opacity, as its fourth channel.
   bool is_joint() const;
   Status start_inserted(const LayerSolver& before, FrameTables& last, bool remembers);
   Status gather_left(const FrameTime& time, bool advances);
@@ -244,12 +249,12 @@ class LayerSolver {
     return status && opacity_ ? body(*opacity_) : status;
   }
 
-  /// The same, of both at the same time if the way says so.
+  /// Does the same, with both fields at the same time if SolveWay::side_by_side.
   Status for_fields_side_by_side(FunctionRef<Status(FieldSolver&)> body);
 
   Context& context_;
   mesh::Mesher mesher_;
-  bool is_mesh_refined_;  ///< for its angles and areas
+  bool is_mesh_refined_;  ///< the mesher has refined its angles and areas
   bool is_blurred_;
   bool is_finely_blurred_;
   FieldSolver color_;
@@ -264,10 +269,10 @@ class LayerSolver {
   SolveWay way_;
   std::unique_ptr<mesh::TriangleMesh> mesh_ = std::make_unique<mesh::TriangleMesh>();
   std::vector<std::uint32_t> changed_;  ///< triangles that are new in this round, ascending
-  bool keeps_mesh_ = false;             ///< whatever patches are made of it
-  /// What continue_inserted() was told, unless it took another way.
+  bool keeps_mesh_ = false;             ///< take() must not move its vertices out
+  /// The base of continue_inserted() or resume(); null if all nodes were laid out again.
   const LayerSolver* inserted_into_ = nullptr;
-  std::optional<std::vector<SoftEdge>> soft_edge_;  ///< for others to be inserted into this
+  std::optional<std::vector<SoftEdge>> soft_edge_;  ///< for solvers that continue from this
   BorderCuts cuts_;                                 ///< their parts follow the mesher's triangles
   TableMemory memory_{"patches"};  ///< for lists of triangles, and for parts in the mesh
 };

@@ -8,7 +8,7 @@
 namespace sfumato::solve {
 namespace {
 
-/// Puts the polyline of one more curve after those of others.
+/// Appends the polyline of one more curve.
 void append_curve(const curves::FlatCurves& one, curves::FlatCurves& all) {
   const std::uint32_t curve = all.curve_count();
   all.vertex.insert(all.vertex.end(), one.vertex.begin(), one.vertex.end());
@@ -26,7 +26,7 @@ void reserve(std::size_t vertices, std::size_t curves, curves::FlatCurves& all) 
   all.curve_begin.reserve(curves);
 }
 
-/// Into the tables that are there.
+/// Copies polylines to existing tables, and reuses their memory.
 void copy(const curves::FlatCurves& from, curves::FlatCurves& to) {
   to.vertex.assign(from.vertex.begin(), from.vertex.end());
   to.parameter.assign(from.parameter.begin(), from.parameter.end());
@@ -35,7 +35,7 @@ void copy(const curves::FlatCurves& from, curves::FlatCurves& to) {
   to.curve_begin.assign(from.curve_begin.begin(), from.curve_begin.end());
 }
 
-/// Takes the last curve off, which began at that vertex.
+/// Removes the last curve, whose first vertex is `first`.
 void take_off_last(std::uint32_t first, curves::FlatCurves& all) {
   all.vertex.resize(first);
   all.parameter.resize(first);

@@ -13,17 +13,18 @@
 
 namespace sfumato::solve {
 
-/// A layer's curves with one that moves, where a frame has it, after all others.
+/// A layer's curves in a frame of a drag. The last curve is the one that moves.
 struct PlacedCurves {
   curves::FlatCurves flat{};
   std::vector<Curve> curves{};
-  curves::FlatCurves moved{};  ///< the polyline of that curve by itself
+  curves::FlatCurves moved{};  ///< only the polyline of the moving curve
   std::uint32_t first = 0;     ///< its first vertex in `flat`
   ScopedCharge charge{};
 };
 
+/// Returns `curves`, and `curve` after them.
 /// others   the polylines of `curves`
-/// used     those of the last frame, whose tables are used again, or none
+/// used     the curves of the last frame, whose tables are reused, or empty
 /// Errors   limit (memory), cancelled
 Result<PlacedCurves> place_curve(Context& context, const curves::FlatCurves& others,
                                  std::span<const Curve> curves, const Curve& curve,

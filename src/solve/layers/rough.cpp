@@ -6,10 +6,10 @@
 namespace sfumato::solve {
 namespace {
 
-/// With smaller angles there are few triangles less, and twice the error.
+/// Smaller angles save few triangles, and double the error.
 constexpr double kMinAngleDeg = 10;
 
-/// Drawings of a few curves are smooth over long distances, where nothing is refined.
+/// Limits triangles in drawings of few curves, whose large smooth areas have no other limit.
 constexpr double kMaxAreaFraction = 0.01;
 
 }  // namespace

@@ -6,25 +6,26 @@
 
 namespace sfumato::solve {
 
-/// How many times as coarse as those of the picture the chords of a rough layer are.
+/// The flattening tolerance of a rough layer, as a multiple of the normal tolerance.
 inline constexpr double kRoughness = 4;
 
-/// How layers are solved roughly that would be solved with `options`, which validate() accepts, for
-/// pictures while something moves: from coarse chords, on a mesh that is refined at blurs only.
-/// What is gathered is exact.
+/// Returns options for a quick, rough solution, for pictures while something moves. Chords are
+/// coarse, and the mesh is refined at blurs only. Gathered values are exact.
+/// options   the options of the normal solution, accepted by validate()
 DiffuseOptions roughly(const DiffuseOptions& options);
 
-/// Whether roughly() gave them: validate() accepts no other options without an end of the error.
+/// Returns whether the options are from roughly(), which sets max_error to infinity. validate()
+/// rejects this value.
 inline bool is_rough(const DiffuseOptions& options) {
   return std::isinf(options.max_error);
 }
 
-/// Whether the exact gather says where the mesh is to be refined.
+/// Returns whether the exact gather decides where the mesh is refined.
 inline bool refines(const DiffuseOptions& options) {
   return options.max_error > 0 && !is_rough(options);
 }
 
-/// Returns whether chords may be coarse and small triangles stay unrefined, for a pixel grid.
+/// Returns whether the picture is for a pixel grid: chords are coarse, small triangles unrefined.
 inline bool is_for_pixel_grid(const DiffuseOptions& options) {
   return options.pixel_grid && refines(options) && !options.tolerance;
 }
