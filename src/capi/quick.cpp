@@ -9,7 +9,7 @@
 namespace sfumato::capi {
 namespace {
 
-/// Prepares the curve to be dragged; bad_input where its layer has to be solved first.
+/// Prepares the curve for a drag. Errors: bad_input if its layer must be solved first.
 Status take_hold(sfumato_context& context, CurvePlace place, sfumato_picture& handle) {
   if (handle.dragged == place) return ok_status();
   handle.solution->end_drag();
@@ -22,15 +22,15 @@ Status take_hold(sfumato_context& context, CurvePlace place, sfumato_picture& ha
   return ok_status();
 }
 
-/// After a change of one curve.
-/// is_same   the solution's document has what that has, to the last bit
+/// Notes that the picture shows the document, after a change of one curve.
+/// is_same   the solution has the same curve as `document`, to the last bit
 void note_shown(const sfumato_document& document, bool is_same, sfumato_picture& handle) {
-  const bool was_same = handle.applied == handle.shown;  // of the other curves, too
+  const bool was_same = handle.applied == handle.shown;  // also in all other curves
   handle.shown = document.edits.now();
   handle.applied = was_same && is_same ? handle.shown : Revision{};
 }
 
-/// The picture with one curve where it is now.
+/// Shows one curve at its new place in the picture.
 Status drag(sfumato_context& context, CurvePlace place, const sfumato_document& document,
             double seconds, sfumato_picture& handle) {
   SFUMATO_TRY(take_hold(context, place, handle));
@@ -46,7 +46,7 @@ Status drag(sfumato_context& context, CurvePlace place, const sfumato_document& 
   return ok_status();
 }
 
-/// Prepares the stop to be changed; bad_input where its layer has to be solved first.
+/// Prepares the stop for other values. Errors: bad_input if its layer must be solved first.
 Status take_stop(sfumato_context& context, const StopPlace& place, sfumato_picture& handle) {
   if (handle.colored == place) return ok_status();
   handle.solution->end_drag();
@@ -56,7 +56,7 @@ Status take_stop(sfumato_context& context, const StopPlace& place, sfumato_pictu
   return handle.solution->begin_color(context.workshop->context, place);
 }
 
-/// All of the layer where its tables are new, else its values.
+/// Notes the whole layer as changed if its tables are new, otherwise only its values.
 void note_stop(const StopPlace& place, bool is_first, sfumato_picture& handle,
                std::vector<ChangedRows>& changed) {
   note_changes(handle.picture(), handle.solution->take_delta(), changed);
@@ -67,7 +67,7 @@ void note_stop(const StopPlace& place, bool is_first, sfumato_picture& handle,
   }
 }
 
-/// Gives a stop the value; the picture has tables of its own for it from the first time on.
+/// Sets the value of a stop. The first call puts new tables of the layer into the picture.
 Status set_stop(sfumato_context& context, const StopChange& change, sfumato_picture& handle) {
   const bool is_first = handle.colored != change.place;
   std::vector<ChangedRows> changed(handle.changed.size());
@@ -80,7 +80,7 @@ Status set_stop(sfumato_context& context, const StopChange& change, sfumato_pict
   return ok_status();
 }
 
-/// The picture with one stop as it is now; bad_input where more has changed.
+/// Shows the new value of a stop in the picture. Errors: bad_input if more has changed.
 Status recolor(sfumato_context& context, CurvePlace place, const sfumato_document& document,
                sfumato_picture& handle) {
   const Document& shown = handle.solution->document();
@@ -89,11 +89,11 @@ Status recolor(sfumato_context& context, CurvePlace place, const sfumato_documen
   const auto change = find_stop_change(from, to, place, shown.interpolation);
   if (!change) return make_error(StatusCode::bad_input, "more than a stop has changed");
   SFUMATO_TRY(set_stop(context, *change, handle));
-  note_shown(document, from == to, handle);  // a whole side but for rounding
+  note_shown(document, from == to, handle);  // all stops of a side may differ by rounding
   return ok_status();
 }
 
-/// Sides and attributes of C in words of C++; none where there are no such.
+/// Converts a place in the terms of the C API; none if the side or the attribute is unknown.
 std::optional<StopPlace> place_of(CurvePlace at, std::uint32_t side, std::uint32_t attribute,
                                   std::uint32_t index) {
   if (side > SFUMATO_RIGHT || attribute > SFUMATO_OPACITY) return std::nullopt;
@@ -104,7 +104,7 @@ std::optional<StopPlace> place_of(CurvePlace at, std::uint32_t side, std::uint32
   return place;
 }
 
-/// The value that a stop has, or the first of a list; none where there is no such stop.
+/// Returns the value of a stop, or of the first one of a list; none if there is no such stop.
 std::optional<StopValue> value_of(const Document& document, const StopPlace& place) {
   if (place.layer >= document.layers.size()) return std::nullopt;
   const std::vector<Curve>& curves = document.layers[place.layer].curves;
@@ -119,7 +119,8 @@ std::optional<StopValue> value_of(const Document& document, const StopPlace& pla
                                                  : value(side.opacity.stops.stops);
 }
 
-/// Gives the stop the value that it has: so its tables come into the picture.
+/// Gives a view of the response to a stop. Sets the stop to its present value, which puts the new
+/// tables of its layer into the picture.
 Outcome respond(sfumato_context& context, sfumato_picture* handle,
                 const std::optional<StopPlace>& place, sfumato_view& view) {
   if (!handle) return bad_usage("NULL given; pass a picture");

@@ -14,18 +14,18 @@
 namespace sfumato::capi {
 namespace {
 
-/// Rows that lie so near to each other count as one range, with those between.
+/// Changed rows with at most this many rows between them form one range, with the rows between.
 constexpr std::uint32_t kMostBetween = 16;
 
 constexpr double kNoHurry = std::numeric_limits<double>::infinity();
 
-/// From a row to the end of a table.
+/// Returns the range from a row to the end of a table.
 RowRanges ranges_from(std::uint32_t first, std::uint32_t count) {
   if (first >= count) return {};
   return {{first, count}};
 }
 
-/// Of ascending rows, those that a table has.
+/// Returns the ranges of ascending rows, without rows beyond the end of a table.
 RowRanges ranges_of(std::span<const std::uint32_t> rows, std::uint32_t count) {
   RowRanges ranges;
   for (const std::uint32_t row : rows) {
@@ -54,7 +54,7 @@ RowRanges new_rows(const LayerRows& rows, std::uint32_t table, std::uint32_t cou
   }
 }
 
-/// How a picture is brought up to a document. FrameLayers: of a film alone.
+/// A way to update a picture to its document. Only films use FrameLayers.
 using Solve = Status (*)(Context&, const DiffuseOptions&, DiffuseStats&, FrameLayers&, Solution&);
 
 Status solve_exactly(Context& context, const DiffuseOptions& options, DiffuseStats& stats,
@@ -72,8 +72,8 @@ Status solve_frame(Context& context, const DiffuseOptions& options, DiffuseStats
   return solution.solve_next(context, options, &frame, &stats);
 }
 
-/// Brings the picture up to what its solution's document is. Whatever may fail comes before the
-/// handle changes.
+/// Updates the picture to the document of its solution. All steps that may fail precede the changes
+/// of the handle.
 Status bring_up(Context& context, Solve solve, sfumato_picture& handle) {
   const Document& document = handle.solution->document();
   std::vector<ChangedRows> changed(document.layers.size());
@@ -89,7 +89,7 @@ Status bring_up(Context& context, Solve solve, sfumato_picture& handle) {
   return ok_status();
 }
 
-/// A copy of a document, whose bytes can be had.
+/// Copies a document. Errors: limit if there is no memory for the copy.
 Result<Document> copy_of(const Context& context, const Document& document) {
   ScopedCharge charge;
   SFUMATO_TRY(charge.add(context, bytes_of(document), "a document"));
@@ -112,7 +112,7 @@ Outcome solve(Workshop& workshop, sfumato_context* context, const sfumato_docume
   return {};
 }
 
-/// Makes the changes that edits were, but for curves that are what they were again.
+/// Applies the changes, except for replacements by an equal curve.
 Status apply_all(Context& context, std::vector<Change> changes, Solution& solution) {
   ScopedCharge charge;
   for (const Change& change : changes) {
@@ -133,18 +133,18 @@ Status replace_all(Context& context, const Document& document, Solution& solutio
   return solution.apply(context, ReplaceDocument{std::move(copy)}).status();
 }
 
-/// Makes the solution's document what the other one is.
+/// Makes the solution's document equal to the other one.
 Status follow(Context& context, const sfumato_document& document, sfumato_picture& handle) {
   const auto edits = document.edits.since(handle.applied);
   auto changes = edits ? changes_of(*edits, document.document) : std::nullopt;
-  handle.applied = {};  // until all of them are made
+  handle.applied = {};  // until all changes are applied
   SFUMATO_TRY(changes ? apply_all(context, std::move(*changes), *handle.solution)
                       : replace_all(context, document.document, *handle.solution));
   handle.applied = document.edits.now();
   return ok_status();
 }
 
-/// Whatever the document has become.
+/// Updates the picture after any changes of the document.
 Outcome solve_all(Workshop& workshop, const sfumato_document& document, Solve solve,
                   sfumato_picture& handle) {
   handle.solution->end_drag();
@@ -152,7 +152,7 @@ Outcome solve_all(Workshop& workshop, const sfumato_document& document, Solve so
   handle.colored.reset();
   handle.has_moved = false;
   handle.drag_workshop.reset();
-  handle.shown = {};  // until it is brought up
+  handle.shown = {};  // until the picture is updated
   SFUMATO_TRY(follow(workshop.context, document, handle));
   SFUMATO_TRY(bring_up(workshop.context, solve, handle));
   handle.shown = document.edits.now();
@@ -161,7 +161,7 @@ Outcome solve_all(Workshop& workshop, const sfumato_document& document, Solve so
 
 Outcome solve_quickly(sfumato_context& context, const sfumato_document& document, double seconds,
                       sfumato_picture& handle) {
-  // What a drag holds may be too much where the layer is not.
+  // The tables of a drag may exceed a limit that the layer alone does not exceed.
   const auto is_shown = [](const Status& status) {
     return status.code != StatusCode::bad_input && status.code != StatusCode::limit;
   };
@@ -215,7 +215,6 @@ Outcome no_solution() {
       "a picture that was read from a file follows no document; pass one of sfumato_solve()");
 }
 
-/// All rows of the layers that are new, and none of the others.
 void note_changes(const Picture& picture, const PictureDelta& delta,
                   std::vector<ChangedRows>& changed) {
   for (const std::uint32_t layer : delta.layers) {

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t kMostNoted = 256;
 
-/// Where a curve is after later edits; none: it was taken away.
+/// Returns the place of a curve after later edits; none if it was removed.
 std::optional<CurvePlace> place_after(CurvePlace place, std::span<const Edit> later) {
   for (const Edit& edit : later) {
     if (edit.place.layer != place.layer) continue;
@@ -20,7 +20,7 @@ std::optional<CurvePlace> place_after(CurvePlace place, std::span<const Edit> la
   return place;
 }
 
-/// A curve that was put in may be one that was taken away: who compares finds out.
+/// Returns whether an inserted curve may be one that was removed.
 bool may_come_back(const std::vector<Edit>& edits) {
   const auto has = [&](Edit::Kind kind) {
     return std::ranges::count(edits, kind, &Edit::kind) > 0;

@@ -10,7 +10,7 @@
 
 namespace sfumato::capi {
 
-/// A curve's indices.
+/// The indices of a curve.
 struct CurvePlace {
   std::uint32_t layer = 0;
   std::uint32_t curve = 0;
@@ -20,13 +20,13 @@ struct CurvePlace {
 
 /// A state of a document.
 struct Revision {
-  std::shared_ptr<const char> document;  ///< which one it is; not read
-  std::uint64_t edits = 0;               ///< that it has had
+  std::shared_ptr<const char> document;  ///< identifies the document; not read
+  std::uint64_t edits = 0;               ///< number of edits so far
 
   friend bool operator==(const Revision&, const Revision&) = default;
 };
 
-/// One edit of a curve; indices are those at its time.
+/// One edit of a curve. Its indices are those at the time of the edit.
 struct Edit {
   enum class Kind : std::uint8_t { replaced, inserted, removed };
 
@@ -36,38 +36,38 @@ struct Edit {
   friend bool operator==(const Edit&, const Edit&) = default;
 };
 
-/// What an edit does, where it is one of a curve.
+/// Returns the edit that a change makes; none if it does not edit a curve.
 std::optional<Edit> edit_of(const Change& change);
 
-/// The edits of one document: what has changed since an earlier state is found without comparing
-/// documents. The last few hundred are known.
+/// The last few hundred edits of one document. They show which curves changed since an earlier
+/// state, without a comparison of documents.
 class Edits {
  public:
   const Revision& now() const { return now_; }
 
-  /// Notes an edit; none: one that is not of a curve.
+  /// Notes an edit; none: an edit of anything other than a curve.
   void note(std::optional<Edit> edit);
 
-  /// The edits since a state, in their order; none where they are not known. A run of replacements
-  /// of one curve counts once.
+  /// Returns the edits since a state, in their order; none if they are unknown. A run of
+  /// replacements of one curve counts once.
   std::optional<std::vector<Edit>> since(const Revision& then) const;
 
-  /// The curve that was replaced since, where nothing else was edited; none else.
+  /// Returns the curve that was replaced since, if nothing else was edited; none otherwise.
   std::optional<CurvePlace> only_change_since(const Revision& then) const;
 
  private:
   struct Noted {
     Edit edit;
-    std::uint64_t last;  ///< edits of the document up to this one, or to the last of its run
+    std::uint64_t last;  ///< number of edits up to this one, or to the last of its run
   };
 
   Revision now_{std::make_shared<const char>('\0'), 0};
   std::deque<Noted> noted_;
-  std::uint64_t before_ = 0;  ///< edits before the first that is noted
+  std::uint64_t before_ = 0;  ///< number of edits before the first noted one
 };
 
-/// The changes that bring a document, which was as it is before `edits`, to what `now` is after
-/// them; none where they are not those alone.
+/// Returns the changes that turn the document before `edits` into `now`, the document after them.
+/// Returns none if an inserted curve may be one that was removed: compare the documents then.
 std::optional<std::vector<Change>> changes_of(const std::vector<Edit>& edits, const Document& now);
 
 }  // namespace sfumato::capi

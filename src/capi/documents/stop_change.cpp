@@ -7,7 +7,7 @@
 namespace sfumato::capi {
 namespace {
 
-/// Differences of values are the same where they are by this: a hundredth of a code value is more.
+/// The largest difference that counts as zero: less than a hundredth of a code value.
 constexpr float kSame = 1e-5f;
 
 Rgb in_space(const Rgb& color, InterpolationSpace space) {
@@ -31,7 +31,7 @@ float difference(float a, float b) {
   return a - b;
 }
 
-/// Whether both give values at the same places.
+/// Returns whether both differ at most in the values of their stops.
 template <class Value>
 bool have_the_same_offsets(const SideShader<Value>& a, const SideShader<Value>& b) {
   return a.kind == b.kind && a.shader == b.shader && a.stops.space == b.stops.space &&
@@ -50,7 +50,7 @@ bool is_shifted(const StopList<Value>& from, const StopList<Value>& to, Interpol
   return true;
 }
 
-/// Collects what differs.
+/// Collects the differences between the sides of two curves.
 class Comparison {
  public:
   Comparison(CurvePlace at, InterpolationSpace space) : at_(at), space_(space) {}

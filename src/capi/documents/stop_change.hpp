@@ -9,15 +9,15 @@
 
 namespace sfumato::capi {
 
-/// A stop, or all stops of a list, with the value that the stop, or the first of them, gets.
+/// A change of one stop, or of all stops of a list. `value` is the new value of the first of them.
 struct StopChange {
   StopPlace place;
   StopValue value;
 };
 
-/// What makes one curve of another, where that is another value of one stop of a colour or an
-/// opacity, or of all stops of one list by the same difference in the space; none where it is
-/// anything else, or nothing.
+/// Returns the change that turns one curve into another, if it affects one stop of a colour or an
+/// opacity, or all stops of one list by the same difference in `space`. Returns none if nothing
+/// differs, or anything else does.
 std::optional<StopChange> find_stop_change(const Curve& from, const Curve& to, CurvePlace at,
                                            InterpolationSpace space);
 

@@ -23,7 +23,7 @@ Status not_within() {
   return make_error(StatusCode::bad_input, "the value of a stop is not within 0 to 1");
 }
 
-/// The stops of `first` that are meant, by the difference that brings the first of them to a value.
+/// Shifts one stop of `first`, or all, by the difference that brings the first of them to `value`.
 Status shift_colors(const ColorStops& first, std::optional<std::uint32_t> index, const Rgb& value,
                     InterpolationSpace space, ColorStops& next, std::array<float, 3>& shift) {
   if (!rules::is_color(value)) return not_within();
@@ -73,7 +73,8 @@ Result<ColorDrag> ColorDrag::begin(Context& context, const Document& document,
   return drag;
 }
 
-/// Copies the values that frames begin from; where they were is room for those of the first frame.
+/// Copies the values that frames begin from. The response's layer keeps a table of values for the
+/// first frame.
 Status ColorDrag::hold(const Context& context) {
   PatchField& values = field(response_.layer);
   channels_ = values.channel_count;
@@ -120,7 +121,7 @@ Status ColorDrag::shift_stops(const StopValue& value, std::array<float, 3>& shif
                          next_.opacity.stops, shift);
 }
 
-/// Z(c) = Z(c₀) + φ (c - c₀), where φ is not 0.
+/// Computes Z(c) = Z(c₀) + φ (c - c₀) at the nodes whose φ is not 0.
 Status ColorDrag::shift_values(const Context& context, const std::array<float, 3>& shift,
                                std::vector<float>& values) const {
   const auto channels = static_cast<std::size_t>(channels_);

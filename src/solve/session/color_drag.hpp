@@ -16,40 +16,39 @@
 
 namespace sfumato::solve {
 
-/// A stop whose value changes while all else stays. A frame costs a multiplication and an addition
-/// for each channel of each node that answers to the stop, but the first of each of two tables a
-/// copy of all values; it depends on the value alone, not on the frames before it.
+/// A stop whose value changes while everything else stays. A frame costs one multiplication and one
+/// addition for each channel of each node that responds to the stop. Each of the two tables of
+/// values also costs one copy of all values. A frame depends on the value, not on earlier frames.
 ///
-/// Memory stays charged to the Budget of the Context that begin() was given, which must outlive
-/// this; frames have a Context of their own.
+/// Memory stays charged to the Budget of begin()'s Context, which must outlive this. Frames may use
+/// another Context.
 class ColorDrag {
  public:
-  /// Parameters, errors and cost of respond(), except that an empty `sight` is good, too: nothing
-  /// shows the layer then.
+  /// Prepares a stop for other values. Parameters, errors and cost: as respond(). `sight` may also
+  /// be empty: nothing shows the layer then.
   static Result<ColorDrag> begin(Context& context, const Document& document, const StopPlace& place,
                                  const LayerSight& sight, const DiffuseOptions& options,
                                  std::optional<RefinedLayer>& refined);
 
   const StopPlace& place() const { return place_; }
 
-  /// LayerResponse::factor; the nodes are those of the layer after the first show().
+  /// Returns LayerResponse::factor. Its nodes are the nodes of the layer after the first show().
   std::span<const float> factor() const { return response_.factor; }
 
-  /// Prepares show(), in the place of what was prepared before. Where all stops are meant, the
-  /// value is that of the first, and the others change by the same difference in the space of the
-  /// interpolation.
-  /// Errors   bad_input (a value of another attribute, or a stop's would not be within 0 to 1),
-  ///          limit (memory), cancelled; no show() may follow then
+  /// Prepares show() for a value; replaces an earlier preparation. With all stops of a list, the
+  /// first gets the value, and the others change by the same difference in the interpolation space.
+  /// Errors   bad_input (a value of another attribute, or a stop's value outside 0 to 1), limit
+  ///          (memory), cancelled; show() must not follow then
   Status prepare(Context& context, const StopValue& value);
 
-  /// What show() will put in the place of a layer; none after the first.
+  /// Returns the layer that the first show() will put into the picture; null afterwards.
   const PatchLayer* new_layer() const { return is_shown_ ? nullptr : &response_.layer; }
 
-  /// Whether show() leaves the curve as it is.
+  /// Returns whether show() leaves the curve unchanged.
   bool keeps(const Curve& curve) const;
 
-  /// Puts the stops into the curve and the values into the layer. The first time all of the layer
-  /// is new, and what was there is returned.
+  /// Puts the stops into the curve and the values into the layer. The first call replaces the whole
+  /// layer, and returns the old one.
   std::optional<PatchLayer> show(Curve& curve, PatchLayer& layer) noexcept;
 
  private:
@@ -66,16 +65,16 @@ class ColorDrag {
 
   StopPlace place_;
   InterpolationSpace space_;
-  Side first_;  ///< at the begin
-  Side next_;   ///< for show()
+  Side first_;  ///< the side at begin()
+  Side next_;   ///< the side for show()
   LayerResponse response_;
   bool is_shown_ = false;
   int channels_ = 0;                      ///< of the field
-  std::vector<float> base_;               ///< its node values at the begin
+  std::vector<float> base_;               ///< node values of the field at begin()
   std::vector<std::uint32_t> answering_;  ///< nodes whose factor is not 0
-  std::vector<float> values_;             ///< for show(), but the first
-  ScopedCharge charge_;  ///< of the response's layer without those, until it is shown
-  TableMemory layer_memory_{"the response of a layer"};  ///< of its values, until then
+  std::vector<float> values_;             ///< node values for show(), except the first
+  ScopedCharge charge_;  ///< of the response's layer without node values, until the first show()
+  TableMemory layer_memory_{"the response of a layer"};  ///< of its node values, until then
   TableMemory memory_{"the response of a layer"};        ///< of the tables above
   ScopedCharge side_charge_;                             ///< of both sides
 };

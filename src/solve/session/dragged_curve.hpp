@@ -9,30 +9,30 @@
 
 namespace sfumato::solve {
 
-/// A curve that is being dragged, of a Solution.
+/// A curve of a Solution that is being dragged.
 struct DraggedCurve {
   std::uint32_t layer;
   std::uint32_t curve;
-  const Budget* budget;               ///< that it is charged to
+  const Budget* budget;               ///< the Budget that it is charged to
   std::optional<LayerDrag> engine{};  ///< none where nothing shows the layer
-  /// Its other self for where the curve is beyond the picture, once it was there. So a frame does
-  /// not depend on where the curve was before.
+  /// The same drag with room beyond the picture, begun when the curve first needs it. `engine`
+  /// makes all other frames, so that a frame does not depend on earlier places of the curve.
   std::optional<LayerDrag> roomy{};
-  bool may_have_room = true;  ///< until that lacks memory
-  /// Of the picture's layer, while a frame made it or the drag began from it: which engine did, and
-  /// its rows.
+  bool may_have_room = true;  ///< false once `roomy` lacked memory
+  /// The engine that made the picture's layer, or began from it, and the rows of that layer. There
+  /// are no rows if the layer comes from elsewhere.
   LayerDrag* shown_by = nullptr;
   std::optional<FrameRows> shown{};
-  std::size_t left = 0;  ///< nodes of the picture's layer that may be gathered yet
+  std::size_t left = 0;  ///< nodes of the picture's layer that wait to be gathered
 
-  /// Gives up the tables of the engines' last frames. Returns whether there were any.
+  /// Releases the tables of the engines' last frames. Returns whether there were any.
   bool forget_frames() {
     bool any = false;
     for (std::optional<LayerDrag>* one : {&engine, &roomy}) any |= *one && (*one)->forget_frame();
     return any;
   }
 
-  /// The picture's layer comes from elsewhere now.
+  /// Notes that the picture's layer no longer comes from an engine.
   void forget_shown() {
     shown.reset();
     left = 0;

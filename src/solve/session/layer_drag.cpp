@@ -21,16 +21,16 @@
 namespace sfumato::solve {
 namespace {
 
-/// Of the bound that orders nodes: it is asked at each of them.
+/// The most runs of the bound that orders nodes. Few runs keep its cost per node low.
 constexpr std::size_t kMostRuns = 16;
 
-/// A curve is costly to drag whose half-edges are more than these, and than this share of the
-/// triangles: a frame makes about six triangles anew for each. Of larger layers they are a few, and
-/// to solve such a layer even roughly takes longer than they do.
+/// A curve is costly to drag if it has more half-edges than this number, and than this share of the
+/// triangles. A frame computes about six triangles for each half-edge. In a large layer these are
+/// few, and even solving it roughly would take longer.
 constexpr std::size_t kManyHalfEdges = 100;
 constexpr double kManyPerTriangle = 0.01;
 
-/// Per vertex: 1 for those in [begin, end).
+/// Returns a mark per vertex: 1 for the vertices in [begin, end).
 Result<std::vector<std::uint8_t>> marked(const Context& context, std::size_t count,
                                          std::uint32_t begin, std::uint32_t end,
                                          TableMemory& memory) {
@@ -40,7 +40,7 @@ Result<std::vector<std::uint8_t>> marked(const Context& context, std::size_t cou
   return marks;
 }
 
-/// The fields of a solved layer while they watch a curve of it.
+/// The fields of a solved layer while they watch one of its curves.
 class WatchedFields {
  public:
   explicit WatchedFields(PreparedFields& fields) : fields_(&fields) {}
@@ -53,7 +53,7 @@ class WatchedFields {
 
   const PreparedFields& get() const { return *fields_; }
 
-  /// Of a thinned one the mesh was not kept, with which it could watch().
+  /// Returns whether a field is thinned. Such a field cannot watch(): its mesh was not kept.
   bool are_thinned() const {
     return fields_->color.is_thinned || (fields_->opacity && fields_->opacity->is_thinned);
   }
@@ -65,7 +65,7 @@ class WatchedFields {
     return fields_->opacity->gatherer.watch(context, mesh, segments);
   }
 
-  /// The same fields, which watch it.
+  /// Uses `fields`, which watch the curve, instead of the layer's own.
   void take_instead(PreparedFields fields) { fields_ = &anew_.emplace(std::move(fields)); }
 
  private:
@@ -73,13 +73,13 @@ class WatchedFields {
   PreparedFields* fields_;
 };
 
-/// What a frame leaves for the next one, which uses its tables again.
+/// The state that a frame leaves for the next one, which reuses its tables.
 struct LastFrame {
   std::optional<PlacedCurves> placed{};
   std::optional<mesh::Mesher> seen{};         ///< the visibility mesh with the curve
-  mesh::TriangleMesh seen_mesh{};             ///< handed out by it
-  std::vector<std::uint32_t> seen_changed{};  ///< triangles of it that the frame changed
-  TableMemory memory{"a drag"};               ///< of these
+  mesh::TriangleMesh seen_mesh{};             ///< returned by `seen`
+  std::vector<std::uint32_t> seen_changed{};  ///< its triangles that the frame changed
+  TableMemory memory{"a drag"};               ///< of `seen_changed`
   FrameTables tables{};
 };
 
@@ -110,19 +110,19 @@ struct LayerDrag::State {
   LayerSight sight;
   Box artboard;
   InterpolationSpace interpolation;
-  std::vector<Curve> curves;  ///< with the one that moves as it was
-  std::uint32_t moving;       ///< which of them it is
-  bool is_joint;              ///< as FlatLayer
+  std::vector<Curve> curves;  ///< with the moving curve at its first place
+  std::uint32_t moving;       ///< index of the moving curve
+  bool is_joint;              ///< as in FlatLayer
   double most_missed;         ///< as kMostMissed
-  bool has_room = false;      ///< of the meshes
+  bool has_room = false;      ///< whether the meshes have room beyond the picture
   LayerUnits units;
   ScopedCharge charge;                      ///< of the polylines and curves
-  curves::FlatCurves flat;                  ///< of `curves`
-  std::optional<mesh::Mesher> visibility;   ///< without the curve that moves, not refined
-  mesh::TriangleMesh visibility_mesh;       ///< handed out by it
-  std::optional<LayerSolver> base;          ///< the layer without it
-  std::optional<FrameRows> rows_of_solved;  ///< LayerDrag::take_rows_of_solved()
-  const Budget* budget = nullptr;           ///< that all this is charged to
+  curves::FlatCurves flat;                  ///< the polylines of `curves`
+  std::optional<mesh::Mesher> visibility;   ///< without the moving curve, not refined
+  mesh::TriangleMesh visibility_mesh;       ///< returned by `visibility`
+  std::optional<LayerSolver> base;          ///< the layer without the moving curve
+  std::optional<FrameRows> rows_of_solved;  ///< for LayerDrag::take_rows_of_solved()
+  const Budget* budget = nullptr;           ///< the Budget that all this is charged to
   LastFrame last;
 
  private:
@@ -153,7 +153,8 @@ struct LayerDrag::State {
   Result<FramePatches> take(LayerSolver& layer, LastFrame now, bool wants_rows);
 };
 
-/// has_opacity   as FlatLayer's
+/// Samples the fields of some curves.
+/// has_opacity   as in FlatLayer
 Result<SampledFields> LayerDrag::State::sample(const Context& context,
                                                const curves::FlatCurves& polylines,
                                                std::span<const Curve> of, bool has_opacity) const {
@@ -161,14 +162,14 @@ Result<SampledFields> LayerDrag::State::sample(const Context& context,
                        units.smallest_radius());
 }
 
-/// The layer on a mesh, ready to be solved or continued.
+/// Returns the layer on a mesh, ready to be solved or continued.
 PreparedLayer LayerDrag::State::prepared_layer(PreparedFields fields,
                                                mesh::Mesher&& patches) const {
   return {std::move(patches), std::move(fields.color), std::move(fields.opacity),
           units.mesh_options().frame, units.smallest_edges()};
 }
 
-/// Of the layer's own curves.
+/// Prepares the fields of all curves of the layer.
 /// mesh   mesher.visibility_mesh()
 Result<PreparedFields> LayerDrag::State::fields(Context& context, const FlatMesh& whole,
                                                 const mesh::Mesher& mesher,
@@ -186,7 +187,7 @@ Status LayerDrag::State::begin(Context& context, std::optional<RefinedLayer>& re
   return solved ? take_off(context, *solved) : solved.status();
 }
 
-/// The layer as it is, on a mesh with room.
+/// Solves the layer with the curve at its first place, on a mesh with room beyond the picture.
 Result<RefinedLayer> LayerDrag::State::solve(Context& context) const {
   SFUMATO_TRY_ASSIGN(auto&& polylines, curves::flatten(context, curves, units.flatten_options()));
   ScopedCharge polyline_charge;
@@ -205,7 +206,8 @@ Result<RefinedLayer> LayerDrag::State::solve(Context& context) const {
   return LayerSolver(context, std::move(layer), options, nullptr).refine_only();
 }
 
-/// refined   of the layer as it is, and is so again afterwards
+/// Removes the curve from the layer.
+/// refined   the layer with the curve; it is unchanged afterwards
 Status LayerDrag::State::take_off(Context& context, RefinedLayer& refined) {
   const FlatMesh& whole = refined.flat_mesh;
   SFUMATO_TRY(charge.add(context, curves::bytes_of(whole.flat) + bytes_of_curves(), "a drag"));
@@ -234,8 +236,8 @@ Status LayerDrag::State::take_off(Context& context, RefinedLayer& refined) {
   return rows.status();
 }
 
-/// Makes the visibility mesh without the curve, and says which triangles it has in common with that
-/// of the whole layer.
+/// Makes the visibility mesh without the curve. Returns which triangles it shares with that of the
+/// whole layer.
 Result<std::vector<std::uint8_t>> LayerDrag::State::mesh_rest(const Context& context,
                                                               const mesh::Mesher& whole,
                                                               const mesh::MeshEdit& edit,
@@ -247,7 +249,7 @@ Result<std::vector<std::uint8_t>> LayerDrag::State::mesh_rest(const Context& con
   return visibility->same_triangles(context, whole, memory);
 }
 
-/// Has the fields of the whole layer watch the curve.
+/// Makes the fields of the whole layer watch the curve.
 Status LayerDrag::State::watch(Context& context, const FlatMesh& whole,
                                std::span<const std::uint8_t> moves, WatchedFields& with) const {
   if (!with.are_thinned()) return with.watch(context, whole.mesh, moves);
@@ -257,7 +259,7 @@ Status LayerDrag::State::watch(Context& context, const FlatMesh& whole,
   return ok_status();
 }
 
-/// The layer's fields on the visibility mesh without the curve.
+/// Prepares the layer's fields on the visibility mesh without the curve.
 Result<PreparedFields> LayerDrag::State::fields_without(
     Context& context, const RefinedLayer& refined, std::span<const std::uint8_t> moves,
     std::span<const std::uint8_t> is_same) const {
@@ -270,13 +272,13 @@ Result<PreparedFields> LayerDrag::State::fields_without(
   return fields(context, refined.flat_mesh, *visibility, visibility_mesh, edits);
 }
 
-/// Whether the layer has the same fields with the curve in its place.
+/// Returns whether the layer has the same fields with this curve instead of the moving one.
 bool LayerDrag::State::has_fields_with(const Curve& curve) const {
   return is_joint ==
          (curves::opacity_goes_with_color(curves) && curves::opacity_goes_with_color({&curve, 1}));
 }
 
-/// Errors: as LayerDrag::frame.
+/// Places the curve behind the polylines of the layer. Errors: as LayerDrag::frame().
 Status LayerDrag::State::place(Context& context, const Curve& curve, LastFrame& frame) const {
   SFUMATO_TRY_ASSIGN(auto&& placed,
                      place_curve(context, flat, curves, curve, units.flatten_options(),
@@ -291,8 +293,8 @@ Status LayerDrag::State::place(Context& context, const Curve& curve, LastFrame& 
   return ok_status();
 }
 
-/// Makes the frame's visibility mesh, and says which triangles it has in common with that without
-/// the curve: Mesher::same_triangles.
+/// Makes the frame's visibility mesh. Returns Mesher::same_triangles: which triangles it shares
+/// with the mesh without the curve.
 Result<std::vector<std::uint8_t>> LayerDrag::State::insert_curve(const Context& context,
                                                                  LastFrame& frame,
                                                                  TableMemory& memory) const {
@@ -316,7 +318,7 @@ Result<std::vector<std::uint8_t>> LayerDrag::State::insert_curve(const Context& 
   return std::move(is_same);
 }
 
-/// The base's patch mesh with the curve.
+/// Returns the base's patch mesh with the curve inserted.
 Result<mesh::Mesher> LayerDrag::State::patches_with(const Context& context,
                                                     LastFrame& frame) const {
   std::optional<mesh::Mesher> patches = std::exchange(frame.tables.mesher, std::nullopt);
@@ -330,8 +332,8 @@ Result<mesh::Mesher> LayerDrag::State::patches_with(const Context& context,
   return std::move(*patches);
 }
 
-/// What the curve's sides bear, put after what those of the others do, where the last frame knows
-/// that and there are no shaders to be found among theirs.
+/// Samples the fields of all curves. Samples only the moving curve, and appends it to the samples
+/// of the last frame, if these are kept, the fields are the same, and the curve has no shaders.
 Result<SampledFields> LayerDrag::State::sample_frame(const Context& context,
                                                      LastFrame& frame) const {
   const PlacedCurves& placed = *frame.placed;
@@ -358,7 +360,8 @@ Result<SampledFields> LayerDrag::State::sample_frame(const Context& context,
   return std::move(tail);
 }
 
-/// keeps   leaves its tables for the next frame, and uses those of the last
+/// Makes a frame.
+/// keeps   uses the tables of the last frame, and leaves tables for the next
 Result<FramePatches> LayerDrag::State::frame(Context& context, const Curve& curve, bool keeps,
                                              const FrameOptions& how) {
   LastFrame now;
@@ -397,7 +400,7 @@ Result<FramePatches> LayerDrag::State::frame(Context& context, const Curve& curv
   return FramePatches{std::move(whole), {}};
 }
 
-/// The patches of a frame; its tables become the last ones.
+/// Returns the patches of a frame, and keeps its tables for the next one.
 Result<FramePatches> LayerDrag::State::take(LayerSolver& layer, LastFrame now, bool wants_rows) {
   std::optional<FrameTables> kept;
   SFUMATO_TRY_ASSIGN(auto&& result, layer.take_frame(wants_rows, kept));
@@ -417,7 +420,7 @@ Result<FramePatches> LayerDrag::State::go_on(Context& context, const FrameOption
   return take(layer, std::move(now), how.wants_rows);
 }
 
-/// The last frame.
+/// Returns the tables of the last frame, as the source of rows.
 FrameSource LayerDrag::State::shown() const {
   const FrameTables& tables = last.tables;
   return {*tables.mesh, tables.color.layout, tables.opacity ? &tables.opacity->layout : nullptr};
@@ -485,7 +488,7 @@ std::optional<FrameRows> LayerDrag::take_rows_of_solved() {
 
 Result<FramePatches> LayerDrag::frame(Context& context, const Curve& curve,
                                       const FrameOptions& options) {
-  // What is kept is charged to the Budget of the drag.
+  // Only a frame in the Budget of the drag may keep its tables.
   if (&context.budget == state_->budget) {
     Result<FramePatches> patches =
         no_throw([&] { return state_->frame(context, curve, true, options); });

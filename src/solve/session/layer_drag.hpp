@@ -15,46 +15,47 @@
 
 namespace sfumato::solve {
 
-/// Nodes of a frame keep the values that they had where the curve changes these for certain by no
-/// more than this share of the range of code values, and where it was, by half of that. 0: all
-/// nodes have their exact values, as colours have in other spaces, in which a small change may be
-/// one of many code values.
+/// A node keeps its value if inserting the curve certainly changes it by at most this share of the
+/// range of code values, or removing the curve by at most half of that. 0: all nodes get exact
+/// values. Colours in other spaces than sRGB always do: there a small change may be many code
+/// values.
 inline constexpr double kMostMissed = 0.02;
 
-/// How a frame is made.
+/// Options of a frame.
 struct FrameOptions {
-  /// Until when nodes are gathered that may wait: those that the curve touches do not. The others
-  /// keep the values that the last frame gave them, or that they have without the curve. It does
-  /// not count where what is seen ends within the layer, nor where the curve crosses what is shown.
+  /// The time after which nodes wait, except for nodes that the curve touches. Waiting nodes keep
+  /// the values of the last frame, or the values without the curve. No node waits where the region
+  /// that sees curves ends within the layer, or where the curve crosses the frame of the mesh.
   FrameTime time{};
-  bool wants_rows = false;        ///< LayerDrag::frame()
-  DiffuseStats* stats = nullptr;  ///< unless null: added to, what was gathered
+  bool wants_rows = false;        ///< see LayerDrag::frame()
+  DiffuseStats* stats = nullptr;  ///< unless null, is added to: the work of the frame
   std::optional<RoundWatch> watch{};
 };
 
-/// A curve of a layer that moves while all others stay: its layer solved without it, to which each
-/// frame adds it at another place: in copies of the layer's tables, in which only what the curve
-/// changes is made anew. A frame uses the copies of the one before, and first takes back what that
-/// changed. It depends on the layer and on the curve, not on the frames before it.
+/// A curve of a layer that moves while all other curves stay. begin() solves the layer without the
+/// curve. Each frame copies the layer's tables, inserts the curve at its new place, and computes
+/// only the parts that the curve changes. A frame reuses the copies of the last frame, after it has
+/// reverted the changes of that frame. A frame depends on the layer and the curve, not on
+/// earlier frames.
 ///
-/// Frames are for looking at while something moves. Their nodes have their exact values, but for
-/// kMostMissed; the mesh is that of the layer as it was, no finer where the curve is
-/// now than the angles ask; and the curve is drawn over all others.
+/// Frames are previews. Their nodes have exact values, except for kMostMissed. The mesh is that of
+/// the solved layer; at the curve's new place it is only as fine as the angles require. The curve
+/// is drawn over all others.
 ///
-/// Memory stays charged to the Budget of the Context that begin() was given, which must outlive
-/// this. Frames may have a Context of their own, which then costs them anew copies each time.
+/// Memory stays charged to the Budget of begin()'s Context, which must outlive this. Frames may use
+/// another Context, but each of them then makes its own copies.
 class LayerDrag {
  public:
-  /// Whether so much of the layer's mesh lies on the curve that a frame would take long, and that a
-  /// drag is to begin with roughly() given options and nothing `refined`. Errors: cancelled. Cost:
-  /// O(half-edges of the patch mesh).
+  /// Returns whether so much of the layer's mesh lies on the curve that a frame would take long. If
+  /// so, call begin() with the options that roughly() returns and an empty `refined`. Errors:
+  /// cancelled. Cost: O(half-edges of the patch mesh).
   static Result<bool> is_costly(const Context& context, const RefinedLayer& refined,
                                 std::uint32_t curve);
 
-  /// Takes the curve off the layer. `sight` is that of the layer, and not empty.
-  /// refined   what was kept of the layer as it is, solved for `sight` with `options`, in the
-  ///           context's Budget, for any number of drags; or nothing: the layer is solved first,
-  ///           on a mesh with room for a curve that is dragged beyond what is shown.
+  /// Removes the curve from the layer. `sight` is the sight of the layer, and not empty.
+  /// refined   the kept tables of the layer, solved for `sight` with `options` in the context's
+  ///           Budget; they serve any number of drags. Empty: the layer is solved first, on a
+  ///           mesh with room for a curve that is dragged beyond the picture
   /// Errors    limit, cancelled
   static Result<LayerDrag> begin(Context& context, const Document& document, std::uint32_t layer,
                                  std::uint32_t curve, const LayerSight& sight,
@@ -66,48 +67,47 @@ class LayerDrag {
   LayerDrag& operator=(LayerDrag&&) noexcept;
   ~LayerDrag();
 
-  /// Whether its mesh has that room.
+  /// Returns whether the mesh has room for the curve beyond the picture.
   bool has_room() const;
 
-  /// Whether one with_room() would help where frame() says bad_input.
+  /// Returns whether with_room() would help after frame() has returned bad_input.
   bool needs_room(const Curve& curve) const;
 
-  /// The same drag begun anew, with that room. Errors: limit, cancelled. Cost: that of the layer's
-  /// solution.
+  /// Begins the same drag again, with room beyond the picture. Errors: limit, cancelled. Cost: that
+  /// of solving the layer.
   Result<LayerDrag> with_room(Context& context) const;
 
-  /// The rows in which the patches of `refined` that begin() was given, as its layer was solved,
-  /// are not those of the layer without the curve, like a frame's; none: any may be another. Moved
-  /// out.
+  /// Returns the rows in which the solved patches of begin()'s `refined` differ from the layer
+  /// without the curve; none: any row may differ. Moves them out.
   std::optional<FrameRows> take_rows_of_solved();
 
-  /// The layer's patches with the curve as it is now.
-  /// options.wants_rows   the caller has the patches of an earlier frame, or those of
-  ///                      take_rows_of_solved(): where the result is not whole these become the
-  ///                      frame's by write(), before the next one
-  /// Errors  bad_input (it reaches farther beyond what is shown than the layer's mesh has room, or
-  ///         its sides ask for other fields than they did: solve the layer anew), limit, cancelled
+  /// Returns the layer's patches with the curve at its new place.
+  /// options.wants_rows   the caller has the patches of an earlier frame, or the solved patches of
+  ///                      take_rows_of_solved(). If the result is not whole, it must update them
+  ///                      with write() before the next frame
+  /// Errors  bad_input (the curve lies beyond the room of the layer's mesh, or its sides need other
+  ///         fields than before: solve the layer again), limit, cancelled
   Result<FramePatches> frame(Context& context, const Curve& curve,
                              const FrameOptions& options = {});
 
-  /// Gathers nodes that the last frame left, until options.time is over: those that it may change
-  /// most come first. Errors as for frame(); where it fails, and where it is not can_go_on(), the
-  /// frame is to be made anew.
+  /// Gathers waiting nodes of the last frame until options.time is over, first the nodes that the
+  /// curve may change most. Precondition: can_go_on(); otherwise, and after an error, call frame().
+  /// Errors: as frame().
   Result<FramePatches> go_on(Context& context, const FrameOptions& options);
 
-  /// Gives the tables of patches room for the last frame, which can_go_on(). They stay as they are.
-  /// Errors: limit (memory), cancelled.
+  /// Reserves room for the last frame in the tables of patches, whose content stays. Precondition:
+  /// can_go_on(). Errors: limit (memory), cancelled.
   Status make_room(const Context& context, PatchLayer& layer) const;
 
-  /// Makes patches the last frame, which can_go_on(). There is room in them.
-  /// frame   what frame() or go_on() returned, not whole; its soft edges are moved out
-  /// then    the rows of the patches as they are
+  /// Updates patches to the last frame. Preconditions: can_go_on(), and make_room() was called.
+  /// frame   the result of frame() or go_on(), not whole; its soft edges are moved out
+  /// then    the rows of the patches before this call
   void write(FramePatches& frame, const FrameRows& then, PatchLayer& layer) const;
 
-  /// Whether the tables of the last frame are there, and are of this Context's Budget.
+  /// Returns whether the tables of the last frame are kept, in the Budget of this Context.
   bool can_go_on(const Context& context) const;
 
-  /// Gives up the tables that the last frame left for the next. Returns whether there were any.
+  /// Releases the tables that the last frame left for the next. Returns whether there were any.
   bool forget_frame();
 
  private:

@@ -21,15 +21,15 @@ namespace {
 
 constexpr std::string_view kPurpose = "a film";
 
-/// The still mesh may have so many times the triangles that it began with.
+/// The most triangles of the still mesh, relative to State::pristine.
 constexpr double kMostGrowth = 1.5;
 
 constexpr std::uint32_t kNoSlot = UINT32_MAX;
 
-/// Which fields curves ask for.
+/// The fields that curves need.
 struct FieldKinds {
-  bool is_joint = false;     ///< as FlatLayer
-  bool has_opacity = false;  ///< any curve bears it
+  bool is_joint = false;     ///< as in FlatLayer
+  bool has_opacity = false;  ///< whether any curve has opacity
 
   friend bool operator==(const FieldKinds&, const FieldKinds&) = default;
 };
@@ -39,7 +39,7 @@ FieldKinds kinds_of(std::span<const Curve> curves) {
           std::ranges::any_of(curves, curves::bears_opacity)};
 }
 
-/// Puts polylines after others.
+/// Appends polylines to others.
 void append(const curves::FlatCurves& more, curves::FlatCurves& all) {
   const auto first = static_cast<std::uint32_t>(all.vertex.size());
   const std::uint32_t curve = all.curve_count();
@@ -56,14 +56,14 @@ void append(const curves::FlatCurves& more, curves::FlatCurves& all) {
 
 struct Meshes;
 
-/// Without the meshers, which charge what they hold.
+/// Returns the size without the meshers, which charge their own memory.
 std::size_t bytes_of(const Meshes& meshes);
 
-/// The meshes of a layer's curves: those that are there, and those that were taken out since.
+/// A layer's curves and their meshes. Curves that were removed stay in the lists.
 struct Meshes {
   curves::FlatCurves flat;
-  std::vector<Curve> curves;        ///< of the polylines
-  std::vector<std::uint32_t> slot;  ///< per curve of the layer: which of them it is, or kNoSlot
+  std::vector<Curve> curves;        ///< one per polyline
+  std::vector<std::uint32_t> slot;  ///< per curve of the layer: index into `curves`, or kNoSlot
   mesh::Mesher visibility;          ///< not refined
   mesh::Mesher patches;             ///< refined, unless no frame was solved yet
   ScopedCharge charge{};            ///< of the curves and polylines
@@ -92,7 +92,7 @@ Result<Meshes> Meshes::copy(const Context& context) const {
   return meshes;
 }
 
-/// Marks the segments of those of these curves of the layer that are there.
+/// Returns a mark per segment: 1 for these curves of the layer, as far as the meshes contain them.
 Result<std::vector<std::uint8_t>> Meshes::segments_of(const Context& context,
                                                       std::span<const std::uint32_t> which,
                                                       TableMemory& memory) const {
@@ -117,8 +117,8 @@ Status Meshes::take_out(const Context& context, std::span<const std::uint32_t> w
   return status ? patches.edit(context, flat, edit, true) : status;
 }
 
-/// Adds these curves of the layer, which are not there. Errors: bad_input (they reach too far),
-/// limit, cancelled.
+/// Inserts these curves of the layer, which the meshes lack. Errors: bad_input (they reach too
+/// far), limit, cancelled.
 Status Meshes::insert(Context& context, std::span<const std::uint32_t> which,
                       std::span<const Curve> layer, const curves::FlattenOptions& options) {
   std::vector<Curve> added;
@@ -136,8 +136,8 @@ Status Meshes::insert(Context& context, std::span<const std::uint32_t> which,
   return status ? patches.edit(context, flat, edit, true) : status;
 }
 
-/// Whether curves that lie on each other are drawn in the layer's order, although those that moved
-/// were inserted last.
+/// Returns whether curves that lie on each other are drawn in the layer's order, although the
+/// moving ones were inserted last.
 Result<bool> Meshes::is_in_order(const Context& context, const mesh::TriangleMesh& mesh) const {
   TableMemory memory(kPurpose);
   std::vector<std::uint32_t> rank;
@@ -154,7 +154,7 @@ Result<bool> Meshes::is_in_order(const Context& context, const mesh::TriangleMes
   return true;
 }
 
-/// Watches these segments, and no others.
+/// Makes the fields watch these segments, and no others.
 Status watch_all(const Context& context, const mesh::TriangleMesh& visibility,
                  std::span<const std::uint8_t> segments, PreparedFields& fields) {
   const auto watch_one = [&](gather::Gatherer& gatherer) {
@@ -165,11 +165,11 @@ Status watch_all(const Context& context, const mesh::TriangleMesh& visibility,
   return status && fields.opacity ? watch_one(fields.opacity->gatherer) : status;
 }
 
-/// The last frame's nodes, and the visibility mesh that its fields were made for.
+/// The nodes of the last frame, and the visibility mesh of its fields.
 struct LayerNodes {
   FilmNodes nodes;
   mesh::TriangleMesh visibility;
-  TableMemory memory;  ///< of that
+  TableMemory memory;  ///< of the mesh
 
   bool are_thinned() const {
     const PreparedFields& fields = nodes.fields;
@@ -200,7 +200,7 @@ struct LayerFilm::State {
   InterpolationSpace interpolation;
   FieldKinds kinds;
   LayerUnits units;
-  std::optional<Meshes> now;  ///< the last frame
+  std::optional<Meshes> now;  ///< the meshes of the last frame
 
  private:
   Status note_moves(const Context& context, std::span<const std::uint32_t> curves);
@@ -209,21 +209,21 @@ struct LayerFilm::State {
   Result<std::size_t> number_still(const Context& context);
   Result<PreparedFields> fields(Context& context, const mesh::TriangleMesh& visibility,
                                 std::span<const std::uint32_t> watched) const;
-  /// which   the curves that are not what they were in the last frame
+  /// which   the curves that changed since the last frame
   Result<std::optional<PatchLayer>> solve(Context& context, std::span<const std::uint32_t> which,
                                           DiffuseStats* stats);
 
-  std::optional<LayerNodes> last;      ///< of it, if they are known
-  std::optional<mesh::Mesher> before;  ///< its patch mesh, while the next is made
-  /// The meshes without the curves that ever moved, and the patch mesh as it was when they were
-  /// taken out last: what frames need finer is added to the other one.
+  std::optional<LayerNodes> last;      ///< the nodes of the last frame, if known
+  std::optional<mesh::Mesher> before;  ///< the last patch mesh, while the next frame is made
+  /// The meshes without the curves that ever moved. Missed triangles are refined in `still`.
+  /// `pristine` is its patch mesh from the last time that curves were removed.
   std::optional<Meshes> still;
   std::optional<mesh::Mesher> pristine;
-  std::vector<std::uint32_t> moved;  ///< those curves, ascending
-  std::size_t least_triangles = 0;   ///< of the pristine mesh
+  std::vector<std::uint32_t> moved;  ///< the curves that ever moved, ascending
+  std::size_t least_triangles = 0;   ///< number of triangles of `pristine`
 };
 
-/// Those that are not what they were in the last frame, ascending.
+/// Returns the curves that changed since the last frame, ascending.
 std::vector<std::uint32_t> LayerFilm::State::changed(std::span<const Curve> curves) const {
   std::vector<std::uint32_t> list;
   for (std::uint32_t i = 0; i < curves.size(); ++i) {
@@ -249,15 +249,15 @@ Status LayerFilm::State::begin(Context& context, const Layer& layer, DiffuseStat
   return ok_status();
 }
 
-/// Numbers the triangles of the still mesh, as kept_triangles() and refine_triangles() ask for, and
-/// returns how many there are.
+/// Numbers the triangles of the still mesh, as kept_triangles() and refine_triangles() require.
+/// Returns their number.
 Result<std::size_t> LayerFilm::State::number_still(const Context& context) {
   SFUMATO_TRY_ASSIGN(const mesh::TriangleMesh& mesh, still->patches.patch_mesh(context));
   const TableMemory memory = still->patches.release_extracted();
   return std::size_t{mesh.triangle_count()};
 }
 
-/// Takes curves off the meshes of those that never moved, if they have not moved before.
+/// Removes the curves that have not moved before from the still meshes.
 Status LayerFilm::State::note_moves(const Context& context, std::span<const std::uint32_t> curves) {
   std::vector<std::uint32_t> first;
   std::ranges::set_difference(curves, moved, std::back_inserter(first));
@@ -276,7 +276,7 @@ Status LayerFilm::State::note_moves(const Context& context, std::span<const std:
   return ok_status();
 }
 
-/// Keeps what the next frame, in which these curves change, asks of the last one.
+/// Keeps the data of the last frame that the next one needs, in which these curves change.
 Status LayerFilm::State::remember(const Context& context, std::span<const std::uint32_t> which) {
   if (!last || last->are_thinned()) return ok_status();
   TableMemory memory(kPurpose);
@@ -287,8 +287,8 @@ Status LayerFilm::State::remember(const Context& context, std::span<const std::u
   return ok_status();
 }
 
-/// Makes triangles of the still mesh finer for the next frames, which else would do so each by
-/// itself, or not. Where these have become too many it is as it was.
+/// Refines triangles of the still mesh for all later frames. Otherwise each frame would refine them
+/// separately, or not at all. Restores `pristine` if the triangles become too many.
 Status LayerFilm::State::refine_still(const Context& context,
                                       std::span<const std::uint32_t> missed) {
   if (missed.empty()) return ok_status();
@@ -316,7 +316,7 @@ Result<std::optional<PatchLayer>> LayerFilm::State::next(Context& context,
   return status ? solve(context, which, stats) : status;
 }
 
-/// The layer's fields, which watch curves of it.
+/// Prepares the layer's fields. They watch curves of the layer if the last frame's nodes are known.
 Result<PreparedFields> LayerFilm::State::fields(Context& context,
                                                 const mesh::TriangleMesh& visibility,
                                                 std::span<const std::uint32_t> watched) const {
@@ -334,7 +334,7 @@ Result<PreparedFields> LayerFilm::State::fields(Context& context,
   return fields;
 }
 
-/// None: curves do not lie on each other in the right order.
+/// Solves a frame. Returns none if curves lie on each other in the wrong order.
 Result<std::optional<PatchLayer>> LayerFilm::State::solve(Context& context,
                                                           std::span<const std::uint32_t> which,
                                                           DiffuseStats* stats) {

@@ -13,21 +13,20 @@
 
 namespace sfumato::solve {
 
-/// A layer through the frames of a film. Its mesh goes on from one frame to the next: only where
-/// curves move is it another. So where nothing moves nothing flickers.
+/// A layer through the frames of a film. Its mesh continues from one frame to the next, and changes
+/// only where curves move. Therefore nothing flickers where nothing moves.
 ///
-/// A frame is a copy of the meshes without the curves that ever moved, into which these are
-/// inserted where they are now. It holds the bound on the error: nodes are gathered that see what
-/// changed, the others keep the values of the frame before, and patches that miss are refined.
-/// Triangles that were there before anything was inserted are refined for all frames from then on,
-/// so that they do not come and go; until that has made them half as many again.
+/// A frame copies the still meshes, which lack the curves that ever moved, and inserts these curves
+/// at their new places. It holds the bound on the error: the nodes that see a change are gathered,
+/// the others keep their values, and patches that miss are refined. If such a patch is a triangle
+/// of the still mesh, the still mesh is refined there for all later frames, so that triangles do
+/// not come and go. Once these refinements have enlarged it by half, they are reverted.
 ///
-/// Memory stays charged to the Budget of the Context that begin() was given, which must outlive
-/// this.
+/// Memory stays charged to the Budget of begin()'s Context, which must outlive this.
 class LayerFilm {
  public:
-  /// Solves the first frame. `sight` is that of the layer, and not empty.
-  /// patches   out
+  /// Solves the first frame. `sight` is the sight of the layer, and not empty.
+  /// patches   out: the first frame
   /// Errors    limit, cancelled
   static Result<LayerFilm> begin(Context& context, const Document& document, std::uint32_t layer,
                                  const LayerSight& sight, const DiffuseOptions& options,
@@ -37,14 +36,14 @@ class LayerFilm {
   LayerFilm& operator=(LayerFilm&&) noexcept;
   ~LayerFilm();
 
-  /// Whether the layer of a document may be a frame of this film: it has as many curves, half of
-  /// which at least did not change, and is looked at in the same way.
+  /// Returns whether the layer of a document may be the next frame of this film: it has as many
+  /// curves, at least half of them unchanged, and its sight, artboard and interpolation are the
+  /// same.
   bool can_go_on(const Document& document, std::uint32_t layer, const LayerSight& sight) const;
 
-  /// Solves the next frame, which can_go_on(); none where the curves cannot be changed on this
-  /// mesh: they reach too far beyond what is shown, have other attributes, or lie on each other in
-  /// another order. The film is to be begun anew then, and after an error.
-  /// Errors: limit, cancelled.
+  /// Solves the next frame. Returns none if this mesh cannot take the curves: they reach too far
+  /// beyond the picture, need other fields, or lie on each other in another order. Begin a new film
+  /// then, and after an error. Precondition: can_go_on(). Errors: limit, cancelled.
   Result<std::optional<PatchLayer>> next(Context& context, const Document& document,
                                          std::uint32_t layer, DiffuseStats* stats);
 

@@ -14,14 +14,14 @@
 namespace sfumato::solve {
 namespace {
 
-/// The layer on its visibility mesh, with the response as a channel of a field.
+/// The fields of a layer, one of them with the response as a channel.
 struct Prepared {
   PreparedFields fields;
   Box frame;
   SmallestEdges smallest_edges;
 };
 
-/// Per segment: 1 for those of the curve.
+/// Returns a mark per segment: 1 for the segments of the curve.
 Result<std::vector<std::uint8_t>> segments_of(const Context& context,
                                               const curves::FlatCurves& flat, std::uint32_t curve,
                                               TableMemory& memory) {
@@ -32,7 +32,7 @@ Result<std::vector<std::uint8_t>> segments_of(const Context& context,
   return marks;
 }
 
-/// Colour and opacity apart: one field has no room for a response beside both.
+/// Samples colour and opacity as two fields: one field has no room for both and a response.
 Result<SampledFields> sample(const Context& context, const curves::FlatCurves& flat,
                              const Document& document, const StopPlace& place,
                              const DiffuseOptions& options, double fine_radius) {
@@ -78,7 +78,7 @@ Status solve_first(Context& context, const Document& document, std::uint32_t lay
   return make_limit_error("memory", "memory limit reached: a layer's nodes cannot be kept");
 }
 
-/// Takes the last base channel of the field apart.
+/// Moves the last base channel of the field into the response.
 Status split_factor(const Context& context, const curves::SegmentAttributes& attributes,
                     PatchField& field, LayerResponse& response) {
   SFUMATO_TRY_ASSIGN(auto&& split,

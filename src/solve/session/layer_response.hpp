@@ -15,28 +15,27 @@
 
 namespace sfumato::solve {
 
-/// A solved layer, and how it answers to the value of a stop. Where that value, in the space of
+/// A solved layer, and its response to the value of a stop. When that value, in the space of
 /// Document::interpolation, grows by d, the node values of the attribute's field grow by d times
-/// `factor`, and nothing else changes: colours blend linearly at nodes, blurred or not, and what
-/// paints the sides bear and how opaque the layer is does not depend on them.
+/// `factor`. Nothing else changes: values blend linearly at nodes, blurred or not, and the weights
+/// of paints and the other attribute do not depend on them.
 ///
-/// The layer has the values that the document says, on the triangles of its solution; it may have
-/// more nodes at corners, where colours that were equal may come to differ, and triangles that are
-/// invisible yet.
+/// The layer has the values of the document, on the triangles of its solution. It may have more
+/// nodes at corners, where equal colours may later differ, and triangles that are still invisible.
 struct LayerResponse {
   PatchLayer layer;
   std::vector<float> factor;                      ///< per node of the attribute's field, 0 to 1
   TableMemory memory{"the response of a layer"};  ///< of `factor`
 };
 
-/// Finds that of a layer.
+/// Computes the response of a layer.
 ///
-/// place    is there (curves::has_stop); its layer is the one
-/// sight    that of the layer, not empty
-/// refined  what was kept of the layer, solved for `sight` with `options`, in the context's Budget;
-///          it is used and given back, also on failure. Nothing: the layer is solved first, exactly
-///          also where the options ask for rays, and what is kept of it is put there
-/// stats    unless null, is added to: what was gathered
+/// place    an existing stop (curves::has_stop) of the layer
+/// sight    of the layer, not empty
+/// refined  the kept tables of the layer, solved for `sight` with `options`, in the context's
+///          Budget; they stay valid, also after an error. Empty: the layer is solved
+///          first, exactly even if the options ask for rays, and its tables are put here
+/// stats    unless null, is added to: the work of this call
 /// Errors   limit, cancelled
 /// Cost     that of meshing the layer, and a gather of the nodes that see the curve
 Result<LayerResponse> respond(Context& context, const Document& document, const StopPlace& place,

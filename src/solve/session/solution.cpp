@@ -22,7 +22,7 @@ namespace {
 using solve::LayerSight;
 using solve::LayerTask;
 
-/// The layer that a change to a curve touches; none of other changes.
+/// Returns the layer whose curve a change edits; none for other changes.
 std::optional<std::uint32_t> layer_of(const Change& change) {
   if (const auto* replace = std::get_if<ReplaceCurve>(&change)) return replace->layer;
   if (const auto* insert = std::get_if<InsertCurve>(&change)) return insert->layer;
@@ -30,7 +30,7 @@ std::optional<std::uint32_t> layer_of(const Change& change) {
   return {};
 }
 
-/// Of a frame; none: no limit.
+/// Checks the time for a frame; none: no limit.
 Status check_seconds(std::optional<double> seconds) {
   if (!seconds || *seconds >= 0) return ok_status();
   return make_error(StatusCode::bad_input, "the time for a frame must be at least 0 seconds");
@@ -45,7 +45,7 @@ std::size_t Solution::State::bytes() const {
   return bytes;
 }
 
-/// After a change with this inverse.
+/// Updates document_bytes after a change with this inverse.
 void Solution::State::count_bytes(const Change& inverse) {
   if (const auto* replaced = std::get_if<ReplaceCurve>(&inverse)) {
     document_bytes += bytes_of(document.layers[replaced->layer].curves[replaced->curve]);
@@ -55,7 +55,7 @@ void Solution::State::count_bytes(const Change& inverse) {
   }
 }
 
-/// Whatever may fail comes before the state of the layers follows.
+/// Applies a change. All steps that may fail precede the update of the layers' states.
 Result<Change> Solution::State::apply(Context& context, Change change) {
   const SpareRelease release(*this);
   SFUMATO_TRY(hold(context, change));
@@ -73,8 +73,7 @@ Result<Change> Solution::State::apply(Context& context, Change change) {
   return inverse;
 }
 
-/// For a curve that is inserted, if the layer is there: the list of curves does not grow
-/// afterwards.
+/// Reserves room in the list of curves for a curve to be inserted, if the layer exists.
 Status Solution::State::make_room(const Context& context, const InsertCurve& insert) {
   if (insert.layer >= document.layers.size()) return ok_status();
   std::vector<Curve>& curves = document.layers[insert.layer].curves;
@@ -100,7 +99,7 @@ void Solution::State::follow(const Change& inverse, std::vector<LayerState> next
   }
 }
 
-/// Layers whose curves are the same in the new document stay solved.
+/// Updates the layers after a new document. Layers with the same curves stay solved.
 void Solution::State::carry_over(const Document& old, std::vector<LayerState> next) {
   frame_changed = true;
   const bool is_alike =
@@ -110,12 +109,13 @@ void Solution::State::carry_over(const Document& old, std::vector<LayerState> ne
   }
   if (next.size() != layers.size()) films.clear();
   layers = std::move(next);
-  // By their places: where layers came or went, others may be kept for drags until the next one.
+  // By index: if layers were added or removed, tables of other layers may be kept until the next
+  // drag.
   last_drag.resize(layers.size());
 }
 
-/// Among the layers that are solved: at the same place from the front, from the back, or with the
-/// same id.
+/// Returns a solved layer of the old document with the same curves: at the same index from the
+/// front or from the back, or with the same id.
 std::optional<std::size_t> Solution::State::find_same(const Document& old,
                                                       std::size_t index) const {
   const Layer& layer = document.layers[index];
@@ -172,7 +172,8 @@ Status Solution::State::solve(Context& context, const DiffuseOptions& wanted, So
   return run_with_all_memory([&](bool) { return assemble(context, viewport); });
 }
 
-/// Those that are not solved, and keeps what was finished; with `keeps` also what drags begin from.
+/// Solves the layers that are not solved, and keeps the finished ones. With `keeps`, also keeps the
+/// tables that drags start from.
 Status Solution::State::solve_layers(Context& context, const Box& viewport, SolveGoal goal,
                                      DiffuseStats* stats, bool keeps) {
   Result<std::vector<LayerTask>> to_solve = tasks(context, viewport, goal);
@@ -187,12 +188,12 @@ Status Solution::State::solve_layers(Context& context, const Box& viewport, Solv
   return status ? kept : status;
 }
 
-/// Of a layer that is solved.
+/// Returns the patches of a solved layer.
 const PatchLayer& Solution::State::patches_of(const LayerState& layer) const {
   return layer.fresh ? *layer.fresh : picture.layers[*layer.in_picture];
 }
 
-/// Solves an exact layer of the picture once more, for what drags begin from.
+/// Solves an exact layer of the picture again, for the tables that drags start from.
 Status Solution::State::refine(Context& context, std::uint32_t layer) {
   const solve::LayerTask task{layer, layers[layer].sight, last_drag[layer]};
   const auto run = [&](bool keeps) {
@@ -207,7 +208,7 @@ Status Solution::State::refine(Context& context, std::uint32_t layer) {
   return status;
 }
 
-/// The last one. Where there is one layer, it is the one to be dragged in.
+/// Returns the number of the layer's last drag. A single layer counts as dragged.
 std::uint64_t Solution::State::drag_of(std::uint32_t layer) const {
   const std::uint64_t least = layers.size() == 1 ? 1 : 0;
   return std::max(last_drag[layer], least);
@@ -218,7 +219,7 @@ void Solution::State::note_drag(std::uint32_t layer) {
   last_drag[layer] = ++drag_count;
 }
 
-/// What is kept for drags of more layers than are to be.
+/// Releases the tables kept for drags, of the layers beyond `most_kept`.
 void Solution::State::give_up_beyond() {
   std::vector<solve::KeptLayer> kept;
   for (std::uint32_t i = 0; i < layers.size(); ++i) {
@@ -231,7 +232,7 @@ void Solution::State::give_up_beyond() {
     layers[i].refined.reset();
 }
 
-/// What is kept for drags, or for next frames. Returns whether there was any.
+/// Releases the tables kept for drags or next frames. Returns whether there were any.
 bool Solution::State::drop_refined() {
   bool any = drag && drag->forget_frames();
   for (std::optional<solve::LayerFilm>& film : films) {
@@ -245,7 +246,7 @@ bool Solution::State::drop_refined() {
   return any;
 }
 
-/// Nothing that was solved with other options counts.
+/// Forgets the layers that were solved with other options.
 void Solution::State::forget(const DiffuseOptions& wanted) {
   for (LayerState& layer : layers) layer = {};
   films.clear();
@@ -254,7 +255,7 @@ void Solution::State::forget(const DiffuseOptions& wanted) {
   release_spare();
 }
 
-/// What was finished, although other layers may have failed.
+/// Keeps the finished layers, although others may have failed.
 Status Solution::State::keep(const Context& context, std::span<LayerTask> tasks, SolveGoal goal,
                              solve::LayerRuns& runs) {
   for (std::uint32_t i = 0; i < tasks.size(); ++i) {
@@ -267,7 +268,7 @@ Status Solution::State::keep(const Context& context, std::span<LayerTask> tasks,
   return ok_status();
 }
 
-/// The delta as it will be once the picture has the layers that are fresh.
+/// Returns the delta for a picture with the fresh layers.
 PictureDelta Solution::State::delta_with_news() const {
   PictureDelta result{delta.frame || frame_changed, {}, delta.rows};
   std::erase_if(result.rows, [&](const LayerRows& rows) {
@@ -282,7 +283,8 @@ PictureDelta Solution::State::delta_with_news() const {
   return result;
 }
 
-/// All that may fail comes first: the last picture stays whole until the next one is.
+/// Puts the layers into the picture. All steps that may fail come first, so that the last picture
+/// stays complete.
 Status Solution::State::assemble(Context& context, const Box& viewport) {
   std::optional<Picture> frame;
   if (frame_changed) {

@@ -6,7 +6,7 @@
 #include "solve/layers/rough.hpp"
 #include "solve/session/solution_state.hpp"
 
-/// Solution while curves are dragged and colours change.
+/// The part of Solution that drags curves and changes colours.
 namespace sfumato {
 namespace {
 
@@ -16,7 +16,7 @@ Status no_curve() {
 
 }  // namespace
 
-/// Pictures for a pixel grid keep nothing that drags begin from.
+/// Checks that the picture is not for a pixel grid: such a picture keeps no tables for drags.
 Status Solution::State::check_is_editable() const {
   if (!options->pixel_grid) return ok_status();
   return make_error(StatusCode::bad_input,
@@ -65,12 +65,12 @@ Status Solution::State::begin_engine(Context& context, Drag& begun) {
   return engine.status();
 }
 
-/// With which it is solved.
+/// Returns the options with which the layer was solved.
 DiffuseOptions Solution::State::options_of(const LayerState& layer) const {
   return layer.is_rough ? solve::roughly(*options) : *options;
 }
 
-/// What fails leaves the curve and its layer as they were.
+/// Replaces the dragged curve, and makes a frame. Errors leave the curve and its layer unchanged.
 Status Solution::State::drag_to(Context& context, Curve curve, const solve::FrameTime& time,
                                 DiffuseStats* stats) {
   if (!drag) return no_curve();
@@ -90,7 +90,7 @@ Status Solution::State::drag_to(Context& context, Curve curve, const solve::Fram
     if (!layer.is_solved()) layer = shown_roughly(std::move(before.sight), drag->layer);
     return status;
   }
-  drag->forget_frames();  // one may be of the new curve
+  drag->forget_frames();  // one of them may have the new curve
   layer = std::move(before);
   std::swap(document.layers[drag->layer].curves[drag->curve],
             std::get<ReplaceCurve>(inverse).value);
@@ -98,7 +98,7 @@ Status Solution::State::drag_to(Context& context, Curve curve, const solve::Fram
   return status;
 }
 
-/// Nodes that the last frame left.
+/// Gathers nodes that the last frame left.
 Status Solution::State::drag_more(Context& context, const solve::FrameTime& time,
                                   DiffuseStats* stats) {
   if (!drag) return no_curve();
@@ -107,7 +107,7 @@ Status Solution::State::drag_more(Context& context, const solve::FrameTime& time
   return no_throw([&] { return show_more(context, {.time = time, .stats = stats}); });
 }
 
-/// Where the frame's tables are no more, it is made anew.
+/// Continues the last frame. Makes it again if its tables were released.
 Status Solution::State::show_more(Context& context, const solve::FrameOptions& how) {
   solve::LayerDrag* const maker = drag->shown_by;
   const Curve& curve = document.layers[drag->layer].curves[drag->curve];
@@ -119,12 +119,13 @@ Status Solution::State::show_more(Context& context, const solve::FrameOptions& h
   return frame ? show_frame(context, maker, std::move(*frame), how) : frame.status();
 }
 
-/// Whether the picture's layer can be made an engine's next frame, row by row.
+/// Returns whether the picture's layer can be updated to an engine's next frame row by row.
 bool Solution::State::wants_rows(const solve::LayerDrag* maker) const {
   return drag->shown && drag->shown_by == maker;
 }
 
-/// maker   out: the engine that made it
+/// Makes a frame.
+/// maker   out: the engine that made the frame
 Status Solution::State::make_frame(Context& context, const Curve& curve,
                                    const solve::FrameOptions& how, solve::FramePatches& patches,
                                    solve::LayerDrag*& maker) {
@@ -144,7 +145,8 @@ Status Solution::State::make_frame(Context& context, const Curve& curve,
   return drag->roomy ? draw(*drag->roomy) : status;
 }
 
-/// For a drag beyond the picture, if that is charged to the same Budget and memory is not lacking.
+/// Begins the engine with room beyond the picture, if this Context has the drag's Budget and memory
+/// suffices.
 Status Solution::State::begin_roomy(Context& context) {
   if (drag->roomy || !drag->may_have_room || &context.budget != drag->budget) return ok_status();
   Status status = run_with_all_memory([&](bool) {
@@ -156,7 +158,7 @@ Status Solution::State::begin_roomy(Context& context) {
   return drag->may_have_room ? status : ok_status();
 }
 
-/// The picture with the curve that is dragged, which the document has already.
+/// Shows the dragged curve in the picture. The document already has it.
 Status Solution::State::show(Context& context, const Curve& curve, const solve::FrameOptions& how) {
   solve::FramePatches frame;
   solve::LayerDrag* maker = nullptr;
@@ -167,7 +169,7 @@ Status Solution::State::show(Context& context, const Curve& curve, const solve::
   return status ? show_frame(context, maker, std::move(frame), how) : status;
 }
 
-/// For the last frame of `maker`, in the picture's layer, unless that was given up.
+/// Reserves room in the picture's layer for the last frame of `maker`, unless that was released.
 Status Solution::State::make_room(Context& context, const solve::LayerDrag& maker) {
   PatchLayer& layer = picture.layers[drag->layer];
   const std::size_t known = bytes_of(layer);
@@ -177,14 +179,15 @@ Status Solution::State::make_room(Context& context, const solve::LayerDrag& make
   return status ? hold_more(context, layer, known) : status;
 }
 
-/// All that may fail comes first. A frame whose tables were given up meanwhile is made anew.
+/// Puts a frame into the picture. All steps that may fail come first. Makes the frame again if its
+/// tables were released meanwhile.
 Status Solution::State::show_frame(Context& context, solve::LayerDrag* maker,
                                    solve::FramePatches frame, const solve::FrameOptions& how) {
   SFUMATO_TRY(hold(context, frame.layer));
   if (!frame.is_whole) SFUMATO_TRY(make_room(context, *maker));
   std::optional<LayerRows> news;
   if (drag->shown && frame.rows && drag->shown_by == maker) {
-    // In the news, and twice while the delta takes these up.
+    // One copy is for `news`, and two for the delta while it is updated.
     for (int copies = 0; copies < 3; ++copies) {
       SFUMATO_TRY(hold(context, *drag->shown));
       SFUMATO_TRY(hold(context, *frame.rows));
@@ -234,8 +237,8 @@ Status Solution::State::begin_color(Context& context, const StopPlace& place) {
   });
 }
 
-/// The first frame brings a layer with tables of its own: that of the solution counts on for as
-/// long as the document is the one that was solved.
+/// Sets the value of the prepared stop. The first frame puts a layer with its own tables into the
+/// picture. The solved layer stays valid while the curve is unchanged.
 Status Solution::State::color_to(Context& context, const StopValue& value) {
   if (!coloring) return make_error(StatusCode::bad_input, "no stop is prepared to be changed");
   const SpareRelease release(*this);

@@ -3,13 +3,13 @@
 #include "base/try.hpp"
 #include "solve/session/solution_state.hpp"
 
-/// Solution while it makes the frames of a film.
+/// The part of Solution that makes frames of films.
 namespace sfumato {
 
-/// Of a layer that is seen: by its film, or by a new one.
+/// Makes the next frame of a visible layer: continues its film, or begins a new one.
 Result<PatchLayer> Solution::State::solve_frame(Context& context, const solve::LayerTask& task,
                                                 DiffuseStats* stats, FrameLayers& counts) {
-  // What takes part in this frame is not among what lack of memory drops.
+  // Lack of memory releases the films in `films`; this film must stay during the frame.
   std::optional<solve::LayerFilm> film = std::exchange(films[task.layer], std::nullopt);
   if (film && film->can_go_on(document, task.layer, task.sight)) {
     SFUMATO_TRY_ASSIGN(auto&& next, film->next(context, document, task.layer, stats));
@@ -41,7 +41,8 @@ Status Solution::State::solve_film(Context& context, const solve::LayerTask& tas
   return ok_status();
 }
 
-/// Layers for whose films there is no memory are solved as by solve().
+/// Makes the next frame of all layers. Solves them as solve() does if films lack memory, or if this
+/// Context has another Budget.
 Status Solution::State::solve_films(Context& context, const Box& viewport, DiffuseStats* stats,
                                     FrameLayers& counts) {
   SFUMATO_TRY_ASSIGN(auto&& to_solve, tasks(context, viewport, SolveGoal::next));

@@ -21,10 +21,10 @@
 
 namespace sfumato {
 
-/// What a Solution holds. solution.cpp solves layers; solution_drag.cpp drags curves and changes
-/// colours; solution_film.cpp makes frames of films.
+/// The state of a Solution. solution.cpp solves layers, solution_drag.cpp drags curves and changes
+/// colours, and solution_film.cpp makes frames of films.
 struct Solution::State {
-  /// What layers are to be that are not solved.
+  /// The kind of solution to compute for layers that are not solved.
   enum class SolveGoal : std::uint8_t { exact, rough, next };
 
   using Drag = solve::DraggedCurve;
@@ -32,20 +32,20 @@ struct Solution::State {
   static constexpr std::string_view kPurpose = "the solution of a document";
   static constexpr std::size_t kAllTriangles = std::numeric_limits<std::size_t>::max();
 
-  /// What is known of one of the document's layers.
+  /// The state of a layer of the document.
   struct LayerState {
-    solve::LayerSight sight{};                     ///< that its patches were solved for
-    std::optional<std::uint32_t> in_picture{};     ///< the picture's layer that has them
-    std::optional<PatchLayer> fresh{};             ///< or they, where no picture has them yet
-    std::optional<solve::RefinedLayer> refined{};  ///< for drags, if memory allows
-    /// They show the curves as they are now, and are not those of diffuse().
+    solve::LayerSight sight{};                     ///< the sight that its patches were solved for
+    std::optional<std::uint32_t> in_picture{};     ///< the picture's layer with the patches
+    std::optional<PatchLayer> fresh{};             ///< the patches, if no picture has them yet
+    std::optional<solve::RefinedLayer> refined{};  ///< tables for drags, if memory allows
+    /// Whether the patches show the present curves, but are not the ones that diffuse() makes.
     bool is_rough = false;
 
     bool is_solved() const { return in_picture || fresh; }
     bool is_exact() const { return is_solved() && !is_rough; }
   };
 
-  /// A layer of the picture that a frame has made.
+  /// Returns the state of a layer whose patches in the picture come from a frame.
   static LayerState shown_roughly(solve::LayerSight sight, std::uint32_t layer) {
     return {std::move(sight), layer, std::nullopt, std::nullopt, true};
   }
@@ -58,10 +58,10 @@ struct Solution::State {
         budget(&context.budget),
         held(context.budget) {}
 
-  /// Comes first: charges the document.
+  /// Charges the document. Call first.
   Status start(const Context& context) { return hold(context, document); }
   Result<Change> apply(Context& context, Change change);
-  /// counts   of SolveGoal::next: added to, or null
+  /// counts   for SolveGoal::next, unless null: is added to
   Status solve(Context& context, const DiffuseOptions& wanted, SolveGoal goal, DiffuseStats* stats,
                FrameLayers* counts = nullptr);
   Status check_is_editable() const;
@@ -80,14 +80,15 @@ struct Solution::State {
   std::size_t document_bytes;  ///< bytes_of(document)
   Picture picture;
   PictureDelta delta;
-  std::optional<Drag> drag;  ///< there is at most one of this and `coloring`
+  std::optional<Drag> drag;  ///< at most one of this and `coloring` exists
   std::optional<solve::ColorDrag> coloring;
-  /// solve() keeps what they begin from, for layers of so many triangles.
+  /// solve() keeps the tables that drags start from, for layers of at most this many triangles in
+  /// all; none: it keeps no tables.
   std::optional<std::size_t> most_kept{};
 
  private:
-  /// At the end of its scope no more is charged than is held. While it lives, what was charged for
-  /// something that then failed may still be.
+  /// Releases, at the end of its scope, charges for memory that is not held, as after a step that
+  /// failed.
   class SpareRelease {
    public:
     explicit SpareRelease(State& state) : state_(state) {}
@@ -140,13 +141,13 @@ struct Solution::State {
   std::size_t bytes() const;
   void count_bytes(const Change& inverse);
 
-  /// Charges what is about to be held.
+  /// Charges an object that the state is about to hold.
   template <class Thing>
   Status hold(const Context& context, const Thing& thing) {
     return hold_more(context, thing, 0);
   }
 
-  /// The same where `known` bytes of it are charged already.
+  /// Charges an object, except for `known` bytes, which are charged already.
   template <class Thing>
   Status hold_more(const Context& context, const Thing& thing, std::size_t known) {
     const std::size_t before = std::min(bytes_of(thing), known);
@@ -163,19 +164,20 @@ struct Solution::State {
   }
 
   std::vector<LayerState> layers;
-  std::vector<std::optional<solve::LayerFilm>> films;  ///< of layers, by their places; or none
-  std::vector<std::uint64_t> last_drag;                ///< of each layer: KeptLayer
+  std::vector<std::optional<solve::LayerFilm>> films;  ///< per layer, or empty
+  std::vector<std::uint64_t> last_drag;                ///< per layer: KeptLayer::last_drag
   std::uint64_t drag_count = 0;
-  std::optional<DiffuseOptions> options;  ///< that the layers were solved with
+  std::optional<DiffuseOptions> options;  ///< the options that the layers were solved with
   bool frame_changed = true;              ///< since the picture was made
-  const Budget* budget;                   ///< of `held`, and of what is kept for drags
+  const Budget* budget;                   ///< of `held`, and of tables kept for drags
   ScopedCharge held;
   std::size_t charged = 0;
 
   friend class Solution;
 };
 
-/// work(keeps), and once more without what is kept for drags if it lacks memory.
+/// Calls work(keeps). If it lacks memory, releases the tables kept for drags and films, and calls
+/// work(false).
 template <class Work>
 Status Solution::State::run_with_all_memory(const Work& work, bool keeps) {
   Status status = no_throw([&] { return work(keeps); });

@@ -1,9 +1,9 @@
-// Steps of undo: patches, with what was selected before and after.
+// Steps of undo: patches, with the selection before and after each.
 import { signal, type ReadonlySignal } from "@preact/signals";
 import { inverse, type Patch } from "../source/patch.js";
 import type { Part } from "../model/types.js";
 
-/** What was selected, by places in the text of that time. */
+/** A selection, by places in the text of that time. */
 export type Places = readonly { readonly at: number; readonly part: Part }[];
 
 export interface Step {
@@ -11,29 +11,29 @@ export interface Step {
   readonly patch: Patch;
   readonly before: Places;
   readonly after: Places;
-  /** Steps of one number are undone together. */
+  /** Steps with the same number are undone together. */
   readonly group: number;
 }
 
-/** As autosave keeps it. */
+/** The history, as autosave stores it. */
 export interface HistoryLog {
   readonly done: readonly Step[];
   readonly undone: readonly Step[];
 }
 
-/** Characters of all patches; the oldest steps go first. */
+/** The most characters of all patches. The oldest steps are dropped first. */
 const MOST_CHARACTERS = 20e6;
-/** Within this a step of the same kind joins the last one, milliseconds. */
+/** A step of the same kind joins the last one within this time, milliseconds. */
 const MERGE_TIME = 800;
 
 function sizeOf({ patch }: Step): number {
   return patch.reduce((sum, edit) => sum + edit.removed.length + edit.inserted.length, 200);
 }
 
-/** Parts of a text hold the whole of it in memory: copies do not. */
+/** Returns a copy. A substring would keep the whole text in memory. */
 const detached = (patch: Patch): Patch => JSON.parse(JSON.stringify(patch)) as Patch;
 
-/** A list that knows its size. */
+/** A list of steps that keeps count of its size. */
 class Steps {
   #size: number;
 
@@ -50,7 +50,7 @@ class Steps {
     this.#size += sizeOf(step);
   }
 
-  /** Removes the last group of steps. @returns them, the last one first */
+  /** Removes the last group of steps. @returns the steps, the last one first */
   takeGroup(): Step[] {
     const group = this.last?.group;
     const steps: Step[] = [];
@@ -80,7 +80,7 @@ export class History {
     return this.#redoLabel;
   }
 
-  /** @param merge steps with the same key, one soon after the other, are one; "" never */
+  /** @param merge a step soon after one with the same key joins it; "" never joins */
   push(step: Omit<Step, "group">, merge = "", now = performance.now()): void {
     const isMerged =
       merge !== "" && this.#merge?.key === merge && now - this.#merge.time < MERGE_TIME;
@@ -92,7 +92,7 @@ export class History {
     this.#show();
   }
 
-  /** Patches that lead back, in the order in which they apply; empty where there are none. */
+  /** Undoes the last group. @returns the patches to apply, in order; empty if there is no step */
   undo(): readonly { readonly patch: Patch; readonly select: Places }[] {
     const steps = this.#take(this.#done, this.#undone);
     return steps.map((step) => ({ patch: inverse(step.patch), select: step.before }));
@@ -116,7 +116,7 @@ export class History {
     return { done: [...this.#done.list], undone: [...this.#undone.list] };
   }
 
-  /** Takes the place of all that was done. */
+  /** Replaces the whole history. */
   restore({ done, undone }: HistoryLog): void {
     this.#done = new Steps([...done]);
     this.#undone = new Steps([...undone]);

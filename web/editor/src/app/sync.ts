@@ -1,12 +1,12 @@
-// Tells the engine what changed: points and stops of single curves by themselves, all else as text.
+// Describes changes for the engine: points and stops of single curves as numbers, all else as text.
 import { determinant, lengthScale, mapped } from "../geometry/affine.js";
 import { parameterAtSegment } from "../geometry/length.js";
 import type { EngineCurve, QuickChange } from "../engine/types.js";
 import type { Change, CurveItem, Drawing, Handle, Side, SideValue } from "../model/types.js";
 
-/** Attributes that say where a shape is. */
+/** Attributes that define the geometry of a shape. */
 const SHAPE = new Set(["d", "x", "y", "width", "height", "rx", "ry", "cx", "cy", "r", "points", "x1", "y1", "x2", "y2"]);
-/** Those of stops, with the engine's numbers of side and attribute. */
+/** Attributes that hold stops, with the sides and values that they set. */
 const STOPS: Readonly<Record<string, readonly (readonly [Side, "color" | "opacity" | "blur"])[]>> = {
   left: [["left", "color"]],
   right: [["right", "color"]],
@@ -20,10 +20,10 @@ const STOPS: Readonly<Record<string, readonly (readonly [Side, "color" | "opacit
 const SIDES = { left: 0, right: 1 } as const;
 const ATTRIBUTES = { color: 0, opacity: 1, blur: 2 } as const;
 
-/** The engine's curves of an element, as the last text it read had them. */
+/** Returns the engine's curves of an element, as in the last text that the engine has read. */
 export type CurvesOf = (handle: Handle) => readonly EngineCurve[];
 
-/** The change in numbers, or undefined where it takes the text. */
+/** Returns the change as numbers, or undefined if the engine needs the text. */
 export function quickChanges(
   drawing: Drawing,
   change: Change,
@@ -46,7 +46,7 @@ function ofCurve(
   names: ReadonlySet<string>,
   known: readonly EngineCurve[],
 ): QuickChange[] | null {
-  // Both are in the order of the text. Copies within its layer have transforms of their own.
+  // Both lists are in the order of the text. Copies within the layer have their own transforms.
   const isPlain = known.length === item.paths.length && known.length > 0;
   // A transform that mirrors exchanges the sides.
   if (!isPlain || determinant(item.layerFromItem) <= 0) return null;

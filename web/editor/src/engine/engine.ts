@@ -1,7 +1,7 @@
-// The engine on the page's side. The front worker follows the hand, and solves exactly what rests
-// where that is little; a back one solves the rest, and then takes the front one's place, so that the
-// next movement begins there. It stays only where it is going to be needed again: two of them hold
-// twice the memory.
+// The engine on the page's side. The front worker makes frames while something moves, and the exact
+// picture if little is left to solve. Otherwise a back worker makes the exact picture, and then
+// exchanges roles with the front worker, so that the next movement begins from it. The back worker is
+// kept only if it will be needed again: two workers take twice the memory.
 import type { ExactLayer } from "../../../viewer/exact_fields.js";
 import type { Box } from "../geometry/affine.js";
 import { detailFor, type Detail } from "./detail.js";
@@ -25,20 +25,20 @@ import type {
   RasterWish,
 } from "./types.js";
 
-/** A frame's share for the gather, seconds. */
+/** The time for gathering in a frame, seconds. */
 const FRAME_SECONDS = 0.004;
-/** How long the view must rest before finer chords are, milliseconds. */
+/** How long the view must rest before the chords are refined, milliseconds. */
 const VIEW_REST = 400;
-/** How long a seat that has looked for hints stays for the next look: it is long to start, milliseconds. */
+/** How long a back worker stays after lint(), because its start takes long, milliseconds. */
 const SPARE = 4000;
-/** Frames that go on with what waits, one after another. */
+/** The most consecutive frames that gather waiting nodes. */
 const MOST_ROUNDS = 120;
-/** Triangles that the front seat solves exactly itself: a hand that goes on waits for it. */
+/** The most triangles that the front worker solves exactly: a drag that goes on waits meanwhile. */
 const MOST_IN_FRONT = 20_000;
-/** The same while a hand only holds still. */
+/** The same while a drag pauses. */
 const MOST_HELD = 3_000;
 
-/** The text that is to be seen. */
+/** The text to show. */
 interface Wanted {
   readonly text: string;
   readonly moving: boolean;
@@ -54,16 +54,16 @@ export class WorkerEngine implements Engine {
   #front: Seat;
   #back: Seat | null = null;
   #wanted: Wanted = { text: "", moving: false, serial: -1 };
-  /** What the front seat's document lacks of the wanted text. */
+  /** Changes that bring the front worker's document up to the wanted text. */
   #pending = new Pending();
-  /** Stamps of what the page shows, and the text that it is of. */
+  /** Stamps of the tables that the page shows, and the serial of their text. */
   #shown: readonly string[] = [];
   #shownStack = "";
   #shownSerial = -1;
-  /** The text, and the options, of the exact picture that is shown. */
+  /** Serial of the text and options of the last exact picture that was shown. */
   #exactSerial = -1;
   #exactOptions: SolveOptions | null = null;
-  /** The last text that cannot be read. */
+  /** Serial of the last text that failed. */
   #badSerial = -1;
   #detail: Detail | null = null;
   #images: GivenImage[] = [];
@@ -73,11 +73,11 @@ export class WorkerEngine implements Engine {
   #isExactReady = false;
   #timer = 0;
   #dismissal = 0;
-  /** As the front seat's last answer had it. */
+  /** Solved.unsettled of the last picture. */
   #unsettled = Infinity;
-  /** As the last exact picture had it. */
+  /** Solved.largest of the last exact picture. */
   #largest = Infinity;
-  /** Told of each picture. */
+  /** Called for each picture. */
   #onShown: () => void = () => {};
   readonly #rest = new Rest();
   readonly #expected = new Expected(
@@ -110,14 +110,14 @@ export class WorkerEngine implements Engine {
     return this.#images;
   }
 
-  /** Pixels of images that texts name from now on. */
+  /** Adds images that later texts may name. */
   addImages(images: readonly GivenImage[]): void {
     this.#images.push(...images);
   }
 
   show(text: string, moving: boolean, quick?: readonly QuickChange[]): number {
     this.#pending.add(quick);
-    // Its number may be another's now.
+    // The number of the expected curve may now belong to another curve.
     if (!quick) this.#expected.set(null);
     this.#wanted = { text, moving, serial: this.#wanted.serial + 1 };
     this.onStatus({ kind: "refining", milliseconds: 0 });
@@ -169,7 +169,7 @@ export class WorkerEngine implements Engine {
     const options = this.#exactOptions ?? this.#options;
     let solved = await this.#solve(seat, way, options);
     this.#publish(solved, wanted, false);
-    // While nothing new is wanted: what the frame had no time for.
+    // Gathers the waiting nodes while no new text is wanted.
     const isLast = () => this.#wanted === wanted && !this.#isExactReady;
     for (let i = 0; i < MOST_ROUNDS && solved.waiting > 0 && isLast(); ++i) {
       solved = await this.#solve(seat, way, options);
@@ -210,7 +210,7 @@ export class WorkerEngine implements Engine {
     this.onStatus({ kind, milliseconds: solved.milliseconds });
   }
 
-  // What rests.
+  // Exact pictures: once the text rests.
 
   #settleAfter(milliseconds: number) {
     clearTimeout(this.#timer);
@@ -225,7 +225,7 @@ export class WorkerEngine implements Engine {
 
   async #settle(): Promise<void> {
     if (this.#isSettling || !this.#isSettleWanted) return;
-    // A hand that holds still within a drag goes on at any time.
+    // A drag that pauses may go on at any time.
     const wait = this.#wouldHoldUp ? this.#rest.left() : 0;
     if (wait > 0) return this.#settleAfter(wait);
     this.#isSettling = true;
@@ -237,19 +237,19 @@ export class WorkerEngine implements Engine {
     else void this.#expected.prepare();
   }
 
-  /** Whether a hand that goes on would wait for the exact picture, which no other seat can make soon. */
+  /** Whether a drag that goes on would wait for the exact picture, because no back worker makes it. */
   get #wouldHoldUp(): boolean {
     return this.#wanted.moving && !this.#isBackNeeded && this.#unsettled > MOST_HELD;
   }
 
   async #isForFront(seat: Seat, options: SolveOptions): Promise<boolean> {
     if (!sameOptions(seat.exactFor, options)) return false;
-    // The drag goes on in the front seat from where it began.
+    // The drag then goes on in the front worker, where it began.
     if (this.#wanted.moving) return !this.#isBackNeeded;
     return this.#isLittle();
   }
 
-  /** Whether the front seat has made exact all but a little, which the first frame of a text tells. */
+  /** Returns whether little is left to solve exactly, as the first frame of a text reports. */
   async #isLittle(): Promise<boolean> {
     if (this.#frames && this.#shownSerial !== this.#wanted.serial) {
       const shown = new Promise<void>((resolve) => (this.#onShown = resolve));
@@ -258,14 +258,14 @@ export class WorkerEngine implements Engine {
     return this.#unsettled <= this.#mostInFront;
   }
 
-  /** They leave what waits: the exact picture follows. */
+  /** Ends the frames. Their waiting nodes stay ungathered: the exact picture follows. */
   async #framesEnd(): Promise<void> {
     this.#isExactReady = true;
     await this.#frames;
     this.#isExactReady = false;
   }
 
-  /** Where the front seat has all but a little. Frames wait meanwhile. */
+  /** Makes the exact picture in the front worker. Frames wait meanwhile. */
   async #settleInFront(seat: Seat, options: SolveOptions): Promise<void> {
     await this.#framesEnd();
     const wanted = this.#wanted;
@@ -279,7 +279,7 @@ export class WorkerEngine implements Engine {
 
   async #settleFront(seat: Seat, wanted: Wanted, options: SolveOptions): Promise<void> {
     try {
-      // Numbers of its curves are asked for by the text that rests.
+      // The page needs the numbers of the curves in the text that rests.
       if (seat.readSerial !== wanted.serial || seat.isChanged) {
         await seat.bring(wanted.text, wanted.serial, null, this.#images, wanted.moving);
       }
@@ -308,7 +308,7 @@ export class WorkerEngine implements Engine {
     let solved = await this.#solve(seat, { kind: "exact" }, options);
     await this.#framesEnd();
     if (this.#wanted !== wanted) return;
-    // Frames have changed what the page shows since the tables were asked for.
+    // If frames have changed the page's tables meanwhile, gets the differences again.
     const { milliseconds } = solved;
     if (this.#shown !== before) {
       solved = { ...(await this.#solve(seat, { kind: "exact" }, options)), milliseconds };
@@ -328,12 +328,12 @@ export class WorkerEngine implements Engine {
     seat.exactFor = options;
     this.#pending.reset();
     this.#publishExact(solved, wanted, options);
-    // If it fails, so does what asks this seat next.
+    // An error here recurs in the next call of this worker, which reports it.
     if (this.#isBackNeeded) this.#warm(this.#back, wanted, options).catch(() => {});
     else this.#dismissBack();
   }
 
-  /** Whether an edit of one layer can take a back seat. */
+  /** Whether an edit of one layer can need the back worker. */
   get #isBackNeeded(): boolean {
     return this.#largest > this.#mostInFront;
   }
@@ -354,7 +354,7 @@ export class WorkerEngine implements Engine {
     if (!this.#isSettling && !this.#isBackNeeded) this.#dismissBack();
   }
 
-  /** Has the back seat make once what its next exact pictures differ from by an edit alone. */
+  /** Makes an exact picture in the back worker. Its next exact pictures then only need to solve edits. */
   async #warm(seat: Seat, wanted: Wanted, options: SolveOptions): Promise<void> {
     await seat.ready;
     if (this.#wanted !== wanted || sameOptions(seat.exactFor, options)) return;
@@ -363,7 +363,7 @@ export class WorkerEngine implements Engine {
     await this.#solve(seat, { kind: "exact" }, options);
   }
 
-  /** @param serial of the text that failed, which another may have followed */
+  /** @param serial of the text that failed; newer texts may have followed */
   #complain(error: unknown, seat: Seat, serial: number) {
     if (this.#isFree) return;
     const problem = EngineError.of(error);
@@ -376,34 +376,34 @@ export class WorkerEngine implements Engine {
     else this.onStatus({ kind: "failed", reason });
   }
 
-  /** A module that has run out of memory, or has trapped, is of no more use. */
+  /** Replaces a worker whose module has run out of memory or has trapped. */
   #replace(seat: Seat) {
     seat.end();
     if (seat === this.#back) this.#back = null;
     else this.#front = this.#newSeat();
   }
 
-  /** As #replace(), where it may have been replaced already. */
+  /** Replaces the front worker, unless that was replaced already. */
   #lose(seat: Seat) {
     if (!this.#isFree && seat === this.#front) this.#replace(seat);
   }
 
-  // What is going to be dragged.
+  // Preparation of the next drag.
 
   expect(curve: CurvePlace | null): void {
     this.#expected.set(curve);
   }
 
-  /** The front seat, if it can prepare for what comes. */
+  /** The front worker, if it is idle and its picture is exact; otherwise null. */
   get #idleSeat(): Seat | null {
     const seat = this.#front;
     const isBusy = this.#frames !== null || this.#isSettling || this.#isSettleWanted || seat.link.isBusy;
     return isBusy || !seat.isExact ? null : seat;
   }
 
-  // Questions about the text that is shown.
+  // Requests about the text that is shown.
 
-  /** The front seat, with the present text. */
+  /** Returns the front worker, once it has the present text. */
   async #idle(): Promise<Seat> {
     await this.#frames;
     const seat = this.#front;
@@ -443,7 +443,7 @@ export class WorkerEngine implements Engine {
     return this.#ask("payload");
   }
 
-  /** By the back seat, which rests: frames do not wait for it. */
+  /** Runs in the idle back worker, so that frames do not wait. */
   async lint(): Promise<readonly Hint[] | null> {
     if (this.#isSettling || this.#isSettleWanted || this.#wanted.serial < 0) return null;
     const seat = (this.#back ??= this.#newSeat());

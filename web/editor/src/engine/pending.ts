@@ -1,4 +1,4 @@
-// What a worker's document lacks of the present text, where that can be said by changes of curves.
+// The changes of curves that bring a worker's document up to the present text.
 import type { QuickChange } from "./types.js";
 
 function keyOf(change: QuickChange): string {
@@ -11,23 +11,23 @@ export class Pending {
   /** The last change of each list of points or stops; null: the whole text is needed. */
   #changes: Map<string, QuickChange> | null = null;
 
-  /** @param quick all that changed since the text before, or undefined where that cannot be said */
+  /** @param quick all changes since the previous text, or undefined if only the text has them */
   add(quick: readonly QuickChange[] | undefined): void {
     if (!quick) return this.lose();
     for (const change of quick) this.#changes?.set(keyOf(change), change);
   }
 
-  /** The whole text is needed. */
+  /** Notes that the whole text is needed. */
   lose(): void {
     this.#changes = null;
   }
 
-  /** Nothing is lacking. */
+  /** Notes that the worker's document is up to date. */
   reset(): void {
     this.#changes = new Map();
   }
 
-  /** What is to be brought now; null: the whole text. Afterwards nothing is lacking. */
+  /** Returns the changes to send now; null: send the whole text. Then calls reset(). */
   take(): readonly QuickChange[] | null {
     const changes = this.#changes && [...this.#changes.values()];
     this.reset();
