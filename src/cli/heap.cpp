@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kMiB = 1 << 20;
 constexpr int kLargePageBytes = 2 * kMiB;
-constexpr int kLargePagedBytes = 256 * kMiB;
+constexpr int kLargePagedBytes = 128 * kMiB;
 constexpr int kUsualPad = 128 << 10;  ///< glibc's default of M_TOP_PAD
 
 std::uintptr_t heap_end() {
