@@ -6,6 +6,7 @@ import type { ExactLayer } from "../../../viewer/exact_fields.js";
 import type { Box } from "../geometry/affine.js";
 import { detailFor, type Detail } from "./detail.js";
 import { Expected } from "./expected.js";
+import { FormerPictures, sameOptions } from "./former.js";
 import { hintsOf } from "./hints.js";
 import { Pending } from "./pending.js";
 import { Rest } from "./rest.js";
@@ -29,6 +30,11 @@ import type {
 const FRAME_SECONDS = 0.004;
 /** How long the view must rest before the chords are refined, milliseconds. */
 const VIEW_REST = 400;
+/**
+ * How long a text whose exact picture was known must rest before a worker solves it, for what follows,
+ * milliseconds.
+ */
+const FORMER_REST = 1500;
 /** How long a back worker stays after lint(), because its start takes long, milliseconds. */
 const SPARE = 4000;
 /** The most consecutive frames that gather waiting nodes. */
@@ -65,6 +71,7 @@ export class WorkerEngine implements Engine {
   #exactOptions: SolveOptions | null = null;
   /** Serial of the last text that failed. */
   #badSerial = -1;
+  readonly #former = new FormerPictures();
   #detail: Detail | null = null;
   #images: GivenImage[] = [];
   #frames: Promise<void> | null = null;
@@ -120,10 +127,36 @@ export class WorkerEngine implements Engine {
     // The number of the expected curve may now belong to another curve.
     if (!quick) this.#expected.set(null);
     this.#wanted = { text, moving, serial: this.#wanted.serial + 1 };
+    if (!moving && this.#showFormer()) {
+      // Curves may have other numbers in this text.
+      if (!quick) this.#idle().catch((error) => this.#complain(error, this.#front, this.#wanted.serial));
+      return this.#wanted.serial;
+    }
     this.onStatus({ kind: "refining", milliseconds: 0 });
     this.#follow();
     this.#settleAfter(this.#rest.afterChange(moving));
     return this.#wanted.serial;
+  }
+
+  /** Shows the exact picture of the wanted text if the page has it. Returns whether it does. */
+  #showFormer(): boolean {
+    const { text, serial } = this.#wanted;
+    const former = this.#former.find(text, this.#options);
+    if (!former) return false;
+    const { stamps, stackStamp } = former;
+    const layers = former.layers.map((one, layer) => ({ ...one, layer })).filter((_, i) => stamps[i] !== this.#shown[i]);
+    const stack = stackStamp === this.#shownStack ? null : former.stack;
+    // The front worker has the text of the tables that are shown already.
+    if (layers.length === 0 && !stack) return false;
+    this.#unsettled = layers.reduce((sum, { triangleRows }) => sum + triangleRows, 0);
+    this.#shown = stamps;
+    this.#shownStack = stackStamp;
+    this.#shownSerial = serial;
+    this.#former.note({ stack, stamps, layers });
+    this.onPicture({ serial, stack, layers, layerCount: stamps.length, isExact: true });
+    this.onStatus({ kind: "exact", milliseconds: 0 });
+    this.#settleAfter(FORMER_REST);
+    return true;
   }
 
   look(pixelsPerUnit: number, seen: Box, artboard: Box): void {
@@ -199,12 +232,15 @@ export class WorkerEngine implements Engine {
   }
 
   #publish(solved: Solved, wanted: Wanted, isExact: boolean) {
+    // A former picture of a later text may be shown by now.
+    if (wanted.serial < this.#shownSerial) return;
     this.#shown = solved.stamps;
     this.#shownStack = solved.stackStamp;
     this.#shownSerial = wanted.serial;
     this.#unsettled = solved.unsettled;
     this.#onShown();
     const { stack, layers, stamps } = solved;
+    this.#former.note(solved);
     this.onPicture({ serial: wanted.serial, stack, layers, layerCount: stamps.length, isExact });
     const kind = isExact ? "exact" : "refining";
     this.onStatus({ kind, milliseconds: solved.milliseconds });
@@ -343,6 +379,7 @@ export class WorkerEngine implements Engine {
     this.#exactOptions = options;
     this.#largest = solved.largest;
     this.#publish(solved, wanted, true);
+    if (this.#shownSerial === wanted.serial) this.#former.keep(wanted.text, options, solved);
   }
 
   #dismissBack() {
@@ -484,8 +521,4 @@ export class WorkerEngine implements Engine {
     this.#front.end();
     this.#back?.end();
   }
-}
-
-function sameOptions(a: SolveOptions | null, b: SolveOptions): boolean {
-  return JSON.stringify(a) === JSON.stringify(b);
 }

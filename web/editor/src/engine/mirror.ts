@@ -12,6 +12,8 @@ export class Rows<Data extends Numbers> {
   #data: Data;
   #make: (length: number) => Data;
   #length = 0;
+  /** Whether others keep the data, which may not change then. */
+  #isKept = false;
 
   constructor(
     readonly columns: number,
@@ -27,13 +29,15 @@ export class Rows<Data extends Numbers> {
   }
 
   /**
-   * @param given the ranges' rows, one behind the other: its own from now on
+   * @param given the ranges' rows, one behind the other: all rows are used as the table, without a copy
+   * @param isKept whether others keep `given`, so that later changes need a copy
    * @throws RangeError where they do not fit
    */
-  change(rows: number, ranges: RowRanges, given: Data): void {
+  change(rows: number, ranges: RowRanges, given: Data, isKept = false): void {
     if (ranges.length === 1 && ranges[0][0] === 0 && given.length === rows * this.columns) {
       this.#data = given;
       this.#length = given.length;
+      this.#isKept = isKept;
       return;
     }
     this.#resize(rows * this.columns);
@@ -47,10 +51,11 @@ export class Rows<Data extends Numbers> {
 
   #resize(length: number) {
     this.#length = length;
-    if (length <= this.#data.length) return;
-    const larger = this.#make(Math.ceil(length * (1 + SPARE)));
+    if (length <= this.#data.length && !this.#isKept) return;
+    const larger = this.#make(Math.max(this.#data.length, Math.ceil(length * (1 + SPARE))));
     larger.set(this.#data as never);
     this.#data = larger;
+    this.#isKept = false;
   }
 }
 
@@ -65,9 +70,9 @@ class FieldRows {
     this.values = new Rows(channelCount, (length) => new Float32Array(length));
   }
 
-  change(update: FieldUpdate): void {
-    this.nodes.change(update.nodeRows, update.nodeRanges, update.nodes);
-    this.values.change(update.valueRows, update.valueRanges, update.values);
+  change(update: FieldUpdate, isKept: boolean): void {
+    this.nodes.change(update.nodeRows, update.nodeRanges, update.nodes, isKept);
+    this.values.change(update.valueRows, update.valueRanges, update.values, isKept);
   }
 
   /** The same as in web/viewer/field.js. */
@@ -97,12 +102,13 @@ export class LayerMirror {
 
   /** @returns what the renderer has to look at */
   change(update: LayerUpdate): LayerChange {
-    const { color, opacity } = update;
-    this.#positions.change(update.vertexRows, update.positionRanges, update.positions);
-    this.#triangles.change(update.triangleRows, update.triangleRanges, update.triangles);
-    this.#edges.change(update.triangleRows, update.edgeRanges, update.edges);
-    this.#color = changed(this.#color, color);
-    this.#opacity = opacity && changed(this.#opacity, opacity);
+    // Whole tables may be those of a picture that is kept for undo.
+    const { color, opacity, isWhole } = update;
+    this.#positions.change(update.vertexRows, update.positionRanges, update.positions, isWhole);
+    this.#triangles.change(update.triangleRows, update.triangleRanges, update.triangles, isWhole);
+    this.#edges.change(update.triangleRows, update.edgeRanges, update.edges, isWhole);
+    this.#color = changed(this.#color, color, isWhole);
+    this.#opacity = opacity && changed(this.#opacity, opacity, isWhole);
     if (update.isWhole) return null;
     return {
       vertices: update.positionRanges,
@@ -130,8 +136,8 @@ export class LayerMirror {
 }
 
 /** A field of other channels is a new one; its update is whole then. */
-function changed(field: FieldRows | null, update: FieldUpdate): FieldRows {
+function changed(field: FieldRows | null, update: FieldUpdate, isKept: boolean): FieldRows {
   const fits = field?.channelCount === update.channelCount ? field : new FieldRows(update.channelCount);
-  fits.change(update);
+  fits.change(update, isKept);
   return fits;
 }

@@ -231,7 +231,8 @@ export class Session {
         rows[layer] = rowCounts(picture, layer);
       }
       if (have[layer] === stamps[layer]) continue;
-      const isWhole = before === undefined || have[layer] !== before || !origins.has(layer);
+      // The page keeps exact layers for undo.
+      const isWhole = isExact || before === undefined || have[layer] !== before || !origins.has(layer);
       updates.push(layerUpdate(picture, layer, isWhole, origins));
     }
     return updates;
