@@ -12,7 +12,6 @@
 #include "sfumato/picture/picture_file.hpp"
 #include "sfumato/solve/point_evaluator.hpp"
 #include "solve/pixel_pictures.hpp"
-#include "support/windows.hpp"
 
 // Pictures for a pixel grid whose dense layers are gathered at their pixels.
 namespace sfumato {
@@ -105,11 +104,7 @@ TEST(ExactPixels, a_part_that_surrounds_another_has_its_own_colour) {
 }
 
 TEST(ExactPixels, windows_have_the_bytes_of_the_whole_image) {
-  Context context;
-  const Picture picture = solved(dense(), grid());
-  const test::Cut cut{23, 17, -5, -3};
-  EXPECT_EQ(test::painted_in_windows(context, picture, plain_options(), cut).bytes,
-            drawn(picture).bytes);
+  test::expect_equal_windows(solved(dense(), grid()));
 }
 
 TEST(ExactPixels, threads_and_instruction_sets_change_no_byte) {
@@ -228,11 +223,7 @@ TEST(ExactPixels, clear_pixels_are_not_gathered) {
 }
 
 TEST(ExactPixels, windows_of_clear_pixels_have_the_bytes_of_the_whole_image) {
-  Context context;
-  const Picture picture = solved(shapes(), every_pixel());
-  const test::Cut cut{23, 17, -5, -3};
-  EXPECT_EQ(test::painted_in_windows(context, picture, plain_options(), cut).bytes,
-            drawn(picture).bytes);
+  test::expect_equal_windows(solved(shapes(), every_pixel()));
 }
 
 TEST(ExactPixels, curves_are_antialiased_at_every_pixel) {

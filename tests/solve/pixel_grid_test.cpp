@@ -6,7 +6,6 @@
 #include "sfumato/picture/picture_file.hpp"
 #include "sfumato/solve/solution.hpp"
 #include "solve/pixel_pictures.hpp"
-#include "support/windows.hpp"
 
 // Pictures for a pixel grid: coarse chords whose bows the pixels correct.
 namespace sfumato {
@@ -74,11 +73,7 @@ TEST_P(PixelGridOf, has_fewer_triangles_and_the_pixels_of_fine_chords) {
 INSTANTIATE_TEST_SUITE_P(Shapes, PixelGridOf, testing::Values(disk, sticker, cutout));
 
 TEST(PixelGrid, windows_have_the_bytes_of_the_whole_image) {
-  Context context;
-  const Picture picture = solved(disk(), grid());
-  const test::Cut cut{23, 17, -5, -3};
-  EXPECT_EQ(test::painted_in_windows(context, picture, plain_options(), cut).bytes,
-            drawn(picture).bytes);
+  test::expect_equal_windows(solved(disk(), grid()));
 }
 
 TEST(PixelGrid, pixels_need_the_bows) {

@@ -9,6 +9,7 @@
 #include "sfumato/raster/rasterize.hpp"
 #include "sfumato/solve/diffuse.hpp"
 #include "support/drawing.hpp"
+#include "support/windows.hpp"
 
 // Pictures for the pixels of an image of 100 × 100.
 namespace sfumato::test {
@@ -50,6 +51,13 @@ inline int largest_difference(const Image& a, const Image& b) {
   for (std::size_t i = 0; i < std::min(a.bytes.size(), b.bytes.size()); ++i)
     most = std::max(most, std::abs(int{a.bytes[i]} - int{b.bytes[i]}));
   return most;
+}
+
+/// Expects that windows of a picture have the bytes of the whole image.
+inline void expect_equal_windows(const Picture& picture) {
+  Context context;
+  const Cut cut{23, 17, -5, -3};
+  EXPECT_EQ(painted_in_windows(context, picture, plain_options(), cut).bytes, drawn(picture).bytes);
 }
 
 constexpr DiffuseOptions grid() {

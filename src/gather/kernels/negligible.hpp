@@ -7,9 +7,8 @@ namespace sfumato::gather {
 /// roses and portrait.svg at most 0.02 for 99 nodes of 100 and 0.05 for any.
 inline constexpr float kNegligible = 6e-5f;
 
-/// The same for a picture for a pixel grid. The gather takes 4 to 8% fewer instructions. Together
-/// with solve::kGridMissFactors it changes the rms error of lady_bug and tomatos by at most 0.001
-/// code values.
+/// The same for a picture for a pixel grid. The gather takes 4 to 8% fewer instructions. The rms
+/// error of lady_bug and tomatos changes by at most 0.001 code values.
 inline constexpr float kGridNegligible = 3e-4f;
 
 /// The same for point_walk.glsl, where more exactness costs less: among 200 strokes it takes 3 of

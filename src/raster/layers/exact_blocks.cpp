@@ -132,7 +132,7 @@ void ExactBlocks::divide(const ExactBlock& block) {
   if (wide && high) waiting_.push_back({x, block.x1, y, block.y1});
 }
 
-/// Visits its nodes and probes.
+/// Visits the nodes and the probes of a block.
 template <class Visit>
 void ExactBlocks::for_each_sample(const ExactBlock& block, const Visit& visit) {
   for (const int y : {int{block.y0}, block.middle_y(), int{block.y1}})

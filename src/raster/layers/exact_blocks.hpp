@@ -26,15 +26,15 @@ struct ExactBlock {
 /// near curves are small. In the smallest, 3 by 3 pixels, the corners are interpolated and the
 /// middle is the probe.
 ///
-/// Where every pixel is gathered, that is done only for blocks that show something: a block without
-/// curves is clear if the opacity is 0 at its nodes and probes.
+/// If the largest error is 0, no pixel is interpolated. A block far from curves is then clear if
+/// the opacity is 0 at its nodes and probes. All pixels of the other blocks are gathered.
 class ExactBlocks {
  public:
   /// Starts a tile.
   ///
   /// usable   the pixels to paint
   /// cut      pixels that curves pass through
-  /// most     the largest error of a channel; 0: all pixels are gathered but for clear blocks
+  /// most     the largest error of a channel; 0: gathers all pixels outside clear blocks
   void start(const Tile& tile, const PixelMask& usable, const PixelMask* cut, float most);
 
   /// Lists the pixels to gather in the next round. Returns false if all pixels are known.
@@ -51,7 +51,7 @@ class ExactBlocks {
 
  private:
   static constexpr int kLargest = 16;
-  /// Smaller blocks are not tried where they can only be clear.
+  /// The least size of a clear block. All pixels of smaller blocks are gathered.
   static constexpr int kLeastClear = 8;
 
   void place(const ExactBlock& block);

@@ -56,12 +56,13 @@ Status ExactPainter::paint_fields(Context& context, const LayerView& layer,
   if (antialias_) SFUMATO_TRY(mixed->collect(context, layer, triangles, tile, &points_));
   SFUMATO_TRY(read(context, &points_));
   write_colors(layer, points_, tile);
-  return in_rounds ? interpolate(context, layer, layer_from_image, tile) : ok_status();
+  return in_rounds ? gather_later_rounds(context, layer, layer_from_image, tile) : ok_status();
 }
 
-/// Returns whether some pixels need not be gathered: those that can be interpolated, and those that
-/// a layer without shaders leaves clear. What is between the samples of a clear block is known only
-/// if curves mark their pixels.
+/// Returns whether ExactBlocks chooses the pixels. It interpolates pixels of a layer with
+/// max_miss() > 0, and finds clear blocks of a layer with an opacity. Clear blocks need
+/// antialiasing, which marks the pixels that curves cut. Shaders are added to the first round of
+/// pixels only, so a layer with shaders has a single round.
 bool ExactPainter::is_in_rounds(const LayerView& layer) const {
   if (layer.exact->max_miss() > 0) return true;
   const bool has_shaders = layer.color.shader_count + layer.opacity.shader_count > 0;
@@ -75,9 +76,9 @@ Status ExactPainter::read(Context& context, ExactPoints* points) {
   return points->read(context);
 }
 
-/// Interpolates the blocks of the first round, and gathers the pixels of the later rounds.
-Status ExactPainter::interpolate(Context& context, const LayerView& layer,
-                                 const Affine& layer_from_image, const Tile& tile) {
+/// Ends the first round, and gathers the pixels of the later rounds.
+Status ExactPainter::gather_later_rounds(Context& context, const LayerView& layer,
+                                         const Affine& layer_from_image, const Tile& tile) {
   blocks_.end_round(tile);
   while (blocks_.next_round()) {
     pixel_ = blocks_.pixels();
@@ -90,7 +91,8 @@ Status ExactPainter::interpolate(Context& context, const LayerView& layer,
   return ok_status();
 }
 
-/// Writes the values of the first points into pixel_.
+/// Writes the values of the first points into the pixels of pixel_. Pixels that see no colour
+/// become clear.
 void ExactPainter::write_colors(const LayerView& layer, const ExactPoints& points,
                                 const Tile& tile) {
   for (std::uint32_t i = 0; i < pixel_.size(); ++i) {
@@ -98,8 +100,8 @@ void ExactPainter::write_colors(const LayerView& layer, const ExactPoints& point
     const float* const color = points.color(i);
     for (int c = 0; c < 3; ++c) tile.color[c][pixel] = color[c];
     if (!tile.alpha) continue;
-    const bool is_seen = layer.exact->max_miss() > 0 || points.is_hit(i);
-    tile.alpha[pixel] = !is_seen ? 0 : layer.opacity.channel_count > 0 ? points.opacity(i)[0] : 1;
+    const float alpha = layer.opacity.channel_count > 0 ? points.opacity(i)[0] : 1;
+    tile.alpha[pixel] = points.is_hit(i) ? alpha : 0;
   }
 }
 
@@ -112,8 +114,7 @@ void ExactPainter::write_channels(const FieldView& field, int first, const Tile&
   }
 }
 
-void ExactPainter::clear_unseen(const LayerView& layer, const Tile& tile) const {
-  if (is_in_rounds(layer)) return;  // write_colors() has cleared them
+void ExactPainter::clear_unseen(const Tile& tile) const {
   for (std::uint32_t i = 0; i < pixel_.size(); ++i)
     if (!points_.is_hit(i)) tile.alpha[pixel_[i]] = 0;
 }

@@ -34,8 +34,8 @@ class ExactPainter {
   /// Writes the channels [first, first + 4) of a field into those pixels; 0 beyond its last.
   void write_channels(const FieldView& field, int first, const Tile& tile) const;
 
-  /// Sets the opacity of those pixels that see no colour to 0.
-  void clear_unseen(const LayerView& layer, const Tile& tile) const;
+  /// Makes the pixels clear that see no colour, after opacity shaders were added.
+  void clear_unseen(const Tile& tile) const;
 
   /// Returns the shader of the mixed pixels. The arguments must outlive it.
   ExactShader shader(const LayerView& layer, const PointShader* shading) const {
@@ -51,8 +51,8 @@ class ExactPainter {
   Status read(Context& context, ExactPoints* points);
   void write_colors(const LayerView& layer, const ExactPoints& points, const Tile& tile);
   bool is_in_rounds(const LayerView& layer) const;
-  Status interpolate(Context& context, const LayerView& layer, const Affine& layer_from_image,
-                     const Tile& tile);
+  Status gather_later_rounds(Context& context, const LayerView& layer,
+                             const Affine& layer_from_image, const Tile& tile);
 
   const SpanKernels& kernels_;
   bool antialias_;

@@ -107,7 +107,7 @@ Status LayerPainter::draw_exact(Context& context, const LayerView& layer, const 
       exact->paint_fields(context, layer, input.layer_from_image, triangles, tile, &mixed_));
   add_exact_shaders(layer.color, input, tile, *exact);
   add_exact_shaders(layer.opacity, input, tile, *exact);
-  if (layer.exact->max_miss() == 0) exact->clear_unseen(layer, tile);
+  if (layer.opacity.shader_count > 0) exact->clear_unseen(tile);
   kernels_.finish_shading(input.space, tile);
   if (!antialias_) return ok_status();
   const PointShader shading(layer, input);

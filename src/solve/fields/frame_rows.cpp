@@ -9,10 +9,10 @@
 namespace sfumato::solve {
 namespace {
 
-/// Tables get additional room, 1 / kShareOfRoom of their rows, so that few frames move them.
+/// Tables get additional room, 1 / kShareOfRoom of their rows, so that they rarely grow.
 constexpr std::size_t kShareOfRoom = 16;
 
-/// To sort a row costs this many times as much as to mark it and to find it again.
+/// Sorting a row takes this many times as long as marking it and finding it again.
 constexpr std::size_t kMarksPerSort = 16;
 
 /// Returns whether one field of the frame holds colour and opacity.

@@ -44,9 +44,9 @@ struct MissFactors {
   float per_range = 1.0f / 24;
 };
 
-/// Factors for a picture for a pixel grid. Of patches with a prediction below the limit one in 300
-/// misses. lady_bug has a third fewer probes, and 0.003% more of its smooth pixels are off by more
-/// than a code value.
+/// Factors for a picture for a pixel grid. One in 300 patches with a prediction below the limit
+/// misses. They save a third of lady_bug's probes. The share of smooth pixels with an error above
+/// one code value grows by 0.003% of the pixels.
 inline constexpr MissFactors kGridMissFactors{1.8f, 0.015f};
 
 /// Predicts from its nodes alone an upper bound of the error of triangle t's cubic patch at its

@@ -12,7 +12,8 @@ namespace sfumato::solve {
 /// Returns the bytes of memory that the lists occupy.
 std::size_t bytes_of(const FrameRows& rows);
 
-/// Returns the rows in which two frames of one drag may differ.
+/// Returns the rows that may differ between two frames of a drag, from the rows of each frame that
+/// may differ from their base.
 LayerRows rows_between(std::uint32_t layer, const FrameRows& a, const FrameRows& b);
 
 /// Adds a layer to the changed layers of `delta`.

@@ -15,10 +15,10 @@
 
 namespace sfumato::solve {
 
-/// A node keeps its value if inserting the curve certainly changes it by at most this share of the
-/// range of code values, or removing the curve by at most half of that. 0: all nodes get exact
-/// values. Colours in other spaces than sRGB always do: there a small change may be many code
-/// values.
+/// The largest error of a node that keeps its value, as a share of the range of code values. A node
+/// keeps its value if the insertion of the curve certainly changes it by at most this error, or the
+/// removal by at most half of it. 0: all nodes get exact values. Colours in other spaces than sRGB
+/// are always exact, because a small change there may be many code values.
 inline constexpr double kMostMissed = 0.02;
 
 /// Options of a frame.
@@ -77,8 +77,8 @@ class LayerDrag {
   /// of solving the layer.
   Result<LayerDrag> with_room(Context& context) const;
 
-  /// Returns the rows in which the solved patches of begin()'s `refined` differ from the layer
-  /// without the curve; none: any row may differ. Moves them out.
+  /// Moves out the list of rows that differ between two versions of the layer: the solved patches
+  /// of begin()'s `refined`, and the patches without the curve. Empty: any row may differ.
   std::optional<FrameRows> take_rows_of_solved();
 
   /// Returns the layer's patches with the curve at its new place.

@@ -276,7 +276,8 @@ Status LayerFilm::State::note_moves(const Context& context, std::span<const std:
   return ok_status();
 }
 
-/// Keeps the data of the last frame that the next one needs, in which these curves change.
+/// Keeps the data of the last frame that the next frame needs.
+/// which   the curves that change in the next frame
 Status LayerFilm::State::remember(const Context& context, std::span<const std::uint32_t> which) {
   if (!last || last->are_thinned()) return ok_status();
   TableMemory memory(kPurpose);

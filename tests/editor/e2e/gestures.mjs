@@ -257,7 +257,7 @@ async function testTouchLoupe({ browser, address }) {
   await editor.close();
 }
 
-/** Collects the transforms that the picture has from now on. */
+/** Collects the CSS transforms of the picture from now on. */
 const watchTransforms = (page) =>
   page.evaluate(() => {
     const picture = document.querySelector(".canvas-stage > canvas");
@@ -269,8 +269,8 @@ const watchTransforms = (page) =>
     look();
   });
 
-/** Turns what the picture shows off and on again, so that all of it is drawn. */
-async function drawAnew(page) {
+/** Shows and hides the mesh, which draws the whole picture again. */
+async function redraw(page) {
   for (let k = 0; k < 2; k += 1) await page.keyboard.press("m");
 }
 
@@ -284,9 +284,9 @@ async function testMovedFrame({ editor, page }) {
   const seen = await page.evaluate(() => [...window.seenTransforms]);
   check(seen.some((transform) => transform.startsWith("matrix(")), `no frame was moved: ${JSON.stringify(seen)}`);
   checkEqual(await page.evaluate(() => document.querySelector(".canvas-stage > canvas").style.transform), "", "the picture at rest");
-  await drawAnew(page);
+  await redraw(page);
   const drawn = await editor.picture();
-  check(moved.equals(drawn), "the picture at rest is another one than when it is drawn anew");
+  check(moved.equals(drawn), "the picture at rest differs from a redrawn one");
 }
 
 export async function testGestures(tap, given) {

@@ -4,7 +4,7 @@ import { MovedFrame } from "../../../../web/viewer/moved_frame.js";
 
 const VIEW = [2, 0, 0, 2, 10, 20];
 
-/** Returns a frame of VIEW that took so long, and its canvas. */
+/** Returns a frame of VIEW that took this time, and its canvas. */
 function drawn(milliseconds: number) {
   const canvas = { style: {} as Record<string, string> };
   const frame = new MovedFrame(canvas as unknown as HTMLCanvasElement);
@@ -28,7 +28,7 @@ describe("moved frame", () => {
     expect(frame.standsIn(changedAt)).toBe(false);
   });
 
-  it("does not where drawing is fast, and before the first frame", () => {
+  it("does not stand in where drawing is fast, or before the first frame", () => {
     expect(drawn(30).frame.standsIn(performance.now())).toBe(false);
     const first = new MovedFrame({ style: {} } as unknown as HTMLCanvasElement);
     expect(first.standsIn(performance.now())).toBe(false);

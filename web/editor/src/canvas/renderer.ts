@@ -46,9 +46,9 @@ export class PictureCanvas {
   /** Whether layers and paints belong together: while textures are decoded they do not. */
   #isWhole = true;
   #isDirty = false;
-  /** Shows the last frame moved while nothing but the view has changed; null: something else has. */
-  #moved: MovedFrame | null = null;
-  #movable: MovedFrame | null = null;
+  /** Whether only the view has changed since the last frame. */
+  #isOnlyMoved = false;
+  #lastFrame: MovedFrame | null = null;
   #frame = 0;
   #changedAt = 0;
   /** Whether frames only make exact what is drawn. */
@@ -76,7 +76,7 @@ export class PictureCanvas {
     this.#canvas = canvas;
     if (!canvas) return;
     canvas.classList.add("picture");
-    this.#movable = new MovedFrame(canvas);
+    this.#lastFrame = new MovedFrame(canvas);
     this.#open(canvas);
     const stops = [effect(() => this.#watch()), effect(() => this.#watchView())];
     this.#stop = () => stops.forEach((stop) => stop());
@@ -118,10 +118,10 @@ export class PictureCanvas {
 
   #watchView() {
     void this.#editor.view.value;
-    const isMove = !this.#isDirty || this.#moved !== null;
+    const isOnlyMoved = !this.#isDirty || this.#isOnlyMoved;
     this.change();
-    // The loupe of this tool reads the pixels under the pointer.
-    if (isMove && this.#editor.tool.peek() !== "sample") this.#moved = this.#movable;
+    // The loupe of the sample tool reads the pixels under the pointer from a drawn frame.
+    this.#isOnlyMoved = isOnlyMoved && this.#editor.tool.peek() !== "sample";
   }
 
   take(update: PictureUpdate): void {
@@ -159,7 +159,7 @@ export class PictureCanvas {
   /** Something is to be seen that was not drawn yet. */
   change(): void {
     this.#isDirty = true;
-    this.#moved = null;
+    this.#isOnlyMoved = false;
     this.#isDrawn = false;
     this.#changedAt = performance.now();
     this.#exact.leave();
@@ -176,17 +176,16 @@ export class PictureCanvas {
     // Without graphics there is nothing to wait for; what comes makes a frame itself.
     if (!renderer || !this.#isWhole) return this.#settle();
     const isBusy = renderer.isBusy;
-    if (!isBusy) this.#movable?.finish();
-    const isStandIn = this.#moved?.standsIn(this.#changedAt);
-    if (isStandIn) this.#moved?.move(this.#editor.stageFromArtboard());
+    if (!isBusy) this.#lastFrame?.finish();
+    const isMoved = this.#isOnlyMoved && this.#lastFrame?.standsIn(this.#changedAt);
+    if (isMoved) this.#lastFrame?.move(this.#editor.stageFromArtboard());
     // More work would only pile up behind unfinished work of the GPU.
-    if (isBusy || isStandIn) return this.#schedule();
+    if (isBusy || isMoved) return this.#schedule();
     if (!this.#isOurs) return this.#showNothing();
     if (this.#isDirty) {
-      this.#isDirty = false;
-      this.#moved = null;
+      this.#isDirty = this.#isOnlyMoved = false;
       renderer.draw(this.#frameOf());
-      this.#movable?.begin(this.#editor.stageFromArtboard());
+      this.#lastFrame?.begin(this.#editor.stageFromArtboard());
       this.#keep();
     } else if (!renderer.canRefine) {
       this.#settle();

@@ -30,10 +30,7 @@ import type {
 const FRAME_SECONDS = 0.004;
 /** How long the view must rest before the chords are refined, milliseconds. */
 const VIEW_REST = 400;
-/**
- * How long a text whose exact picture was known must rest before a worker solves it, for what follows,
- * milliseconds.
- */
+/** How long a text rests before a worker solves it, if the page had its exact picture, milliseconds. */
 const FORMER_REST = 1500;
 /** How long a back worker stays after lint(), because its start takes long, milliseconds. */
 const SPARE = 4000;
@@ -146,7 +143,7 @@ export class WorkerEngine implements Engine {
     const { stamps, stackStamp } = former;
     const layers = former.layers.map((one, layer) => ({ ...one, layer })).filter((_, i) => stamps[i] !== this.#shown[i]);
     const stack = stackStamp === this.#shownStack ? null : former.stack;
-    // The front worker has the text of the tables that are shown already.
+    // The page shows these tables already, as at the end of a drag: only the workers need the text.
     if (layers.length === 0 && !stack) return false;
     this.#unsettled = layers.reduce((sum, { triangleRows }) => sum + triangleRows, 0);
     this.#shown = stamps;
@@ -232,7 +229,7 @@ export class WorkerEngine implements Engine {
   }
 
   #publish(solved: Solved, wanted: Wanted, isExact: boolean) {
-    // A former picture of a later text may be shown by now.
+    // The page may already show the kept picture of a later text.
     if (wanted.serial < this.#shownSerial) return;
     this.#shown = solved.stamps;
     this.#shownStack = solved.stackStamp;

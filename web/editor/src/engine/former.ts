@@ -2,7 +2,7 @@
 import type { SolveOptions, Solved } from "./session.js";
 import type { FieldUpdate, LayerUpdate } from "./types.js";
 
-/** The most bytes of tables. Pictures that share a layer share its tables. */
+/** The most bytes of texts, stacks and tables. */
 const MOST_BYTES = 64 * 2 ** 20;
 
 export interface FormerPicture {
@@ -20,10 +20,11 @@ export function sameOptions(a: SolveOptions | null, b: SolveOptions): boolean {
 }
 
 export class FormerPictures {
-  /** The one that was shown last stands last. */
+  /** In the order in which they were kept, the latest last. */
   #pictures: readonly FormerPicture[] = [];
-  /** The stack that is shown, and the layers that are shown and came whole, by their stamps. */
+  /** The stack that the page shows. */
   #stack: Uint8Array | null = null;
+  /** The layers that the page shows, by their stamps, without layers that arrived as rows. */
   #whole = new Map<string, LayerUpdate>();
 
   /** Notes what the page shows. */
@@ -34,7 +35,7 @@ export class FormerPictures {
     this.#whole.forEach((_, stamp) => shown.has(stamp) || this.#whole.delete(stamp));
   }
 
-  /** Keeps the exact picture that is shown, if its layers came whole. */
+  /** Keeps the exact picture that the page shows, unless a layer arrived as rows. */
   keep(text: string, options: SolveOptions, { stamps, stackStamp }: Pick<Solved, "stamps" | "stackStamp">): void {
     const layers = stamps.flatMap((stamp) => this.#whole.get(stamp) ?? []);
     this.#pictures = this.#pictures.filter((one) => one.text !== text);
@@ -43,15 +44,17 @@ export class FormerPictures {
     while (bytesOf(this.#pictures) > MOST_BYTES) this.#pictures = this.#pictures.slice(1);
   }
 
+  /** Returns the picture of a text, if it is kept. */
   find(text: string, options: SolveOptions): FormerPicture | undefined {
     return this.#pictures.find((one) => one.text === text && sameOptions(one.options, options));
   }
 }
 
 function bytesOf(pictures: readonly FormerPicture[]): number {
-  const layers = [...new Set(pictures.flatMap((one) => one.layers))];
+  // By stamps, because pictures that share a layer share its tables.
+  const layers = new Map(pictures.flatMap(({ stamps, layers }) => stamps.map((stamp, i) => [stamp, layers[i]] as const)));
   const texts = pictures.reduce((sum, { text, stack }) => sum + 2 * text.length + stack.byteLength, 0);
-  return layers.reduce((sum, layer) => sum + bytesOfLayer(layer), texts);
+  return [...layers.values()].reduce((sum, layer) => sum + bytesOfLayer(layer), texts);
 }
 
 function bytesOfLayer({ positions, triangles, edges, color, opacity }: LayerUpdate): number {

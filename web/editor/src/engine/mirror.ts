@@ -102,7 +102,7 @@ export class LayerMirror {
 
   /** @returns what the renderer has to look at */
   change(update: LayerUpdate): LayerChange {
-    // Whole tables may be those of a picture that is kept for undo.
+    // FormerPictures may keep whole tables for undo: a later change must not write into them.
     const { color, opacity, isWhole } = update;
     this.#positions.change(update.vertexRows, update.positionRanges, update.positions, isWhole);
     this.#triangles.change(update.triangleRows, update.triangleRanges, update.triangles, isWhole);
