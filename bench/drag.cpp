@@ -9,17 +9,18 @@
 
 #include "largest_layer.hpp"
 #include "sfumato/solve/diffuse.hpp"
-#include "solve/session/layer_drag.hpp"
+#include "solve/session/layer_session.hpp"
 
 // The cost of the begin of a drag, of its first frame and of later frames, while a curve moves,
 // compared with solving its layer: CPU time in milliseconds of one thread. It also prints the
 // memory, in MB, that a solution reserves for drags.
 //
-//   build/bench/drag [--curves N] [--max-error E] [--missed SHARE] [--seconds S] FILE...
+//   build/bench/drag [--curves N] [--together N] [--max-error E] [--missed SHARE] [--seconds S]
+//   FILE...
 //
-// SHARE is LayerDrag's most_missed. S is the time of a frame (FrameOptions::time), after which
-// `left` nodes wait. N curves of the layer with the most curves are dragged, one after another, by
-// up to seven user units.
+// SHARE is FrameAccuracy::most_missed. S is the time of a frame (FramePolicy::time), after which
+// `left` nodes wait. N curves of the layer with the most curves are dragged by up to seven user
+// units: one after another, or so many together.
 namespace sfumato {
 namespace {
 
@@ -27,6 +28,7 @@ constexpr int kFrames = 30;  // after the first frame
 
 struct Options {
   std::uint32_t curves = 12;
+  std::uint32_t together = 1;
   double max_error = 1;
   double most_missed = solve::kMostMissed;
   double seconds = std::numeric_limits<double>::infinity();
@@ -62,23 +64,29 @@ bool solve_layer(Context& context, const Document& document, std::uint32_t layer
   return patches.ok();
 }
 
-bool drag_one(Context& context, const Document& document, std::uint32_t layer, std::uint32_t curve,
-              const DiffuseOptions& options, const Options& asked, Solved& solved, Times& times) {
+bool drag_some(Context& context, const Document& document, std::uint32_t layer,
+               const std::vector<std::uint32_t>& curves, const DiffuseOptions& options,
+               const Options& asked, Solved& solved, Times& times) {
   const double start = cpu_milliseconds();
-  Result<solve::LayerDrag> drag = solve::LayerDrag::begin(
-      context, document, layer, curve, solved.sight, options, solved.refined, asked.most_missed);
+  Result<solve::LayerSession> drag =
+      solve::LayerSession::open(context, solve::input_of(document, layer, solved.sight, options),
+                                curves, solved.refined, {.most_missed = asked.most_missed});
   if (!drag) return false;
   times.begin += cpu_milliseconds() - start;
   PatchLayer shown = solved.patches;                                   // then the last frame
   std::optional<solve::FrameRows> rows = drag->take_rows_of_solved();  // of it
   for (int i = 0; i <= kFrames; ++i) {
-    Curve moved = document.layers[layer].curves[curve];
-    for (Vec2& p : moved.control_points) p = p + Vec2{1.0 + i % 6, 2.0 - i % 7};
+    std::vector<Curve> moved;
+    for (const std::uint32_t curve : curves) {
+      moved.push_back(document.layers[layer].curves[curve]);
+      for (Vec2& p : moved.back().control_points) p = p + Vec2{1.0 + i % 6, 2.0 - i % 7};
+    }
     DiffuseStats stats;
     const double frame_start = cpu_milliseconds();
-    const solve::FrameOptions how{solve::FrameTime(asked.seconds), rows.has_value(), &stats};
-    Result<solve::FramePatches> frame = drag->frame(context, moved, how);
-    if (!frame) return false;
+    const solve::FramePolicy how{solve::FrameTime(asked.seconds), rows.has_value(), &stats};
+    Result<std::optional<solve::FramePatches>> made = drag->frame(context, moved, how);
+    if (!made || !*made) return false;
+    solve::FramePatches* const frame = &**made;
     if (frame->is_whole) {
       shown = std::move(frame->layer);
     } else {
@@ -112,8 +120,11 @@ bool measure(const std::string& path, const Options& asked) {
   Times times;
   const std::uint32_t curves = std::min(asked.curves, count);
   for (std::uint32_t i = 0; i < curves; ++i) {
-    if (!drag_one(context, document, layer, i * count / curves, options, asked, solved, times))
-      return false;
+    std::vector<std::uint32_t> together;
+    const std::uint32_t first = i * count / curves;
+    for (std::uint32_t k = 0; k < std::min(asked.together, count - first); ++k)
+      together.push_back(first + k);
+    if (!drag_some(context, document, layer, together, options, asked, solved, times)) return false;
   }
   std::printf(
       "%-24s solve %7.1f  kept %6.1f  begin %7.1f  first frame %6.2f  later %6.2f, nodes %6.0f, "
@@ -133,6 +144,8 @@ int main(int argc, char** argv) {
     const std::string argument = argv[i];
     if (argument == "--curves" && i + 1 < argc) {
       options.curves = static_cast<std::uint32_t>(std::max(1, std::atoi(argv[++i])));
+    } else if (argument == "--together" && i + 1 < argc) {
+      options.together = static_cast<std::uint32_t>(std::max(1, std::atoi(argv[++i])));
     } else if (argument == "--missed" && i + 1 < argc) {
       options.most_missed = std::atof(argv[++i]);
     } else if (argument == "--seconds" && i + 1 < argc) {

@@ -45,8 +45,8 @@ bool take_time(double& least, const Step& step) {
 bool drag(Context& context, Solution& solution, std::uint32_t layer, std::uint32_t curve,
           double& begin, double& frame) {
   Curve to = moved(solution, layer, curve, 1);
-  const auto drag_it = [&] { return solution.drag(context, std::move(to)); };
-  return take_time(begin, [&] { return solution.begin_drag(context, layer, curve); }) &&
+  const auto drag_it = [&] { return solution.drag(context, {std::move(to)}); };
+  return take_time(begin, [&] { return solution.begin_drag(context, layer, {curve}); }) &&
          take_time(frame, drag_it);
 }
 

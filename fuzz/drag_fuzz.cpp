@@ -28,7 +28,7 @@ void require_told(const Status& status) {
 
 /// Makes a frame without time, and then the rest, a little at a time.
 Status drag_in_steps(Context& context, Solution& solution, const Curve& curve) {
-  Status status = solution.drag(context, curve, nullptr, 0);
+  Status status = solution.drag(context, {curve}, nullptr, 0);
   while (const std::size_t left = status ? solution.waiting_nodes() : 0) {
     fuzz::require_ok(picture::check_picture(context, solution.picture()), "a frame is no picture");
     if (!solution.drag_more(context, nullptr, 0)) break;  // the frame is complete
@@ -39,12 +39,12 @@ Status drag_in_steps(Context& context, Solution& solution, const Curve& curve) {
 
 /// Drags a curve; some frames are cancelled, or made in steps.
 Status drag(Context& context, Solution& solution, const Curve& curve, unsigned cancelled_at) {
-  if (cancelled_at == 0) return solution.drag(context, curve);
+  if (cancelled_at == 0) return solution.drag(context, {curve});
   if (cancelled_at % 3 == 0) return drag_in_steps(context, solution, curve);
   Context hurried{.budget = Budget(fuzz::kBudgetBytes)};
   test::CancelAt watch(8 * cancelled_at, hurried.cancel);
   hurried.poll_watch = &watch;
-  return solution.drag(hurried, curve);
+  return solution.drag(hurried, {curve});
 }
 
 void require_frame(Context& context, Solution& solution, std::uint32_t layer, std::uint32_t curve,
@@ -146,10 +146,10 @@ void drag_one(Context& context, fuzz::ByteReader& bytes, Solution& solution) {
     const unsigned cancelled_at = bytes.below(4) == 0 ? bytes.byte() : 0u;
     require_frame(context, solution, layer, curve, moved, cancelled_at);
   }
-  if (!solution.drag(context, before)) return;
+  if (!solution.drag(context, {before})) return;
   const Picture first = solution.picture();
-  (void)solution.drag(context, at_next_place(bytes, solution.document(), before));
-  if (!solution.drag(context, before)) return;
+  (void)solution.drag(context, {at_next_place(bytes, solution.document(), before)});
+  if (!solution.drag(context, {before})) return;
   fuzz::require(test::difference_of(solution.picture(), first).empty(),
                 "a frame depends on those before it");
 }

@@ -34,9 +34,9 @@ Curve lowered(Curve curve, double by) {
 
 Status drag_the_sun(Context& context, Solution& solution) {
   const Curve sun = solution.document().layers[kSunLayer].curves[0];
-  Status status = solution.begin_drag(context, kSunLayer, 0);
+  Status status = solution.begin_drag(context, kSunLayer, {0});
   for (int y = 0; status && y < 30; y += 10) {
-    status = solution.drag(context, lowered(sun, y));  // for looking at, while the pointer moves
+    status = solution.drag(context, {lowered(sun, y)});  // for looking at, while the pointer moves
     show(solution.picture(), solution.take_delta());
   }
   if (status) status = solution.solve(context, DiffuseOptions{});  // once it rests: exact

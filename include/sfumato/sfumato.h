@@ -303,12 +303,12 @@ SFUMATO_API int32_t sfumato_solve(sfumato_context* context, const sfumato_docume
  * layers whose curves changed since the last call. The result equals sfumato_solve() bit for bit.
  * After an error the picture is unchanged.
  *
- * Set `quick` to 1 for a preview while a curve moves. Where one curve of the document got other
- * points or stops since the last time, and nothing else changed, its layer is not solved. Values
- * are then exact to a few code values, the mesh near the curve is as fine as it was there, and the
- * curve is drawn over the others of its layer. The first call for a curve costs up to as much as
- * solving its layer. It prepares tables that last until the next call without `quick`, or for
- * another curve. A curve that touches a hundredth of the layer's mesh is drawn on a coarse one.
+ * Set `quick` to 1 for a preview while curves move. Where curves of one layer got other points or
+ * stops since the last time, and nothing else changed, the layer is not solved. Values are then
+ * exact to a few code values, the mesh near the curves is as fine as it was there, and the curves
+ * are drawn over the others of their layer. The first call for some curves costs up to as much as
+ * solving their layer. It prepares tables that last until the next call without `quick`, or for
+ * other curves. Curves that touch a hundredth of the layer's mesh are drawn on a coarse one.
  *
  * Where only the value of one stop of a colour or an opacity changed, or all stops of a list by the
  * same difference, only the first call for the stop gathers. Values are exact. After the first call
@@ -335,14 +335,14 @@ SFUMATO_API int32_t sfumato_solve_within(sfumato_context* context, const sfumato
  * the picture as it was. */
 SFUMATO_API int32_t sfumato_solve_next(sfumato_context* context, const sfumato_document* document,
                                        sfumato_picture* picture);
-/** Prepares a picture for dragging this curve, so that the first quick picture is as fast as the
- * later ones. Use it, for example, when a pointer is above the curve. The picture stays unchanged.
- * Where the tables that quick pictures start from were not kept, its layer is solved once more. The
- * prepared tables take memory of this context until the next curve is prepared, or the picture is
- * solved again. Returns SFUMATO_BAD_INPUT without such a curve, or if its layer changed since it
- * was solved. */
+/** Prepares a picture for dragging curves of a layer together, so that the first quick picture is as
+ * fast as the later ones. Use it, for example, when a pointer is above a curve. The picture stays
+ * unchanged. Where the tables that quick pictures start from were not kept, its layer is solved once
+ * more. The prepared tables take memory of this context until other curves are prepared, or the
+ * picture is solved again. Returns SFUMATO_BAD_INPUT without such curves, or if their layer changed
+ * since it was solved. */
 SFUMATO_API int32_t sfumato_expect_drag(sfumato_context* context, sfumato_picture* picture,
-                                        uint32_t layer, uint32_t curve);
+                                        uint32_t layer, const uint32_t* curves, size_t curve_count);
 /** Writes a picture exactly, as `sfumato solve` does: docs/picture-file.md. */
 SFUMATO_API int32_t sfumato_picture_write(sfumato_context* context, const sfumato_picture* picture,
                                           sfumato_bytes** bytes);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <span>
 #include <utility>
 
@@ -9,35 +10,47 @@
 namespace sfumato::capi {
 namespace {
 
-/// Prepares the curve for a drag. Errors: bad_input if its layer must be solved first.
-Status take_hold(sfumato_context& context, CurvePlace place, sfumato_picture& handle) {
-  if (handle.dragged == place) return ok_status();
+/// The largest share of a layer's control points that several dragged curves may have. With more, a
+/// rough picture of the layer takes less time than a frame.
+constexpr double kMostDragged = 1.0 / 16;
+
+/// Prepares the curves for a drag. Errors: bad_input if their layer must be solved first.
+Status take_hold(sfumato_context& context, const LayerCurves& curves, sfumato_picture& handle) {
+  if (handle.dragged == curves) return ok_status();
   handle.solution->end_drag();
   handle.dragged.reset();
   handle.colored.reset();
   handle.has_moved = false;
   handle.drag_workshop = context.workshop;
-  SFUMATO_TRY(handle.solution->begin_drag(context.workshop->context, place.layer, place.curve));
-  handle.dragged = place;
+  SFUMATO_TRY(handle.solution->begin_drag(context.workshop->context, curves.layer, curves.curves));
+  handle.dragged = curves;
   return ok_status();
 }
 
-/// Notes that the picture shows the document, after a change of one curve.
-/// is_same   the solution has the same curve as `document`, to the last bit
+/// Returns whether the drag that runs includes the changed curves.
+bool is_dragged(const LayerCurves& changed, const sfumato_picture& handle) {
+  return handle.has_moved && handle.dragged->layer == changed.layer &&
+         std::ranges::includes(handle.dragged->curves, changed.curves);
+}
+
+/// Notes that the picture shows the document, after a change of some curves.
+/// is_same   the solution has the same curves as `document`, to the last bit
 void note_shown(const sfumato_document& document, bool is_same, sfumato_picture& handle) {
   const bool was_same = handle.applied == handle.shown;  // also in all other curves
   handle.shown = document.edits.now();
   handle.applied = was_same && is_same ? handle.shown : Revision{};
 }
 
-/// Shows one curve at its new place in the picture.
-Status drag(sfumato_context& context, CurvePlace place, const sfumato_document& document,
+/// Shows the curves at their new places in the picture.
+Status drag(sfumato_context& context, const LayerCurves& moved, const sfumato_document& document,
             double seconds, sfumato_picture& handle) {
-  SFUMATO_TRY(take_hold(context, place, handle));
+  SFUMATO_TRY(take_hold(context, moved, handle));
   std::vector<ChangedRows> changed(handle.changed.size());
-  const Curve& curve = document.document.layers[place.layer].curves[place.curve];
+  std::vector<Curve> curves;
+  for (const std::uint32_t curve : moved.curves)
+    curves.push_back(document.document.layers[moved.layer].curves[curve]);
   DiffuseStats stats;
-  SFUMATO_TRY(handle.solution->drag(context.workshop->context, curve, &stats, seconds));
+  SFUMATO_TRY(handle.solution->drag(context.workshop->context, std::move(curves), &stats, seconds));
   handle.has_moved = true;
   handle.count(stats);
   note_changes(handle.picture(), handle.solution->take_delta(), changed);
@@ -140,17 +153,30 @@ Outcome respond(sfumato_context& context, sfumato_picture* handle,
 
 }  // namespace
 
-Status show_change(sfumato_context& context, CurvePlace place, const sfumato_document& document,
-                   double seconds, sfumato_picture& handle) {
-  if (handle.dragged == place && handle.has_moved)
-    return drag(context, place, document, seconds, handle);
-  Status status = recolor(context, place, document, handle);
-  if (status.code != StatusCode::bad_input) return status;
-  return drag(context, place, document, seconds, handle);
+bool may_be_dragged(const LayerCurves& changed, const Document& document) {
+  if (changed.curves.size() == 1) return true;
+  const std::vector<Curve>& curves = document.layers[changed.layer].curves;
+  std::size_t all = 0, dragged = 0;
+  for (const Curve& curve : curves) all += curve.control_points.size();
+  for (const std::uint32_t curve : changed.curves) dragged += curves[curve].control_points.size();
+  return static_cast<double>(dragged) <= kMostDragged * static_cast<double>(all);
 }
 
-Status expect_drag(sfumato_context& context, CurvePlace place, sfumato_picture& handle) {
-  return take_hold(context, place, handle);
+Status show_changes(sfumato_context& context, const LayerCurves& changed,
+                    const sfumato_document& document, double seconds, sfumato_picture& handle) {
+  if (is_dragged(changed, handle)) {
+    const LayerCurves dragged = *handle.dragged;
+    return drag(context, dragged, document, seconds, handle);
+  }
+  if (changed.curves.size() == 1) {
+    Status status = recolor(context, {changed.layer, changed.curves[0]}, document, handle);
+    if (status.code != StatusCode::bad_input) return status;
+  }
+  return drag(context, changed, document, seconds, handle);
+}
+
+Status expect_drag(sfumato_context& context, const LayerCurves& curves, sfumato_picture& handle) {
+  return take_hold(context, curves, handle);
 }
 
 Status show_more(sfumato_context& context, double seconds, sfumato_picture& handle) {
@@ -166,11 +192,14 @@ Status show_more(sfumato_context& context, double seconds, sfumato_picture& hand
 }  // namespace sfumato::capi
 
 int32_t sfumato_expect_drag(sfumato_context* context, sfumato_picture* picture, uint32_t layer,
-                            uint32_t curve) {
+                            const uint32_t* curves, size_t curve_count) {
   return sfumato::capi::call(context, [&](sfumato::capi::Workshop&) -> sfumato::capi::Outcome {
     if (!picture) return sfumato::capi::bad_usage("NULL given; pass a picture");
+    if (!curves && curve_count > 0) return sfumato::capi::bad_usage("NULL given; pass curves");
     if (!picture->solution) return sfumato::capi::no_solution();
-    return sfumato::capi::expect_drag(*context, {layer, curve}, *picture);
+    std::vector<std::uint32_t> list(curves, curves + curve_count);
+    std::ranges::sort(list);
+    return sfumato::capi::expect_drag(*context, {layer, std::move(list)}, *picture);
   });
 }
 

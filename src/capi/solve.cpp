@@ -173,8 +173,9 @@ Outcome solve_quickly(sfumato_context& context, const sfumato_document& document
     }
     Status status = show_more(context, seconds, handle);
     if (is_shown(status)) return status;
-  } else if (const auto moved = document.edits.only_change_since(handle.shown)) {
-    Status status = show_change(context, *moved, document, seconds, handle);
+  } else if (const auto changed = document.edits.only_changes_since(handle.shown);
+             changed && may_be_dragged(*changed, document.document)) {
+    Status status = show_changes(context, *changed, document, seconds, handle);
     if (is_shown(status)) return status;
   }
   return solve_all(*context.workshop, document, solve_roughly, handle);

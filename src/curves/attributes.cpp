@@ -263,7 +263,7 @@ Result<SegmentAttributes> sample_colors_and_opacities(const Context& context,
   return std::move(colors);
 }
 
-Status replace_tail(const Context& context, std::size_t first, std::uint32_t curve,
+Status replace_tail(const Context& context, std::size_t first, std::uint32_t first_curve,
                     const SegmentAttributes& tail, TableMemory& memory,
                     SegmentAttributes& attributes) {
   Status status;
@@ -275,9 +275,10 @@ Status replace_tail(const Context& context, std::size_t first, std::uint32_t cur
   replace(tail.right, attributes.right);
   replace(tail.weight, attributes.weight);
   replace(tail.vertex, attributes.vertex);
-  attributes.curve.resize(first);
-  return status ? memory.resize(context, attributes.curve, first + tail.curve.size(), curve)
-                : status;
+  replace(tail.curve, attributes.curve);
+  if (!status) return status;
+  for (std::size_t s = first; s < attributes.curve.size(); ++s) attributes.curve[s] += first_curve;
+  return status;
 }
 
 void remove_blur(SegmentAttributes& attributes) {

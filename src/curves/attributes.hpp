@@ -122,10 +122,10 @@ Result<SegmentAttributes> sample_colors_and_opacities(const Context& context,
                                                       InterpolationSpace space,
                                                       TableMemory& memory);
 
-/// Replaces the entries from `first` on by `tail`, which was sampled for one curve alone and has no
-/// shaders: its index is now `curve`. The tables belong to `memory`. Errors: limit (memory),
-/// cancelled; `attributes` is then unusable.
-Status replace_tail(const Context& context, std::size_t first, std::uint32_t curve,
+/// Replaces the entries from `first` on by `tail`, which was sampled for some curves alone and has
+/// no shaders. The first of these curves has the index `first_curve` now. The tables belong to
+/// `memory`. Errors: limit (memory), cancelled; `attributes` is then unusable.
+Status replace_tail(const Context& context, std::size_t first, std::uint32_t first_curve,
                     const SegmentAttributes& tail, TableMemory& memory,
                     SegmentAttributes& attributes);
 

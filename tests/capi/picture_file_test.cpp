@@ -83,11 +83,12 @@ TEST_F(PictureFileOfC, its_tables_and_numbers_are_those_of_the_other) {
 TEST_F(PictureFileOfC, it_follows_no_document) {
   const PictureHandle again = read(bytes_of(picture.get()));
   sfumato_view view{};
+  const std::uint32_t curve = 0;
   EXPECT_EQ(sfumato_solve_again(c, document.get(), 0, again.get()), SFUMATO_BAD_USAGE);
   EXPECT_NE(std::string(sfumato_error_text(c)).find("read from a file"), std::string::npos);
   EXPECT_EQ(sfumato_solve_again(c, document.get(), 1, again.get()), SFUMATO_BAD_USAGE);
   EXPECT_EQ(sfumato_solve_within(c, document.get(), 1, again.get()), SFUMATO_BAD_USAGE);
-  EXPECT_EQ(sfumato_expect_drag(c, again.get(), 0, 0), SFUMATO_BAD_USAGE);
+  EXPECT_EQ(sfumato_expect_drag(c, again.get(), 0, &curve, 1), SFUMATO_BAD_USAGE);
   EXPECT_EQ(sfumato_stop_response(c, again.get(), 0, 0, 0, 0, 0, &view), SFUMATO_BAD_USAGE);
   EXPECT_EQ(bytes_of(again.get()), bytes_of(picture.get()));
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <string>
 #include <vector>
 
 #include "capi/handles.hpp"
@@ -23,6 +24,24 @@ constexpr const char* kDrawing =
     "<path d='M30 80L70 84' sf:left='green' sf:right='black'/></g>"
     "<g sf:diffuse='true'><path d='M40 40C60 40 60 60 40 60' sf:left='#fff' sf:right='#333'"
     " sf:opacity='0.5'/></g></svg>";
+
+/// Forty short curves in a layer.
+std::string many_curves() {
+  std::string text =
+      "<svg xmlns='http://www.w3.org/2000/svg' xmlns:sf='urn:sfumato:1' viewBox='0 0 96 96'>"
+      "<g sf:diffuse='true'>";
+  for (int i = 0; i < 40; ++i) {
+    text += "<path d='M" + std::to_string(8 + 11 * (i % 8)) + " " +
+            std::to_string(10 + 18 * (i / 8)) + "q4 5 8 0' sf:left='" +
+            (i % 2 == 0 ? "red" : "gold") + "' sf:right='" + (i % 3 == 0 ? "navy" : "teal") + "'/>";
+  }
+  return text + "</g></svg>";
+}
+
+std::int32_t expect_drag(sfumato_context* context, sfumato_picture* picture, std::uint32_t layer,
+                         const std::vector<std::uint32_t>& curves) {
+  return sfumato_expect_drag(context, picture, layer, curves.data(), curves.size());
+}
 
 class CQuick : public testing::Test {
  protected:
@@ -121,6 +140,37 @@ TEST_F(CQuick, pictures_show_a_curve_that_moves) {
   EXPECT_TRUE(is_exact());
 }
 
+TEST_F(CQuick, pictures_show_several_curves_that_move_together) {
+  document = read_text(c, many_curves());
+  picture = solve(c, document.get(), kOptions);
+  ASSERT_EQ(expect_drag(c, picture.get(), 0, {21, 3}), SFUMATO_OK);
+  const std::uint32_t all = new_rows(0);
+  for (int frame = 0; frame < 4; ++frame) {
+    const double by = 1.5 - frame;
+    move(by, 3);
+    if (frame != 2) move(by, 21);
+    ASSERT_EQ(again(1), SFUMATO_OK) << sfumato_error_text(c);
+    EXPECT_LT(mean_miss(), 0.5) << by;
+    if (frame == 0) continue;
+    EXPECT_LT(new_rows(0), all / 2) << "only the curves' surroundings are new";
+  }
+  ASSERT_EQ(again(0), SFUMATO_OK);
+  EXPECT_TRUE(is_exact());
+}
+
+/// Rough pictures are quicker then.
+TEST_F(CQuick, pictures_of_many_curves_that_move_are_rough) {
+  document = read_text(c, many_curves());
+  picture = solve(c, document.get(), kOptions);
+  for (int frame = 0; frame < 2; ++frame) {
+    for (const std::uint32_t curve : {3u, 10u, 21u}) move(1, curve);
+    ASSERT_EQ(again(1), SFUMATO_OK) << sfumato_error_text(c);
+    EXPECT_LT(mean_miss(), 2);
+  }
+  ASSERT_EQ(again(0), SFUMATO_OK);
+  EXPECT_TRUE(is_exact());
+}
+
 TEST_F(CQuick, pictures_show_new_colours_of_the_curve) {
   const double rows[] = {0, 1, 0, 0, 1, 0, 1, 0};
   ASSERT_EQ(sfumato_set_curve_stops(c, document.get(), 0, 0, SFUMATO_LEFT, SFUMATO_COLOR,
@@ -195,8 +245,8 @@ TEST_F(CQuick, pictures_within_a_time_go_on_where_they_stopped) {
 
 TEST_F(CQuick, a_drag_that_is_expected_leaves_the_picture_and_begins_at_once) {
   const std::string before = tables_of(picture.get());
-  ASSERT_EQ(sfumato_expect_drag(c, picture.get(), 0, 1), SFUMATO_OK);
-  ASSERT_EQ(sfumato_expect_drag(c, picture.get(), 0, 0), SFUMATO_OK);
+  ASSERT_EQ(expect_drag(c, picture.get(), 0, {1}), SFUMATO_OK);
+  ASSERT_EQ(expect_drag(c, picture.get(), 0, {0}), SFUMATO_OK);
   EXPECT_TRUE(tables_of(picture.get()) == before);
   EXPECT_TRUE(is_exact());
   move(2);
@@ -215,14 +265,14 @@ TEST_F(CQuick, a_drag_that_is_expected_leaves_the_picture_and_begins_at_once) {
 }
 
 TEST_F(CQuick, other_changes_than_the_drag_that_is_expected_are_shown_too) {
-  ASSERT_EQ(sfumato_expect_drag(c, picture.get(), 0, 1), SFUMATO_OK);
+  ASSERT_EQ(expect_drag(c, picture.get(), 0, {1}), SFUMATO_OK);
   move(2, 0);
   ASSERT_EQ(again(1), SFUMATO_OK);
   EXPECT_LT(mean_miss(), 0.5);
-  ASSERT_EQ(sfumato_expect_drag(c, picture.get(), 0, 0), SFUMATO_OK) << "the layer is rough";
+  ASSERT_EQ(expect_drag(c, picture.get(), 0, {0}), SFUMATO_OK) << "the layer is rough";
   ASSERT_EQ(again(0), SFUMATO_OK);
   EXPECT_TRUE(is_exact());
-  ASSERT_EQ(sfumato_expect_drag(c, picture.get(), 0, 0), SFUMATO_OK);
+  ASSERT_EQ(expect_drag(c, picture.get(), 0, {0}), SFUMATO_OK);
   ASSERT_EQ(sfumato_remove_curve(c, document.get(), 0, 0), SFUMATO_OK);
   ASSERT_EQ(again(0), SFUMATO_OK);
   EXPECT_TRUE(is_exact());
@@ -230,15 +280,15 @@ TEST_F(CQuick, other_changes_than_the_drag_that_is_expected_are_shown_too) {
 
 TEST_F(CQuick, drags_are_shown_whatever_failed_before) {
   sfumato_cancel(c);
-  EXPECT_EQ(sfumato_expect_drag(c, picture.get(), 0, 0), SFUMATO_CANCELLED);
+  EXPECT_EQ(expect_drag(c, picture.get(), 0, {0}), SFUMATO_CANCELLED);
   sfumato_resume(c);
-  for (int i = 0; i < 2; ++i) ASSERT_EQ(sfumato_expect_drag(c, picture.get(), 0, 0), SFUMATO_OK);
+  for (int i = 0; i < 2; ++i) ASSERT_EQ(expect_drag(c, picture.get(), 0, {0}), SFUMATO_OK);
   EXPECT_TRUE(is_exact());
   move(2);
   sfumato_cancel(c);
   EXPECT_EQ(again(0), SFUMATO_CANCELLED);
   sfumato_resume(c);
-  EXPECT_EQ(sfumato_expect_drag(c, picture.get(), 0, 0), SFUMATO_OK) << "the picture is there";
+  EXPECT_EQ(expect_drag(c, picture.get(), 0, {0}), SFUMATO_OK) << "the picture is there";
   move(2);
   ASSERT_EQ(again(1), SFUMATO_OK);
   EXPECT_LT(mean_miss(), 0.5);
@@ -247,10 +297,13 @@ TEST_F(CQuick, drags_are_shown_whatever_failed_before) {
 }
 
 TEST_F(CQuick, drags_of_no_curve_are_not_expected) {
-  EXPECT_EQ(sfumato_expect_drag(c, picture.get(), 0, 99), SFUMATO_BAD_INPUT);
-  EXPECT_EQ(sfumato_expect_drag(c, picture.get(), 99, 0), SFUMATO_BAD_INPUT);
-  EXPECT_EQ(sfumato_expect_drag(c, nullptr, 0, 0), SFUMATO_BAD_USAGE);
-  EXPECT_EQ(sfumato_expect_drag(nullptr, picture.get(), 0, 0), SFUMATO_BAD_USAGE);
+  EXPECT_EQ(expect_drag(c, picture.get(), 0, {99}), SFUMATO_BAD_INPUT);
+  EXPECT_EQ(expect_drag(c, picture.get(), 99, {0}), SFUMATO_BAD_INPUT);
+  EXPECT_EQ(expect_drag(c, picture.get(), 0, {}), SFUMATO_BAD_INPUT);
+  EXPECT_EQ(expect_drag(c, picture.get(), 0, {1, 1}), SFUMATO_BAD_INPUT);
+  EXPECT_EQ(sfumato_expect_drag(c, picture.get(), 0, nullptr, 1), SFUMATO_BAD_USAGE);
+  EXPECT_EQ(expect_drag(c, nullptr, 0, {0}), SFUMATO_BAD_USAGE);
+  EXPECT_EQ(expect_drag(nullptr, picture.get(), 0, {0}), SFUMATO_BAD_USAGE);
   EXPECT_TRUE(is_exact());
 }
 
@@ -464,7 +517,7 @@ TEST_F(CQuickColors, of_a_side_are_those_of_the_document_after_another_curve_has
 }
 
 TEST_F(CQuickColors, of_a_curve_whose_drag_is_expected_change_values_alone) {
-  ASSERT_EQ(sfumato_expect_drag(c, picture.get(), 0, 1), SFUMATO_OK);
+  ASSERT_EQ(expect_drag(c, picture.get(), 0, {1}), SFUMATO_OK);
   for (const double green : {0.25, 0.5}) {
     set_colors({0, 1, 0, 0, 1, 0, green, 1});
     ASSERT_EQ(again(1), SFUMATO_OK) << sfumato_error_text(c);

@@ -33,7 +33,7 @@ TEST(WeightClass, of_nothing_and_of_what_is_out_of_range_promises_nothing) {
 
 Result<ShareBound> bound_of_unit_segment(const Context& context, double weight, double most) {
   const std::vector<Vec2> polyline{{0, 0}, {1, 0}};
-  return ShareBound::create(context, polyline, weight, most);
+  return ShareBound::create(context, std::vector<ShareBound::Polyline>{polyline}, weight, most);
 }
 
 TEST(ShareBound, holds_from_the_distance_on_that_its_formula_gives) {
@@ -59,8 +59,10 @@ TEST(ShareBound, says_how_much_and_with_fewer_runs_no_less) {
   std::vector<Vec2> polyline;
   for (int i = 0; i <= 400; ++i) polyline.push_back({0.25 * i, 10 * std::sin(0.1 * i)});
   for (const double most : {0.002, 0.02, 0.3}) {
-    const auto fine = ShareBound::create(context, polyline, 2, most);
-    const auto coarse = ShareBound::create(context, polyline, 2, most, 5);
+    const auto fine =
+        ShareBound::create(context, std::vector<ShareBound::Polyline>{polyline}, 2, most);
+    const auto coarse =
+        ShareBound::create(context, std::vector<ShareBound::Polyline>{polyline}, 2, most, 5);
     ASSERT_TRUE(fine.ok() && coarse.ok());
     int held = 0;
     for (double y = -400; y <= 400; y += 7) {
@@ -76,7 +78,8 @@ TEST(ShareBound, says_how_much_and_with_fewer_runs_no_less) {
     }
     EXPECT_GT(held, 0);
   }
-  const auto bound = ShareBound::create(context, polyline, 2, 0.02);
+  const auto bound =
+      ShareBound::create(context, std::vector<ShareBound::Polyline>{polyline}, 2, 0.02);
   EXPECT_TRUE(std::isinf(bound->share_at({50, 0}, 1, 4))) << "among the curve's runs";
   EXPECT_TRUE(std::isinf(bound->share_at({50, 300}, 0, 4))) << "nothing is known";
 }

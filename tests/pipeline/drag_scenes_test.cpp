@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "solve/session/layer_drag.hpp"
+#include "solve/session/layer_session.hpp"
 #include "support/same_picture.hpp"
 #include "support/sanitizers.hpp"
 #include "support/scenes.hpp"
@@ -28,17 +28,20 @@ TEST_P(DragScenes, miss_by_less_than_a_code_value) {
     const auto curve = static_cast<std::uint32_t>(curves.size() * (2 * i + 1) / 12);
     SCOPED_TRACE("curve " + std::to_string(curve));
     std::optional<RefinedLayer> none;
-    Result<LayerDrag> quick = LayerDrag::begin(context, document, 0, curve, sight, options, none);
-    Result<LayerDrag> slow = LayerDrag::begin(context, document, 0, curve, sight, options, none, 0);
+    const LayerInput input = input_of(document, 0, sight, options);
+    Result<LayerSession> quick = LayerSession::open(context, input, {curve}, none);
+    Result<LayerSession> slow =
+        LayerSession::open(context, input, {curve}, none, {.most_missed = 0});
     ASSERT_TRUE(quick.ok() && slow.ok()) << quick.status().message << slow.status().message;
     for (const double by : {5.0, -12.0}) {
       Curve moved = curves[curve];
       for (Vec2& p : moved.control_points) p = p + Vec2{by, 0.5 * by};
-      const Result<FramePatches> about = quick->frame(context, moved);
-      const Result<FramePatches> exact = slow->frame(context, moved);
-      ASSERT_TRUE(about.ok() && exact.ok());
-      ASSERT_EQ(about->layer.color.triangle_node, exact->layer.color.triangle_node);
-      EXPECT_LT(255 * test::largest_difference(about->layer.color, exact->layer.color), 1);
+      const Result<std::optional<FramePatches>> about = quick->frame(context, {&moved, 1});
+      const Result<std::optional<FramePatches>> exact = slow->frame(context, {&moved, 1});
+      ASSERT_TRUE(about.ok() && exact.ok() && *about && *exact);
+      const PatchField &quick_color = (*about)->layer.color, &slow_color = (*exact)->layer.color;
+      ASSERT_EQ(quick_color.triangle_node, slow_color.triangle_node);
+      EXPECT_LT(255 * test::largest_difference(quick_color, slow_color), 1);
     }
   }
 }

@@ -251,7 +251,7 @@ TEST_F(ColorDrag, refuses_what_is_not_a_stop_or_not_solved) {
   ASSERT_TRUE(solution.apply(context, ReplaceCurve{0, 0, curve}).ok());
   expect_refused(begin(kFirstStop), "to be solved");
   expect_refused(solution.color(context, kBlue), "no stop is prepared");
-  expect_refused(solution.begin_drag(context, 0, 0), "to be solved");
+  expect_refused(solution.begin_drag(context, 0, {0}), "to be solved");
 }
 
 TEST_F(ColorDrag, begins_at_a_layer_that_nothing_shows) {

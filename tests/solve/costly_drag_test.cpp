@@ -62,10 +62,10 @@ TEST(CostlyDrag, has_a_mesh_that_is_rough_throughout) {
   Context context;
   Solution solution = expecting_drags(context, drawing_of_costly(wave()));
   const std::size_t exact = triangles(solution);
-  ASSERT_TRUE(solution.begin_drag(context, 0, 0).ok());
+  ASSERT_TRUE(solution.begin_drag(context, 0, {0}).ok());
   EXPECT_EQ(triangles(solution), exact) << "the picture stays as it is";
   for (const Vec2 by : {Vec2{1, 2}, Vec2{-3, 1}, Vec2{0, 0}}) {
-    ASSERT_TRUE(solution.drag(context, moved(wave(), by)).ok());
+    ASSERT_TRUE(solution.drag(context, {moved(wave(), by)}).ok());
     EXPECT_LT(triangles(solution), exact * 2 / 3);
     EXPECT_LT(mean_difference(solution.picture(), diffused(solution.document())), 1);
   }
@@ -78,23 +78,23 @@ TEST(CostlyDrag, is_that_of_the_costly_curve_alone) {
   Context context;
   Solution solution = expecting_drags(context, drawing_of_costly(wave()));
   const std::size_t exact = triangles(solution);
-  ASSERT_TRUE(solution.begin_drag(context, 0, 1).ok());
+  ASSERT_TRUE(solution.begin_drag(context, 0, {1}).ok());
   const Curve small = solution.document().layers[0].curves[1];
-  ASSERT_TRUE(solution.drag(context, moved(small, {2, 1})).ok());
+  ASSERT_TRUE(solution.drag(context, {moved(small, {2, 1})}).ok());
   EXPECT_GT(triangles(solution), exact * 9 / 10);
 }
 
 TEST(CostlyDrag, depends_on_where_the_curve_is_alone_beyond_the_picture_too) {
   Context context;
   Solution solution = expecting_drags(context, drawing_of_costly(wave()));
-  ASSERT_TRUE(solution.begin_drag(context, 0, 0).ok());
-  ASSERT_TRUE(solution.drag(context, moved(wave(), {4, 3})).ok());
+  ASSERT_TRUE(solution.begin_drag(context, 0, {0}).ok());
+  ASSERT_TRUE(solution.drag(context, {moved(wave(), {4, 3})}).ok());
   const Picture straight = solution.picture();
   for (const Vec2 by : {Vec2{-9, 5}, Vec2{40, 0}, Vec2{130, 20}, Vec2{900, 0}}) {
-    ASSERT_TRUE(solution.drag(context, moved(wave(), by)).ok());
+    ASSERT_TRUE(solution.drag(context, {moved(wave(), by)}).ok());
     EXPECT_LT(mean_difference(solution.picture(), diffused(solution.document())), 1) << by.x;
   }
-  ASSERT_TRUE(solution.drag(context, moved(wave(), {4, 3})).ok());
+  ASSERT_TRUE(solution.drag(context, {moved(wave(), {4, 3})}).ok());
   EXPECT_EQ(difference_of(solution.picture(), straight), "");
 }
 
@@ -135,9 +135,9 @@ TEST(CostlyDrag, of_any_curve_shows_it_and_ends_in_the_picture_of_diffuse) {
     instance.artboard_from_layer = {2, 0, 0, 2, 30, 10};
     document.stack.push_back(instance);
     Solution solution = expecting_drags(context, document);
-    ASSERT_TRUE(solution.begin_drag(context, 0, 0).ok());
+    ASSERT_TRUE(solution.begin_drag(context, 0, {0}).ok());
     for (const Vec2 by : {Vec2{1, 2}, Vec2{-6, 1}, Vec2{150, 0}, Vec2{2, 2}}) {
-      ASSERT_TRUE(solution.drag(context, moved(curve, by), nullptr, 0).ok());
+      ASSERT_TRUE(solution.drag(context, {moved(curve, by)}, nullptr, 0).ok());
       ASSERT_TRUE(solution.drag_more(context).ok());
       EXPECT_EQ(solution.waiting_nodes(), 0u);
       EXPECT_LT(mean_difference(solution.picture(), diffused(solution.document())), 1.5) << by.x;
@@ -152,14 +152,14 @@ TEST(CostlyDrag, waits_where_nothing_is_seen_without_the_curve) {
   Context context;
   const Curve outline = with_opacity(wave(), 0, 1);
   Solution solution = expecting_drags(context, drawing_of_costly(outline));
-  ASSERT_TRUE(solution.begin_drag(context, 0, 0).ok());
-  ASSERT_TRUE(solution.drag(context, moved(outline, {1, 1}), nullptr, 0).ok());
+  ASSERT_TRUE(solution.begin_drag(context, 0, {0}).ok());
+  ASSERT_TRUE(solution.drag(context, {moved(outline, {1, 1})}, nullptr, 0).ok());
   ASSERT_TRUE(solution.drag_more(context).ok());
   DiffuseStats exact, hurried;
-  ASSERT_TRUE(solution.drag(context, moved(outline, {1.5, 1}), &hurried, 0).ok());
+  ASSERT_TRUE(solution.drag(context, {moved(outline, {1.5, 1})}, &hurried, 0).ok());
   EXPECT_GT(solution.waiting_nodes(), 0u);
   EXPECT_LT(mean_difference(solution.picture(), diffused(solution.document())), 1.5);
-  ASSERT_TRUE(solution.drag(context, moved(outline, {1.5, 1}), &exact).ok());
+  ASSERT_TRUE(solution.drag(context, {moved(outline, {1.5, 1})}, &exact).ok());
   EXPECT_EQ(solution.waiting_nodes(), 0u);
   EXPECT_LT(hurried.nodes, exact.nodes * 2 / 3);
 }

@@ -28,13 +28,13 @@ using test::kRed;
 TEST(DragRows, says_the_rows_between_pictures_that_were_looked_at) {
   Context context;
   Solution solution = expecting_drags(context, circles());
-  ASSERT_TRUE(solution.begin_drag(context, 0, 0).ok());
-  ASSERT_TRUE(solution.drag(context, circle_at({41, 37})).ok());
-  ASSERT_TRUE(solution.drag(context, circle_at({44, 37})).ok());
+  ASSERT_TRUE(solution.begin_drag(context, 0, {0}).ok());
+  ASSERT_TRUE(solution.drag(context, {circle_at({41, 37})}).ok());
+  ASSERT_TRUE(solution.drag(context, {circle_at({44, 37})}).ok());
   const PatchLayer before = solution.picture().layers[0];
   EXPECT_TRUE(solution.take_delta().rows.empty()) << "it is new as a whole";
   for (const Vec2 center : {Vec2{47, 37}, Vec2{30, 44}, Vec2{45, 36}})
-    ASSERT_TRUE(solution.drag(context, circle_at(center)).ok());
+    ASSERT_TRUE(solution.drag(context, {circle_at(center)}).ok());
   const PictureDelta delta = solution.take_delta();
   ASSERT_EQ(delta.layers, std::vector<std::uint32_t>{0});
   ASSERT_EQ(delta.rows.size(), 1u);
@@ -95,10 +95,10 @@ TEST(DragRows, says_the_rows_of_its_first_frame_too) {
   Solution solution = expecting_drags(context, document);
   solution.take_delta();
   const PatchLayer solved = solution.picture().layers[0];
-  ASSERT_TRUE(solution.begin_drag(context, 0, 2).ok());
+  ASSERT_TRUE(solution.begin_drag(context, 0, {2}).ok());
   Curve moved = line;
   moved.control_points[0] = {57, 58};
-  ASSERT_TRUE(solution.drag(context, moved).ok());
+  ASSERT_TRUE(solution.drag(context, {moved}).ok());
   const PictureDelta delta = solution.take_delta();
   ASSERT_EQ(delta.rows.size(), 1u);
   expect_enough(solved, delta.rows[0], solution.picture().layers[0]);
@@ -121,12 +121,12 @@ TEST(DragRows, says_the_rows_of_layers_that_have_opacity) {
       return curve;
     };
     Solution solution = expecting_drags(context, document);
-    ASSERT_TRUE(solution.begin_drag(context, 0, 0).ok());
-    ASSERT_TRUE(solution.drag(context, placed({41, 37})).ok());
+    ASSERT_TRUE(solution.begin_drag(context, 0, {0}).ok());
+    ASSERT_TRUE(solution.drag(context, {placed({41, 37})}).ok());
     solution.take_delta();
     const PatchLayer before = solution.picture().layers[0];
     for (const Vec2 center : {Vec2{47, 37}, Vec2{30, 44}, Vec2{45, 36}})
-      ASSERT_TRUE(solution.drag(context, placed(center)).ok());
+      ASSERT_TRUE(solution.drag(context, {placed(center)}).ok());
     const PictureDelta delta = solution.take_delta();
     const PatchLayer& after = solution.picture().layers[0];
     ASSERT_EQ(delta.rows.size(), 1u);

@@ -83,12 +83,12 @@ TEST(KeptLayers, drags_do_not_depend_on_what_was_kept) {
   ASSERT_TRUE(kept.solve(context, {}).ok());
   ASSERT_TRUE(bounded.solve(other, {}).ok());
   for (const std::uint32_t layer : {2u, 0u, 2u}) {
-    ASSERT_TRUE(kept.begin_drag(context, layer, 0).ok());
-    ASSERT_TRUE(bounded.begin_drag(other, layer, 0).ok());
+    ASSERT_TRUE(kept.begin_drag(context, layer, {0}).ok());
+    ASSERT_TRUE(bounded.begin_drag(other, layer, {0}).ok());
     EXPECT_EQ(difference_of(bounded.picture(), diffused(bounded.document())), "") << layer;
     for (const double x : {41.0, 44.0 + layer}) {
-      ASSERT_TRUE(kept.drag(context, circle_at({x, 37})).ok());
-      ASSERT_TRUE(bounded.drag(other, circle_at({x, 37})).ok());
+      ASSERT_TRUE(kept.drag(context, {circle_at({x, 37})}).ok());
+      ASSERT_TRUE(bounded.drag(other, {circle_at({x, 37})}).ok());
       EXPECT_EQ(difference_of(bounded.picture(), kept.picture()), "") << layer;
     }
     ASSERT_TRUE(kept.solve(context, {}).ok());

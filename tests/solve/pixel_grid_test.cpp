@@ -147,12 +147,12 @@ TEST(PixelGrid, a_solution_has_the_picture_of_diffuse_and_drags_none) {
   solution->expect_drags(1'000'000);
   ASSERT_TRUE(solution->solve(context, grid()).ok());
   EXPECT_EQ(drawn(solution->picture()).bytes, drawn(solved(disk(), grid())).bytes);
-  EXPECT_EQ(solution->begin_drag(context, 0, 0).code, StatusCode::bad_input);
+  EXPECT_EQ(solution->begin_drag(context, 0, {0}).code, StatusCode::bad_input);
   EXPECT_EQ(solution->solve_roughly(context, grid()).code, StatusCode::bad_input);
   EXPECT_EQ(solution->solve_next(context, grid()).code, StatusCode::bad_input);
   ASSERT_TRUE(solution->solve(context, {}).ok());
   EXPECT_FALSE(solution->picture().for_pixel_grid);
-  EXPECT_TRUE(solution->begin_drag(context, 0, 0).ok());
+  EXPECT_TRUE(solution->begin_drag(context, 0, {0}).ok());
 }
 
 }  // namespace

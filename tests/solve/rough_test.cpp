@@ -111,8 +111,8 @@ TEST(Rough, pictures_of_what_is_shown_already_stay) {
   ASSERT_TRUE(solution.solve_roughly(context, {}).ok());
   EXPECT_TRUE(solves_nothing());
   ASSERT_TRUE(solution.solve(context, {}).ok());
-  ASSERT_TRUE(solution.begin_drag(context, 0, 0).ok());
-  ASSERT_TRUE(solution.drag(context, circle_at({34, 31})).ok());
+  ASSERT_TRUE(solution.begin_drag(context, 0, {0}).ok());
+  ASSERT_TRUE(solution.drag(context, {circle_at({34, 31})}).ok());
   EXPECT_TRUE(solves_nothing()) << "a frame shows it";
   ASSERT_TRUE(solution.begin_color(context, {.layer = 1}).ok());
   ASSERT_TRUE(solution.color(context, Rgb{0.5f, 0.25f, 0}).ok());
@@ -164,15 +164,15 @@ TEST(Rough, pictures_are_what_drags_begin_from) {
   move_two(context, solution, 2);
   ASSERT_TRUE(solution.solve_roughly(context, {}).ok());
   const Picture rough = solution.picture();
-  ASSERT_TRUE(solution.begin_drag(context, 0, 1).ok());
+  ASSERT_TRUE(solution.begin_drag(context, 0, {1}).ok());
   EXPECT_EQ(difference_of(solution.picture(), rough), "");
   for (const Vec2 center : {Vec2{58, 41}, Vec2{40, 55}, Vec2{130, 40}}) {
-    ASSERT_TRUE(solution.drag(context, circle_at(center)).ok());
+    ASSERT_TRUE(solution.drag(context, {circle_at(center)}).ok());
     EXPECT_LT(mean_difference(solution.picture(), diffused(solution.document())), 0.5);
   }
   const auto triangles = solution.picture().layers[0].triangle_count();
-  ASSERT_TRUE(solution.begin_drag(context, 0, 0).ok()) << "another curve of the same layer";
-  ASSERT_TRUE(solution.drag(context, circle_at({35, 33})).ok());
+  ASSERT_TRUE(solution.begin_drag(context, 0, {0}).ok()) << "another curve of the same layer";
+  ASSERT_TRUE(solution.drag(context, {circle_at({35, 33})}).ok());
   EXPECT_LT(mean_difference(solution.picture(), diffused(solution.document())), 0.5);
   ASSERT_TRUE(solution.begin_color(context, {.layer = 0, .curve = 2}).ok())
       << "a colour of a third";
@@ -210,8 +210,8 @@ void edit(std::mt19937& random, Context& context, Solution& solution) {
       break;
     }
     case 2:
-      if (solution.begin_drag(context, layer, index).ok()) {
-        ASSERT_TRUE(solution.drag(context, moved, nullptr, 1.0 * below(2)).ok());
+      if (solution.begin_drag(context, layer, {index}).ok()) {
+        ASSERT_TRUE(solution.drag(context, {moved}, nullptr, 1.0 * below(2)).ok());
       }
       break;
     case 3:

@@ -86,12 +86,13 @@ class Solution {
   /// that this call solves.
   Status solve(Context& context, const DiffuseOptions& options, DiffuseStats* stats = nullptr);
 
-  /// Makes a preview. Use it while more than one curve moves. Solves the layers that solve() would
-  /// solve, but roughly: from chords about four times as coarse, without refinement where a patch
-  /// misses. Gathered values are exact. The mesh has a third to a half as many triangles, and
-  /// pixels differ from the exact picture's by a third of a code value in the mean (lady_bug,
-  /// portrait, dolphin, roses). A layer that already shows its curves stays as it is: exact, rough
-  /// or as drag() or color() left it. The next solve() solves all layers that are not exact.
+  /// Makes a preview. Use it while more changes than drag() can show. Solves the layers that
+  /// solve() would solve, but roughly: from chords about four times as coarse, without refinement
+  /// where a patch misses. Gathered values are exact. The mesh has a third to a half as many
+  /// triangles, and pixels differ from the exact picture's by a third of a code value in the mean
+  /// (lady_bug, portrait, dolphin, roses). A layer that already shows its curves stays as it is:
+  /// exact, rough or as drag() or color() left it. The next solve() solves all layers that are not
+  /// exact.
   ///
   /// Errors: as solve(); the picture is then the last one. Cost: a fifth to a seventh of that of
   /// solve().
@@ -99,10 +100,9 @@ class Solution {
                        DiffuseStats* stats = nullptr);
 
   /// Makes the next frame of a film: nodes and triangles change only where the drawing changes. A
-  /// layer that keeps some of its curves continues on its mesh, and only the changed curves are
-  /// inserted again. The nodes that see them are gathered, and the bound on the error holds as
-  /// after solve(). Refinement of one frame is kept in the next ones, where no curve moves, until
-  /// it is half as large as the first mesh.
+  /// layer that keeps some of its curves continues on its mesh: all curves that ever moved are
+  /// removed from the first frame's mesh once, and inserted at their places in each frame. The
+  /// nodes that see them are gathered, and the bound on the error holds as after solve().
   ///
   /// A layer gets a new mesh where its number of curves, the options, the artboard or its visible
   /// part changed, or where more than half of its curves changed. It also gets one where a curve
@@ -127,44 +127,47 @@ class Solution {
   ///   dragged last, and for the only layer. That takes about 1 kB a triangle
   void expect_drags(std::size_t most_triangles = SIZE_MAX);
 
-  /// Prepares a curve for dragging: removes it from its layer. The picture stays as it is.
+  /// Prepares curves of a layer for dragging: removes them from the layer. The picture stays as it
+  /// is.
   ///
   /// The prepared tables are charged to this Context, which must outlive the drag. They last until
   /// the next call of begin_drag(), end_drag() or apply(), or of solve() or solve_roughly() with
   /// other options.
   ///
-  /// Errors: bad_input (no such curve, or the last picture is not that of the document), limit,
+  /// - `curves`: indices into Layer::curves, each once, at least one
+  ///
+  /// Errors: bad_input (no such curves, or the last picture is not that of the document), limit,
   /// cancelled, out_of_memory. Cost: that of meshing the layer, and a gather of the nodes that see
-  /// the curve, if the tables that drags start from are kept and this Context is that of create().
+  /// the curves, if the tables that drags start from are kept and this Context is that of create().
   /// Otherwise the layer is also solved, and its tables are kept. The layer is solved roughly where
-  /// solve() did not make the picture's layer, or where the curve touches a hundredth of the
-  /// layer's mesh or more, such as an outline of many pieces: frames on a fine mesh would be slow.
-  /// The mesh then stays coarse throughout the drag.
-  Status begin_drag(Context& context, std::uint32_t layer, std::uint32_t curve);
+  /// solve() did not make the picture's layer, or where the curves touch a hundredth of the layer's
+  /// mesh or more, such as an outline of many pieces: frames on a fine mesh would be slow. The mesh
+  /// then stays coarse throughout the drag.
+  Status begin_drag(Context& context, std::uint32_t layer, std::vector<std::uint32_t> curves);
 
-  /// Replaces the dragged curve, in the document and in the picture. The picture is a preview until
-  /// solve() makes the exact one. Nodes have their exact values, except for changes below 3% of the
-  /// range of code values (lady_bug, dolphin and roses: less than one code value). The mesh is as
-  /// fine as it was at the curve's new place, and the curve is drawn over the others of its layer.
-  /// The picture depends on the state at begin_drag() and on the curve, not on the places in
-  /// between. To undo a drag, apply a ReplaceCurve with the original curve.
+  /// Replaces the dragged curves, in the document and in the picture. The picture is a preview
+  /// until solve() makes the exact one. Nodes have their exact values, except for changes below 3%
+  /// of the range of code values (lady_bug, dolphin and roses: less than one code value). The mesh
+  /// is as fine as it was at the curves' new places, and the curves are drawn over the others of
+  /// their layer. The picture depends on the state at begin_drag() and on the curves, not on the
+  /// places in between. To undo a drag, apply ReplaceCurve with the original curves.
   ///
-  /// `stats`, unless null, is added to: the work of this call. `seconds`, from 0 on, limits the
-  /// time: afterwards nodes wait until drag_more(), and waiting_nodes() counts them. Only nodes
-  /// wait that already got a value in this drag, or that see more than the curve and are not beside
-  /// it. They keep the value of the last frame, or the value without the curve; the nodes that the
-  /// curve may change most are gathered first. None waits where this Context is not that of
-  /// begin_drag(), where memory is scarce, or where the visible part of the layer ends inside the
-  /// layer.
+  /// `curves`: the new curves, in ascending order of their indices. `stats`, unless null, is added
+  /// to: the work of this call. `seconds`, from 0 on, limits the time: afterwards nodes wait until
+  /// drag_more(), and waiting_nodes() counts them. Only nodes wait that already got a value in this
+  /// drag, or that see more than the curves and are not beside them. They keep the value of the
+  /// last frame, or the value without the curves; the nodes that the curves may change most are
+  /// gathered first. None waits where this Context is not that of begin_drag(), where memory is
+  /// scarce, or where the visible part of the layer ends inside the layer.
   ///
-  /// Errors: bad_input (nothing is dragged, an invalid curve, or an invalid time), limit,
-  /// cancelled, out_of_memory. They leave document and picture unchanged. Cost: O(triangles and
-  /// nodes of the layer) for tables, and a gather of the nodes that may see the curve. Where the
-  /// curve gets an opacity for the first time, or lies farther beyond the picture than the picture
-  /// is large, the layer is solved roughly, and the picture is as after solve_roughly(). Where any
-  /// part of it lies beyond the picture, the layer is solved: once if this Context is that of
-  /// begin_drag(), each time otherwise.
-  Status drag(Context& context, Curve curve, DiffuseStats* stats = nullptr,
+  /// Errors: bad_input (nothing is dragged, another number of curves, an invalid curve, or an
+  /// invalid time), limit, cancelled, out_of_memory. They leave document and picture unchanged.
+  /// Cost: O(triangles and nodes of the layer) for tables, and a gather of the nodes that may see
+  /// the curves. Where a curve gets an opacity for the first time, or lies farther beyond the
+  /// picture than the picture is large, the layer is solved roughly, and the picture is as after
+  /// solve_roughly(). Where any part of a curve lies beyond the picture, the layer is solved: once
+  /// if this Context is that of begin_drag(), each time otherwise.
+  Status drag(Context& context, std::vector<Curve> curves, DiffuseStats* stats = nullptr,
               std::optional<double> seconds = {});
 
   /// Returns the number of nodes that wait to be gathered since the last drag() or drag_more(); 0

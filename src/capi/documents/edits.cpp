@@ -77,12 +77,18 @@ std::optional<std::vector<Edit>> Edits::since(const Revision& then) const {
   return edits;
 }
 
-std::optional<CurvePlace> Edits::only_change_since(const Revision& then) const {
+std::optional<LayerCurves> Edits::only_changes_since(const Revision& then) const {
   const std::optional<std::vector<Edit>> edits = since(then);
-  if (!edits || edits->size() != 1 || edits->front().kind != Edit::Kind::replaced) {
-    return std::nullopt;
+  if (!edits || edits->empty()) return std::nullopt;
+  LayerCurves changed{edits->front().place.layer, {}};
+  for (const Edit& edit : *edits) {
+    if (edit.kind != Edit::Kind::replaced || edit.place.layer != changed.layer) return std::nullopt;
+    changed.curves.push_back(edit.place.curve);
   }
-  return edits->front().place;
+  std::ranges::sort(changed.curves);
+  const auto rest = std::ranges::unique(changed.curves);
+  changed.curves.erase(rest.begin(), rest.end());
+  return changed;
 }
 
 std::optional<std::vector<Change>> changes_of(const std::vector<Edit>& edits, const Document& now) {

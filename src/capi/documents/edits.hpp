@@ -18,6 +18,14 @@ struct CurvePlace {
   friend bool operator==(const CurvePlace&, const CurvePlace&) = default;
 };
 
+/// Some curves of a layer.
+struct LayerCurves {
+  std::uint32_t layer = 0;
+  std::vector<std::uint32_t> curves{};  ///< ascending, at least one
+
+  friend bool operator==(const LayerCurves&, const LayerCurves&) = default;
+};
+
 /// A state of a document.
 struct Revision {
   std::shared_ptr<const char> document;  ///< identifies the document; not read
@@ -52,8 +60,9 @@ class Edits {
   /// replacements of one curve counts once.
   std::optional<std::vector<Edit>> since(const Revision& then) const;
 
-  /// Returns the curve that was replaced since, if nothing else was edited; none otherwise.
-  std::optional<CurvePlace> only_change_since(const Revision& then) const;
+  /// Returns the curves that were replaced since, if all are in one layer and nothing else was
+  /// edited; none otherwise.
+  std::optional<LayerCurves> only_changes_since(const Revision& then) const;
 
  private:
   struct Noted {

@@ -35,13 +35,16 @@ Outcome read_solve_options(const char* text, options::Call call, options::Settin
 void note_changes(const Picture& picture, const PictureDelta& delta,
                   std::vector<ChangedRows>& changed);
 
-/// Updates a picture towards its document if only one curve differs, within a time as
-/// Solution::drag(). Errors: bad input if the picture must be solved; others as drag() and color().
-Status show_change(sfumato_context& context, CurvePlace place, const sfumato_document& document,
-                   double seconds, sfumato_picture& handle);
+/// Returns whether frames of a drag of these curves take less time than rough pictures.
+bool may_be_dragged(const LayerCurves& changed, const Document& document);
 
-/// Prepares a picture that matches its document for moving a curve.
-Status expect_drag(sfumato_context& context, CurvePlace place, sfumato_picture& handle);
+/// Updates a picture towards its document if only these curves differ, within a time as
+/// Solution::drag(). Errors: bad input if the picture must be solved; others as drag() and color().
+Status show_changes(sfumato_context& context, const LayerCurves& changed,
+                    const sfumato_document& document, double seconds, sfumato_picture& handle);
+
+/// Prepares a picture that matches its document for moving curves.
+Status expect_drag(sfumato_context& context, const LayerCurves& curves, sfumato_picture& handle);
 
 /// Returns the error for a picture that was read from a file and therefore cannot follow a
 /// document.
@@ -80,12 +83,12 @@ struct sfumato_picture {
   sfumato::options::Settings settings{};  ///< the settings that it is solved with
   double pixels_per_unit = 1;             ///< the same, of the last time
   sfumato::Vec2 own_scale{1, 1};          ///< pixels per user unit at the document's own size
-  std::vector<sfumato::capi::ChangedRows> changed{};  ///< of each layer
-  sfumato::DiffuseStats stats{};                      ///< from the last time that it was solved
-  sfumato::FrameLayers frame{};                       ///< the same, where it is one of a film
-  sfumato::capi::Revision shown{};                    ///< what it is a picture of
-  sfumato::capi::Revision applied{};                  ///< the state of its solution's document
-  std::optional<sfumato::capi::CurvePlace> dragged{};
-  bool has_moved = false;  ///< the curve that is dragged, or that may be dragged next
+  std::vector<sfumato::capi::ChangedRows> changed{};    ///< of each layer
+  sfumato::DiffuseStats stats{};                        ///< from the last time that it was solved
+  sfumato::FrameLayers frame{};                         ///< the same, where it is one of a film
+  sfumato::capi::Revision shown{};                      ///< what it is a picture of
+  sfumato::capi::Revision applied{};                    ///< the state of its solution's document
+  std::optional<sfumato::capi::LayerCurves> dragged{};  ///< or that may be dragged next
+  bool has_moved = false;                               ///< whether they were dragged
   std::optional<sfumato::StopPlace> colored{};  ///< the stop that its solution is prepared for
 };

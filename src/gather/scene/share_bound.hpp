@@ -12,23 +12,26 @@
 
 namespace sfumato::gather {
 
-/// A bound on the change that a curve inserted into a layer may cause far from it.
+/// A bound on the change that curves inserted into a layer may cause far from them.
 ///
-/// Within the angle A that it subtends, at distances of at least d, the curve weighs at most k A /
+/// Within the angle A that it subtends, at distances of at least d, a curve weighs at most k A /
 /// d² and hides at most A / d², in units of the largest weight. At a point of weight W₀ the mean Z
 /// therefore changes by at most (1 + k) Â / (W₀ - Â) of the range of values, with Â the sum of
 /// min(π, length / d) / d² over runs of a few segments, each d away by its bounding circle, or from
 /// far away over groups of them.
 class ShareBound {
  public:
+  using Polyline = std::span<const Vec2>;
+
   /// Makes a bound.
   ///
-  /// polyline   of the curve, layer frame
-  /// weight     of the curve
+  /// polylines  of the curves, layer frame
+  /// weight     the largest weight of the curves
   /// most       the tolerated change, as a share of the range of values; 0: none
-  /// most_runs  at least 1: with few of them the bound is quicker to compute, and coarser
+  /// most_runs  at least 1: with few of them the bound is quicker to compute, and coarser. Each
+  ///            curve has one run or more
   /// Errors     limit (memory), cancelled
-  static Result<ShareBound> create(const Context& context, std::span<const Vec2> polyline,
+  static Result<ShareBound> create(const Context& context, std::span<const Polyline> polylines,
                                    double weight, double most,
                                    std::size_t most_runs = std::numeric_limits<std::size_t>::max());
 
@@ -47,17 +50,25 @@ class ShareBound {
     double length;
   };
 
-  static Run run_of(std::span<const Vec2> polyline);
+  /// A group of consecutive runs of one curve, which is used from far away.
+  struct Group {
+    Run all;
+    std::size_t first;  ///< index into runs_
+    std::size_t count;
+  };
+
+  static Run run_of(Polyline polyline);
+  Status add(const Context& context, Polyline polyline, std::size_t per_run);
 
   /// Returns Â of one run, at p.
   static double angle_over_distance_squared(const Run& run, Vec2 p);
 
   /// Returns Â of a group, from its runs where it is near.
-  double angle_of_group(std::size_t group, Vec2 p) const;
+  double angle_of_group(const Group& group, Vec2 p) const;
 
   std::vector<Run> runs_;
-  std::vector<Run> groups_;  ///< groups of consecutive runs: used from far away
-  Run whole_{};              ///< all of them
+  std::vector<Group> groups_;
+  Run whole_{};  ///< all runs
   double weight_ = 1;
   double most_ = 0;
   TableMemory memory_{"a drag"};

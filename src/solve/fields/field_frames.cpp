@@ -186,7 +186,7 @@ Status FieldSolver::lay_out_from(Context& context, const FieldSolver& before,
     layout_ = std::move(frame_->layout);
     layout_memory_ = std::move(frame_->layout_memory);
     node_hit_ = std::move(frame_->node_hit);
-    to_gather_ = std::move(frame_->gathered);
+    gathered_ = std::move(frame_->gathered);
     left_ = std::move(frame_->left);
     left_.clear();
   }
@@ -262,13 +262,13 @@ Result<std::size_t> FieldSolver::gather_left(Context& context, const FrameTime& 
 Status FieldSolver::count_shown(const Context& context) {
   const auto shown = std::span(left_).first(std::min(shown_left_, left_.size()));
   shown_left_ = 0;
-  return memory_.append(context, shown, to_gather_);
+  return memory_.append(context, shown, gathered_);
 }
 
 Status FieldSolver::gather_last_of_left(Context& context, std::size_t count) {
   const auto batch = std::span(left_).last(count);
   std::ranges::sort(batch);  // numbers of neighbours are close
-  Status status = memory_.append(context, batch, to_gather_);
+  Status status = memory_.append(context, batch, gathered_);
   if (status) {
     status = field_.gatherer.gather(context, {layout_.position, batch}, {}, layout_.value,
                                     node_hit_, true);
@@ -301,7 +301,7 @@ Status FieldSolver::list_rows(const Context& context, TableMemory& memory,
                               std::vector<std::uint32_t>& nodes) const {
   Status status = memory.append(context, history_.reassigned, triangles);
   if (status) status = memory.append(context, history_.met, nodes);
-  return status ? memory.append(context, to_gather_, nodes) : status;
+  return status ? memory.append(context, gathered_, nodes) : status;
 }
 
 FieldFrame FieldSolver::release_frame() {
@@ -312,7 +312,7 @@ FieldFrame FieldSolver::release_frame() {
   frame.layout = std::move(layout_);
   frame.history = std::move(history_);
   frame.node_hit = std::move(node_hit_);
-  frame.gathered = std::move(to_gather_);
+  frame.gathered = std::move(gathered_);
   frame.left = std::move(left_);
   frame.layout_memory = std::move(layout_memory_);
   frame.memory = std::move(memory_);
@@ -325,11 +325,21 @@ void FieldSolver::resume(FieldFrame frame) {
   layout_ = std::move(frame.layout);
   history_ = std::move(frame.history);
   node_hit_ = std::move(frame.node_hit);
-  to_gather_ = std::move(frame.gathered);
+  gathered_ = std::move(frame.gathered);
   left_ = std::move(frame.left);
   layout_memory_ = std::move(frame.layout_memory);
   memory_ = std::move(frame.memory);
   frame_.emplace();
+}
+
+Status FieldSolver::locate_all(Context& context) {
+  if (field_.is_thinned) return ok_status();
+  TableMemory scratch("patches");
+  std::vector<std::uint32_t> free, place;
+  SFUMATO_TRY(list_free_nodes(context, scratch, free));
+  SFUMATO_TRY(scratch.resize(context, place, layout_.node_count(), gather::kUnknownPlace));
+  SFUMATO_TRY_ASSIGN(free_place_, field_.gatherer.locate(context, {layout_.position, free}, place));
+  return ok_status();
 }
 
 Status FieldSolver::locate_nodes(Context& context, const RefinedField& known,

@@ -91,16 +91,18 @@ Result<std::vector<std::uint8_t>> FieldSolver::asked_nodes(const Context& contex
   return asks;
 }
 
-Status FieldSolver::clear_asked(const Context& context, std::span<std::uint8_t> is_known) const {
+Status FieldSolver::mark_gathered(const Context& context, std::span<std::uint8_t> marks) const {
   TableMemory scratch("patches");
-  SFUMATO_TRY_ASSIGN(const std::vector<std::uint8_t>& asks, asked_nodes(context, scratch));
+  std::vector<std::uint8_t> is_gathered;
+  SFUMATO_TRY(scratch.resize(context, is_gathered, layout_.node_count()));
+  for (const std::uint32_t node : gathered_) is_gathered[node] = 1;
   RarePoll<16384> poll(context);
-  for (std::size_t t = 0; t < is_known.size(); ++t) {
+  for (std::size_t t = 0; t < marks.size(); ++t) {
     if (poll.cancelled()) return context.cancel_status();
     const std::span<const std::uint32_t> nodes =
         std::span(layout_.triangle_node).subspan(kNodes * t, kNodes);
-    if (std::ranges::any_of(nodes, [&](std::uint32_t node) { return asks[node] != 0; }))
-      is_known[t] = 0;
+    if (std::ranges::any_of(nodes, [&](std::uint32_t node) { return is_gathered[node] != 0; }))
+      marks[t] = 1;
   }
   return ok_status();
 }
@@ -195,7 +197,8 @@ Result<std::size_t> FieldSolver::gather(Context& context, const gather::GatherOp
     SFUMATO_TRY(field_.gatherer.gather(context, {layout_.position, to_gather_}, options,
                                        layout_.value, node_hit_, true, node_place_));
   }
-  if (!history_.is_logged) memory_.free(to_gather_);  // else list_rows() reads them
+  if (history_.is_logged) SFUMATO_TRY(memory_.append(context, to_gather_, gathered_));
+  memory_.free(to_gather_);
   return count;
 }
 

@@ -49,7 +49,7 @@ struct FieldFrame {
   NodeLayout layout{};
   LayoutHistory history{};
   std::vector<std::uint8_t> node_hit{};   ///< as in FieldSolver
-  std::vector<std::uint32_t> gathered{};  ///< nodes that were gathered, or that show an older frame
+  std::vector<std::uint32_t> gathered{};  ///< as in FieldSolver
   std::vector<std::uint32_t> left{};      ///< as in FieldSolver
   TableMemory layout_memory{"patches"};
   TableMemory memory{"patches"};  ///< for the other tables
@@ -112,9 +112,13 @@ class FieldSolver {
                     const gather::ShareBound* bound);
   KnownNodes known() const { return {layout_, node_hit_, field_}; }
 
-  /// Clears is_known[t] of triangles with a node that is listed to be gathered. Errors: limit
-  /// (memory), cancelled.
-  Status clear_asked(const Context& context, std::span<std::uint8_t> is_known) const;
+  /// Sets marks[t] of triangles with a node that the edit gathered. Errors: limit (memory),
+  /// cancelled.
+  Status mark_gathered(const Context& context, std::span<std::uint8_t> marks) const;
+
+  /// Locates the free nodes in the visibility mesh. Call this after lay_out_without(), if the nodes
+  /// have changed since. Errors: limit (memory), cancelled.
+  Status locate_all(Context& context);
 
   /// Replaces start(): begins with a copy of the mesh of `before`, whose nodes are laid out.
   /// Errors: limit (memory), cancelled.
@@ -188,7 +192,7 @@ class FieldSolver {
   /// Frees the lists that list_rows() reads.
   void forget_rows() {
     history_.free(layout_memory_);
-    memory_.free(to_gather_);
+    memory_.free(gathered_);
   }
 
   /// Returns the bytes of the tables that copy_nodes() copies.
@@ -332,6 +336,8 @@ class FieldSolver {
   TableMemory layout_memory_{"patches"};
   LayoutHistory history_;
   std::vector<std::uint32_t> to_gather_;  ///< free nodes whose value is not known
+  /// The nodes that were gathered, or that show an older frame, if history_.is_logged.
+  std::vector<std::uint32_t> gathered_;
   /// The deferred nodes of a frame. The last nodes in the list are gathered first.
   std::vector<std::uint32_t> left_;
   std::size_t shown_left_ = 0;  ///< how many nodes, at the front of left_, show the last frame

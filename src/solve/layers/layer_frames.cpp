@@ -10,30 +10,10 @@
 #include "base/try.hpp"
 #include "solve/fields/fan.hpp"
 #include "solve/layers/layer_solver.hpp"
+#include "solve/layers/rough.hpp"
 
 /// The functions of LayerSolver for layers that are edited, for example in the frames of a drag.
 namespace sfumato::solve {
-namespace {
-
-/// Sets marks[t] for triangles of `layout` whose nodes have the same positions as in `other`.
-/// same   per triangle of `other`: the matching triangle of `layout`, or mesh::kNone
-void mark_same(const NodeLayout& other, const NodeLayout& layout,
-               std::span<const std::int32_t> same, std::span<std::uint8_t> marks) {
-  const auto node = [](const NodeLayout& of, std::size_t t, std::size_t place) {
-    return of.position[of.triangle_node[kNodesPerTriangle * t + place]];
-  };
-  for (std::size_t t = 0; t < same.size(); ++t) {
-    if (same[t] == mesh::kNone) continue;
-    const auto now = static_cast<std::size_t>(same[t]);
-    bool is_same = true;
-    for (std::size_t i = 0; i < kNodesPerTriangle && is_same; ++i)
-      is_same = node(other, t, i) == node(layout, now, i);
-    marks[now] = is_same;
-  }
-}
-
-}  // namespace
-
 /// Lays out all nodes again, after any edit of a copy of the mesher of `before`. Nodes keep their
 /// values in `before` unless the edit may change them, by more than the bound if there is one.
 Status LayerSolver::continue_from(const LayerSolver& before, const gather::ShareBound* bound) {
@@ -51,64 +31,44 @@ Status LayerSolver::continue_from(const LayerSolver& before, const gather::Share
   return gather(gather::GatherOptions{}, false);
 }
 
-Result<PatchLayer> LayerSolver::solve_next(const FilmFrame* before, const StillMesh* still,
-                                           std::optional<FilmNodes>& kept) {
-  kept.reset();
-  if (options_.gather.method != gather::Method::exact) return solve();
-  SFUMATO_TRY(refine(before, still));
-  SFUMATO_TRY(put_in_order());
-  std::optional<RefinedNodes> copies;
-  if (has_spare_memory()) {
-    Result<RefinedNodes> nodes = no_throw([&] { return copy_nodes(); });
-    if (!nodes && !is_lack_of_memory(nodes.status())) return nodes.status();
-    if (nodes) copies.emplace(std::move(*nodes));
+Status LayerSolver::refine_changes() {
+  if (!refines(options_)) return ok_status();
+  std::vector<std::uint32_t> all_changed, missed;
+  SFUMATO_TRY(memory_.append(context_, changed_, all_changed));
+  SFUMATO_TRY(add_gathered_triangles());
+  for (int round = 0; round < kMaxRounds; ++round) {
+    SFUMATO_TRY(find_misses(missed));
+    if (missed.empty()) break;
+    SFUMATO_TRY(make_smaller(missed, smallest_edges_.missed));
+    SFUMATO_TRY(update_mesh());
+    SFUMATO_TRY(memory_.append(context_, changed_, all_changed));
+    SFUMATO_TRY(gather(gather::GatherOptions{}, false));
   }
-  Result<PatchLayer> layer = take();
-  if (!layer || !copies) return layer;
-  kept.emplace(FilmNodes{std::move(*copies), {color_.release_field(), {}}});
-  if (opacity_) kept->fields.opacity.emplace(opacity_->release_field());
-  return layer;
+  return set_changed(all_changed);
 }
 
-/// Copies node values of the frame before, after lay_out(), unless the change may affect them.
-/// Removes a triangle from changed_ if all its nodes keep their values: it is not probed again.
-Status LayerSolver::take_known(const FilmFrame& before) {
-  const auto& [mesher, nodes, fields] = before;
-  if (opacity_.has_value() != nodes.opacity.has_value()) return ok_status();
-  const Stopwatch watch;
+/// Adds the triangles with nodes that the edit gathered to changed_.
+Status LayerSolver::add_gathered_triangles() {
   TableMemory scratch("patches");
-  SFUMATO_TRY_ASSIGN(const std::vector<std::int32_t>& kept,
-                     mesher_.kept_triangles(context_, mesher, scratch));
-  const auto carry_over = [&](FieldSolver& field, const RefinedField& known,
-                              const PreparedField& with) {
-    return field.carry_over(context_, {known.layout, known.node_hit, with}, kept, nullptr);
-  };
-  SFUMATO_TRY(carry_over(color_, nodes.color, fields.color));
-  if (opacity_) SFUMATO_TRY(carry_over(*opacity_, *nodes.opacity, *fields.opacity));
-  std::vector<std::uint8_t> is_known;
-  SFUMATO_TRY(scratch.resize(context_, is_known, mesh_->triangle_count()));
-  mark_same(nodes.color.layout, color_.layout(), kept, is_known);
-  Status status = for_each_field([&](FieldSolver& f) { return f.clear_asked(context_, is_known); });
-  std::erase_if(changed_, [&](std::uint32_t t) { return is_known[t] != 0; });
-  if (stats_) stats_->gather_seconds += watch.seconds();
-  return status;
-}
-
-/// Adds to still.missed the triangles of the still mesh that correspond to triangles in `missed`.
-Status LayerSolver::list_still(const StillMesh& still,
-                               std::span<const std::uint32_t> missed) const {
-  TableMemory scratch("patches");
-  std::vector<std::uint8_t> is_missed;
-  SFUMATO_TRY(scratch.resize(context_, is_missed, mesh_->triangle_count()));
-  for (const std::uint32_t t : missed) is_missed[t] = 1;
-  SFUMATO_TRY_ASSIGN(const std::vector<std::int32_t>& kept,
-                     mesher_.kept_triangles(context_, still.mesher, scratch));
-  for (std::uint32_t t = 0; t < kept.size(); ++t) {
-    const std::int32_t now = kept[t];
-    if (now == mesh::kNone || !is_missed[static_cast<std::size_t>(now)]) continue;
-    SFUMATO_TRY(still.memory.push_back(context_, still.missed, t));
-  }
+  std::vector<std::uint8_t> marks;
+  SFUMATO_TRY(scratch.resize(context_, marks, mesh_->triangle_count()));
+  for (const std::uint32_t t : changed_) marks[t] = 1;
+  SFUMATO_TRY(for_each_field([&](FieldSolver& f) { return f.mark_gathered(context_, marks); }));
+  changed_.clear();
+  SFUMATO_TRY(
+      memory_.reserve(context_, changed_, static_cast<std::size_t>(std::ranges::count(marks, 1))));
+  for (std::uint32_t t = 0; t < marks.size(); ++t)
+    if (marks[t]) changed_.push_back(t);
   return ok_status();
+}
+
+/// Moves a list to changed_, in order and without duplicates.
+Status LayerSolver::set_changed(std::vector<std::uint32_t>& all_changed) {
+  Status status = TableMemory::sort(context_, all_changed, std::less<>());
+  all_changed.erase(std::unique(all_changed.begin(), all_changed.end()), all_changed.end());
+  changed_.swap(all_changed);
+  memory_.free(all_changed);
+  return status;
 }
 
 Result<std::optional<FrameRows>> LayerSolver::continue_without(const CurveRemoval& removal) {
@@ -127,6 +87,10 @@ Result<std::optional<FrameRows>> LayerSolver::continue_without(const CurveRemova
   SFUMATO_TRY(lay_out(color_, nodes.color, removal.fields.color));
   if (opacity_) SFUMATO_TRY(lay_out(*opacity_, *nodes.opacity, *removal.fields.opacity));
   SFUMATO_TRY(gather(gather::GatherOptions{}, false));
+  if (removal.holds_bound) {
+    SFUMATO_TRY(refine_changes());
+    SFUMATO_TRY(for_each_field([&](FieldSolver& f) { return f.locate_all(context_); }));
+  }
   std::optional<FrameRows> rows;
   if (sees_curves_everywhere()) {
     SFUMATO_TRY_ASSIGN(auto&& listed, list_rows(removal.known.mesh->vertex_position.size()));
@@ -246,13 +210,9 @@ FrameTables LayerSolver::release_frame() {
 /// Refines the mesh at blurs where it changed, and adds the refined triangles to changed_.
 Status LayerSolver::follow_blur_too() {
   std::vector<std::uint32_t> all_changed;
-  Status status = memory_.append(context_, changed_, all_changed);
-  if (status) status = follow_blur(&all_changed);
-  if (status) status = TableMemory::sort(context_, all_changed, std::less<>());
-  all_changed.erase(std::unique(all_changed.begin(), all_changed.end()), all_changed.end());
-  changed_.swap(all_changed);
-  memory_.free(all_changed);
-  return status;
+  SFUMATO_TRY(memory_.append(context_, changed_, all_changed));
+  SFUMATO_TRY(follow_blur(&all_changed));
+  return set_changed(all_changed);
 }
 
 /// Adds the triangles around the vertices of inserted curves to changed_: such a curve splits a

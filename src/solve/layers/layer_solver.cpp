@@ -17,9 +17,6 @@
 namespace sfumato::solve {
 namespace {
 
-/// Each round halves a triangle that misses. The artboard is a few hundred smallest edges wide.
-constexpr int kMaxRounds = 12;
-
 /// The longest edge at a blurred curve, in blur radii. Its four nodes resolve a smoothstep to a few
 /// code values. Where patches are probed, edges must be shorter, or probes would skip errors.
 constexpr double kEdgePerRadius = 3;
@@ -161,7 +158,7 @@ Result<RefinedLayer> LayerSolver::refine_only() {
 
 /// Refines the mesh as the options say, and gathers its nodes. The exact gather decides where to
 /// refine. Random rays are shot only once, on the final mesh.
-Status LayerSolver::refine(const FilmFrame* before, const StillMesh* still) {
+Status LayerSolver::refine() {
   const Stopwatch watch;
   if (!is_mesh_refined_) {
     SFUMATO_TRY(mesher_.refine(context_));
@@ -172,14 +169,12 @@ Status LayerSolver::refine(const FilmFrame* before, const StillMesh* still) {
   if (status && is_blurred_) status = list_all_triangles();
   if (status && is_blurred_) status = follow_blur();
   if (status) status = lay_out();
-  if (status && before) status = take_known(*before);
   std::vector<std::uint32_t> missed;
   for (int round = 0; status; ++round) {
     if (way_.progress) (*way_.progress)(round / double{kMaxRounds});
     status = gather(is_led ? gather::GatherOptions{} : options_.gather, false);
     if (!status || !is_led || round == kMaxRounds) break;
     status = find_misses(missed);
-    if (status && still && round == 0) status = list_still(*still, missed);
     if (!status || missed.empty()) break;
     status = make_smaller(missed, smallest_edges_.missed);
     if (status) status = update_mesh();

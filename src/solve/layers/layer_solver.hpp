@@ -22,6 +22,9 @@ namespace sfumato::solve {
 using RoundWatch = FunctionRef<void(const mesh::TriangleMesh& mesh, const FieldSolver& color,
                                     const FieldSolver* opacity)>;
 
+/// Each round halves a triangle that misses. The artboard is a few hundred smallest edges wide.
+inline constexpr int kMaxRounds = 12;
+
 /// How a layer is solved, in addition to its options.
 struct SolveWay {
   bool side_by_side = false;  ///< runs independent steps at the same time, with more memory
@@ -45,28 +48,6 @@ struct RefinedLayer {
   bool is_all_shown = false;
 };
 
-/// The nodes and fields of a layer in a frame of a film, kept for the next frame.
-struct FilmNodes {
-  RefinedNodes nodes;  ///< without seams
-  PreparedFields fields;
-};
-
-/// A layer in the previous frame of a film.
-struct FilmFrame {
-  const mesh::Mesher& mesher;  ///< this and the solver's mesher are edited copies of one mesher
-  const RefinedNodes& nodes;
-  const PreparedFields&
-      fields;  ///< they watch segments that are gone now; the solver's fields watch new ones
-};
-
-/// The mesh without the curves that move. The solver's mesh is a copy of it with these curves
-/// inserted.
-struct StillMesh {
-  const mesh::Mesher& mesher;
-  std::vector<std::uint32_t>& missed;  ///< out: its triangles whose patches miss
-  TableMemory& memory;                 ///< of the list
-};
-
 /// The tables of a layer after a frame of a drag. The next frame restores the rows that this frame
 /// changed; all other rows are equal to the rows of the base, the layer where all frames begin.
 struct FrameTables {
@@ -78,20 +59,21 @@ struct FrameTables {
   TableMemory memory{"patches"};
 };
 
-/// A curve that was removed from a layer, to be dragged.
+/// The removal of the moving curves from a layer.
 struct CurveRemoval {
-  const RefinedLayer& known;              ///< the layer with the curve
-  const PreparedFields& fields;           ///< of that layer; they watch the curve
+  const RefinedLayer& known;              ///< the layer with the curves
+  const PreparedFields& fields;           ///< of that layer; they watch the curves
   std::span<const std::uint8_t> is_same;  ///< Mesher::same_triangles of the visibility meshes
-  /// Bound for the curve, or null. Nodes at which it holds keep their values with the curve.
+  /// Bound for the curves, or null. Nodes at which it holds keep their values with the curves.
   const gather::ShareBound* bound = nullptr;
+  bool holds_bound = false;  ///< whether to call refine_changes()
 };
 
-/// A curve that was inserted into a layer, for a frame of a drag.
+/// The insertion of the moving curves into a layer, for a frame.
 struct CurveInsertion {
   std::span<const std::uint8_t> is_inserted;  ///< per segment
   std::span<const std::uint8_t> is_same;      ///< Mesher::same_triangles of the visibility meshes
-  /// Bound for the curve, or null. Nodes at which it holds keep their values.
+  /// Bound for the curves, or null. Nodes at which it holds keep their values.
   const gather::ShareBound* bound = nullptr;
   /// The tables that the last frame left, or null. The solver has their mesher already, and moves
   /// the rest out of them.
@@ -160,13 +142,9 @@ class LayerSolver {
   /// with one joint field may have two fields here. Errors: limit, cancelled.
   Status answer(const RefinedNodes& known);
 
-  /// Replaces solve() for a frame of a film. Errors: limit, cancelled.
-  /// before   the frame before, or null if its nodes are unknown
-  /// still    the mesh without the curves that move, or null
-  /// kept     out: the nodes of this frame. Empty if they do not have their exact values, or if
-  ///          there is not enough memory
-  Result<PatchLayer> solve_next(const FilmFrame* before, const StillMesh* still,
-                                std::optional<FilmNodes>& kept);
+  /// Refines the patches that the edit changed until they hold the bound on the error. Errors:
+  /// limit, cancelled.
+  Status refine_changes();
 
   /// Moves the mesher out. Call this last.
   mesh::Mesher release_mesher() { return std::move(mesher_); }
@@ -187,10 +165,9 @@ class LayerSolver {
   const PreparedField* opacity() const { return opacity_ ? &opacity_->field() : nullptr; }
 
  private:
-  /// before, still   as in solve_next()
-  Status refine(const FilmFrame* before = nullptr, const StillMesh* still = nullptr);
-  Status take_known(const FilmFrame& before);
-  Status list_still(const StillMesh& still, std::span<const std::uint32_t> missed) const;
+  Status refine();
+  Status add_gathered_triangles();
+  Status set_changed(std::vector<std::uint32_t>& all_changed);
   Status continue_from(const LayerSolver& before, const gather::ShareBound* bound);
   Status prepare_to_be_edited();
   bool has_spare_memory() const;

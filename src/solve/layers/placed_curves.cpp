@@ -8,14 +8,19 @@
 namespace sfumato::solve {
 namespace {
 
-/// Appends the polyline of one more curve.
-void append_curve(const curves::FlatCurves& one, curves::FlatCurves& all) {
+/// Appends polylines to others.
+void append(const curves::FlatCurves& more, curves::FlatCurves& all) {
+  const auto first = static_cast<std::uint32_t>(all.vertex.size());
   const std::uint32_t curve = all.curve_count();
-  all.vertex.insert(all.vertex.end(), one.vertex.begin(), one.vertex.end());
-  all.parameter.insert(all.parameter.end(), one.parameter.begin(), one.parameter.end());
-  all.arc_length.insert(all.arc_length.end(), one.arc_length.begin(), one.arc_length.end());
-  all.vertex_curve.resize(all.vertex.size(), curve);
-  all.curve_begin.push_back(static_cast<std::uint32_t>(all.vertex.size()));
+  const auto add = [](const auto& from, auto& to) {
+    to.insert(to.end(), from.begin(), from.end());
+  };
+  add(more.vertex, all.vertex);
+  add(more.parameter, all.parameter);
+  add(more.arc_length, all.arc_length);
+  for (const std::uint32_t c : more.vertex_curve) all.vertex_curve.push_back(curve + c);
+  for (std::size_t c = 1; c < more.curve_begin.size(); ++c)
+    all.curve_begin.push_back(first + more.curve_begin[c]);
 }
 
 void reserve(std::size_t vertices, std::size_t curves, curves::FlatCurves& all) {
@@ -35,13 +40,13 @@ void copy(const curves::FlatCurves& from, curves::FlatCurves& to) {
   to.curve_begin.assign(from.curve_begin.begin(), from.curve_begin.end());
 }
 
-/// Removes the last curve, whose first vertex is `first`.
-void take_off_last(std::uint32_t first, curves::FlatCurves& all) {
+/// Removes the last curves, whose first vertex is `first`.
+void remove_last(std::uint32_t first, std::size_t count, curves::FlatCurves& all) {
   all.vertex.resize(first);
   all.parameter.resize(first);
   all.arc_length.resize(first);
   all.vertex_curve.resize(first);
-  all.curve_begin.pop_back();
+  all.curve_begin.resize(all.curve_begin.size() - count);
 }
 
 std::size_t bytes_of_curves(std::span<const Curve> curves) {
@@ -52,23 +57,24 @@ std::size_t bytes_of_curves(std::span<const Curve> curves) {
 
 }  // namespace
 
-Result<PlacedCurves> place_curve(Context& context, const curves::FlatCurves& others,
-                                 std::span<const Curve> curves, const Curve& curve,
-                                 const curves::FlattenOptions& options,
-                                 std::optional<PlacedCurves> used) {
-  SFUMATO_TRY_ASSIGN(auto&& moved, curves::flatten(context, {&curve, 1}, options));
+Result<PlacedCurves> place_curves(Context& context, const curves::FlatCurves& others,
+                                  std::span<const Curve> curves, std::span<const Curve> moving,
+                                  const curves::FlattenOptions& options,
+                                  std::optional<PlacedCurves> used) {
+  SFUMATO_TRY_ASSIGN(auto&& moved, curves::flatten(context, moving, options));
   PlacedCurves placed = used ? std::move(*used) : PlacedCurves();
   if (used) {
-    take_off_last(placed.first, placed.flat);
-    placed.curves.pop_back();
+    remove_last(placed.first, moving.size(), placed.flat);
+    placed.curves.erase(placed.curves.end() - static_cast<std::ptrdiff_t>(moving.size()),
+                        placed.curves.end());
   }
   const std::size_t vertices = others.vertex.size() + moved.vertex.size();
   if (vertices > placed.flat.vertex.capacity()) {
-    reserve(vertices + vertices / 8, others.curve_begin.size() + 1, placed.flat);
+    reserve(vertices + vertices / 8, others.curve_begin.size() + moving.size(), placed.flat);
   }
   SFUMATO_TRY(placed.charge.raise_to(context,
                                      curves::bytes_of(placed.flat) + curves::bytes_of(moved) +
-                                         bytes_of_curves(curves) + bytes_of(curve),
+                                         bytes_of_curves(curves) + bytes_of_curves(moving),
                                      "a drag"));
   if (!used) {
     copy(others, placed.flat);
@@ -76,8 +82,8 @@ Result<PlacedCurves> place_curve(Context& context, const curves::FlatCurves& oth
   }
   placed.first = static_cast<std::uint32_t>(others.vertex.size());
   placed.moved = std::move(moved);
-  append_curve(placed.moved, placed.flat);
-  placed.curves.push_back(curve);
+  append(placed.moved, placed.flat);
+  placed.curves.insert(placed.curves.end(), moving.begin(), moving.end());
   return placed;
 }
 

@@ -13,22 +13,22 @@
 
 namespace sfumato::solve {
 
-/// A layer's curves in a frame of a drag. The last curve is the one that moves.
+/// A layer's curves in a frame. The moving curves are the last ones.
 struct PlacedCurves {
   curves::FlatCurves flat{};
   std::vector<Curve> curves{};
-  curves::FlatCurves moved{};  ///< only the polyline of the moving curve
-  std::uint32_t first = 0;     ///< its first vertex in `flat`
+  curves::FlatCurves moved{};  ///< only the polylines of the moving curves
+  std::uint32_t first = 0;     ///< their first vertex in `flat`
   ScopedCharge charge{};
 };
 
-/// Returns `curves`, and `curve` after them.
+/// Returns `curves`, and `moving` after them.
 /// others   the polylines of `curves`
 /// used     the curves of the last frame, whose tables are reused, or empty
 /// Errors   limit (memory), cancelled
-Result<PlacedCurves> place_curve(Context& context, const curves::FlatCurves& others,
-                                 std::span<const Curve> curves, const Curve& curve,
-                                 const curves::FlattenOptions& options,
-                                 std::optional<PlacedCurves> used);
+Result<PlacedCurves> place_curves(Context& context, const curves::FlatCurves& others,
+                                  std::span<const Curve> curves, std::span<const Curve> moving,
+                                  const curves::FlattenOptions& options,
+                                  std::optional<PlacedCurves> used);
 
 }  // namespace sfumato::solve

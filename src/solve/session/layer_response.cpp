@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/charge.hpp"
 #include "base/limit_error.hpp"
 #include "base/no_throw.hpp"
 #include "base/try.hpp"
-#include "curves/flatten.hpp"
 #include "curves/response.hpp"
 #include "solve/layers/layer_units.hpp"
 
@@ -46,26 +44,20 @@ Result<SampledFields> sample(const Context& context, const curves::FlatCurves& f
 }
 
 Result<Prepared> prepare(Context& context, const Document& document, const StopPlace& place,
-                         const LayerSight& sight, const DiffuseOptions& options) {
+                         const LayerSight& sight, const DiffuseOptions& options,
+                         const FlatMesh& flat_mesh) {
   const LayerUnits units(document.artboard, sight, options);
-  SFUMATO_TRY_ASSIGN(const curves::FlatCurves& flat,
-                     flatten_layer(context, document.layers[place.layer], sight, units));
-  ScopedCharge charge;
-  SFUMATO_TRY(charge.add(context, curves::bytes_of(flat), "flattening"));
-  SFUMATO_TRY_ASSIGN(auto&& sampled,
-                     sample(context, flat, document, place, options, units.smallest_radius()));
-  const mesh::MeshOptions meshing = units.mesh_options();
-  SFUMATO_TRY_ASSIGN(auto&& mesher, mesh::Mesher::build(context, flat, meshing));
-  SFUMATO_TRY_ASSIGN(const mesh::TriangleMesh& visibility, mesher.visibility_mesh(context));
+  SFUMATO_TRY_ASSIGN(auto&& sampled, sample(context, flat_mesh.flat, document, place, options,
+                                            units.smallest_radius()));
   TableMemory memory("the response of a layer");
   SFUMATO_TRY_ASSIGN(const std::vector<std::uint8_t>& answers,
-                     segments_of(context, flat, place.curve, memory));
+                     segments_of(context, flat_mesh.flat, place.curve, memory));
   const std::vector<Curve>& curves = document.layers[place.layer].curves;
   FieldEdits edits{.use = {answers}};
   edits.is_parted = curves::opacity_goes_with_color(curves);
-  SFUMATO_TRY_ASSIGN(auto&& fields, prepare_fields(context, mesher, visibility, std::move(sampled),
-                                                   options.ends, edits));
-  return Prepared{std::move(fields), meshing.frame, units.smallest_edges()};
+  SFUMATO_TRY_ASSIGN(auto&& fields, prepare_fields(context, flat_mesh.mesher, flat_mesh.mesh,
+                                                   std::move(sampled), options.ends, edits));
+  return Prepared{std::move(fields), units.mesh_options().frame, units.smallest_edges()};
 }
 
 Status solve_first(Context& context, const Document& document, std::uint32_t layer,
@@ -122,7 +114,8 @@ Result<LayerResponse> respond(Context& context, const Document& document, const 
   if (!refined) {
     SFUMATO_TRY(solve_first(context, document, place.layer, sight, exact, refined, stats));
   }
-  SFUMATO_TRY_ASSIGN(auto&& prepared, prepare(context, document, place, sight, exact));
+  SFUMATO_TRY_ASSIGN(auto&& prepared,
+                     prepare(context, document, place, sight, exact, refined->flat_mesh));
   LayerSolver solver(
       context,
       PreparedLayer{std::move(refined->mesher), std::move(prepared.fields.color),

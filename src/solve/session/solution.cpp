@@ -235,7 +235,7 @@ void Solution::State::give_up_beyond() {
 /// Releases the tables kept for drags or next frames. Returns whether there were any.
 bool Solution::State::drop_refined() {
   bool any = drag && drag->forget_frames();
-  for (std::optional<solve::LayerFilm>& film : films) {
+  for (std::optional<solve::FilmLayer>& film : films) {
     any |= film.has_value();
     film.reset();
   }
@@ -369,16 +369,18 @@ void Solution::expect_drags(std::size_t most_triangles) {
   state_->most_kept = most_triangles;
 }
 
-Status Solution::begin_drag(Context& context, std::uint32_t layer, std::uint32_t curve) {
-  return public_verb(context, [&] { return state_->begin_drag(context, layer, curve); });
+Status Solution::begin_drag(Context& context, std::uint32_t layer,
+                            std::vector<std::uint32_t> curves) {
+  return public_verb(context,
+                     [&] { return state_->begin_drag(context, layer, std::move(curves)); });
 }
 
-Status Solution::drag(Context& context, Curve curve, DiffuseStats* stats,
+Status Solution::drag(Context& context, std::vector<Curve> curves, DiffuseStats* stats,
                       std::optional<double> seconds) {
   const solve::FrameTime time(seconds);
   return public_verb(context, [&] {
     Status status = check_seconds(seconds);
-    return status ? state_->drag_to(context, std::move(curve), time, stats) : status;
+    return status ? state_->drag_to(context, std::move(curves), time, stats) : status;
   });
 }
 

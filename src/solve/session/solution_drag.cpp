@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <utility>
 
 #include "base/try.hpp"
@@ -23,18 +24,21 @@ Status Solution::State::check_is_editable() const {
                     "a picture for a pixel grid cannot be dragged; solve without pixel_grid");
 }
 
-Status Solution::State::begin_drag(Context& context, std::uint32_t layer, std::uint32_t curve) {
+Status Solution::State::begin_drag(Context& context, std::uint32_t layer,
+                                   std::vector<std::uint32_t> curves) {
   end_drag();
-  if (layer >= layers.size() || curve >= document.layers[layer].curves.size()) {
-    return make_error(StatusCode::bad_input, "there is no such curve to drag");
-  }
+  std::ranges::sort(curves);
+  const bool are_known = layer < layers.size() && !curves.empty() &&
+                         curves.back() < document.layers[layer].curves.size() &&
+                         std::ranges::adjacent_find(curves) == curves.end();
+  if (!are_known) return make_error(StatusCode::bad_input, "there are no such curves to drag");
   LayerState& state = layers[layer];
   if (!options || !state.in_picture || frame_changed) {
     return make_error(StatusCode::bad_input, "the document is to be solved before a drag");
   }
   SFUMATO_TRY(check_is_editable());
   note_drag(layer);
-  Drag begun{layer, curve, &context.budget};
+  Drag begun{layer, std::move(curves), &context.budget};
   if (!state.sight.views.empty()) {
     SFUMATO_TRY(run_with_all_memory([&](bool) { return begin_engine(context, begun); }));
   }
@@ -52,17 +56,19 @@ Status Solution::State::begin_engine(Context& context, Drag& begun) {
     SFUMATO_TRY(refine(context, begun.layer));
   }
   const bool is_known = is_at_home && layer.refined;
-  Result<bool> is_costly = false;
+  bool is_costly = false;
   if (is_known) {
-    is_costly = solve::LayerDrag::is_costly(context, *layer.refined, begun.curve);
-    SFUMATO_TRY(is_costly);
+    SFUMATO_TRY_ASSIGN(is_costly,
+                       solve::LayerSession::is_costly(context, *layer.refined, begun.curves));
   }
-  Result<solve::LayerDrag> engine =
-      solve::LayerDrag::begin(context, document, begun.layer, begun.curve, layer.sight,
-                              *is_costly ? solve::roughly(*options) : options_of(layer),
-                              is_known && !*is_costly ? layer.refined : none);
-  if (engine) begun.engine.emplace(std::move(*engine));
-  return engine.status();
+  SFUMATO_TRY_ASSIGN(auto&& engine,
+                     solve::LayerSession::open(
+                         context,
+                         solve::input_of(document, begun.layer, layer.sight,
+                                         is_costly ? solve::roughly(*options) : options_of(layer)),
+                         begun.curves, is_known && !is_costly ? layer.refined : none));
+  begun.engine.emplace(std::move(engine));
+  return ok_status();
 }
 
 /// Returns the options with which the layer was solved.
@@ -70,32 +76,66 @@ DiffuseOptions Solution::State::options_of(const LayerState& layer) const {
   return layer.is_rough ? solve::roughly(*options) : *options;
 }
 
-/// Replaces the dragged curve, and makes a frame. Errors leave the curve and its layer unchanged.
-Status Solution::State::drag_to(Context& context, Curve curve, const solve::FrameTime& time,
-                                DiffuseStats* stats) {
+/// Returns the dragged curves as they are now.
+std::vector<Curve> Solution::State::dragged_curves() const {
+  std::vector<Curve> curves;
+  curves.reserve(drag->curves.size());
+  for (const std::uint32_t curve : drag->curves)
+    curves.push_back(document.layers[drag->layer].curves[curve]);
+  return curves;
+}
+
+/// Replaces the dragged curves, and makes a frame. Errors leave the curves and their layer
+/// unchanged.
+Status Solution::State::drag_to(Context& context, std::vector<Curve> curves,
+                                const solve::FrameTime& time, DiffuseStats* stats) {
   if (!drag) return no_curve();
+  if (curves.size() != drag->curves.size()) {
+    return make_error(StatusCode::bad_input, "pass as many curves as are dragged");
+  }
   const SpareRelease release(*this);
-  SFUMATO_TRY(hold(context, curve));
-  const ReplaceCurve change{drag->layer, drag->curve, curve};
-  SFUMATO_TRY_ASSIGN(auto&& inverse, apply_change(context, document, change));
-  count_bytes(inverse);
+  for (const Curve& curve : curves) SFUMATO_TRY(hold(context, curve));
+  SFUMATO_TRY(replace_dragged(context, curves));
   LayerState& layer = layers[drag->layer];
   layer.refined.reset();
   LayerState before = std::exchange(layer, {});
   Status status;
   if (drag->engine) {
-    status = no_throw([&] { return show(context, curve, {.time = time, .stats = stats}); });
+    status = no_throw([&] { return show(context, {.time = time, .stats = stats}); });
   }
   if (status) {
     if (!layer.is_solved()) layer = shown_roughly(std::move(before.sight), drag->layer);
     return status;
   }
-  drag->forget_frames();  // one of them may have the new curve
+  drag->forget_frames();  // one of them may have the new curves
   layer = std::move(before);
-  std::swap(document.layers[drag->layer].curves[drag->curve],
-            std::get<ReplaceCurve>(inverse).value);
-  count_bytes(inverse);
+  restore_dragged(curves, curves.size());
   return status;
+}
+
+/// Exchanges the dragged curves with these. Errors: as apply_change(); they leave the document
+/// unchanged.
+Status Solution::State::replace_dragged(const Context& context, std::vector<Curve>& curves) {
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    Result<Change> inverse = apply_change(
+        context, document, ReplaceCurve{drag->layer, drag->curves[i], std::move(curves[i])});
+    if (!inverse) {
+      restore_dragged(curves, i);
+      return inverse.status();
+    }
+    count_bytes(*inverse);
+    curves[i] = std::move(std::get<ReplaceCurve>(*inverse).value);
+  }
+  return ok_status();
+}
+
+/// Puts the first `count` curves back that replace_dragged() took out.
+void Solution::State::restore_dragged(std::vector<Curve>& curves, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    Curve& curve = document.layers[drag->layer].curves[drag->curves[i]];
+    document_bytes += bytes_of(curves[i]) - bytes_of(curve);
+    std::swap(curve, curves[i]);
+  }
 }
 
 /// Gathers nodes that the last frame left.
@@ -108,41 +148,41 @@ Status Solution::State::drag_more(Context& context, const solve::FrameTime& time
 }
 
 /// Continues the last frame. Makes it again if its tables were released.
-Status Solution::State::show_more(Context& context, const solve::FrameOptions& how) {
-  solve::LayerDrag* const maker = drag->shown_by;
-  const Curve& curve = document.layers[drag->layer].curves[drag->curve];
-  if (!maker->can_go_on(context)) return show(context, curve, how);
-  solve::FrameOptions more = how;
+Status Solution::State::show_more(Context& context, const solve::FramePolicy& how) {
+  solve::LayerSession* const maker = drag->shown_by;
+  if (!maker->can_go_on(context)) return show(context, how);
+  solve::FramePolicy more = how;
   more.wants_rows = wants_rows(maker);
   Result<solve::FramePatches> frame = maker->go_on(context, more);
-  if (!frame && is_lack_of_memory(frame.status())) return show(context, curve, how);
+  if (!frame && is_lack_of_memory(frame.status())) return show(context, how);
   return frame ? show_frame(context, maker, std::move(*frame), how) : frame.status();
 }
 
 /// Returns whether the picture's layer can be updated to an engine's next frame row by row.
-bool Solution::State::wants_rows(const solve::LayerDrag* maker) const {
+bool Solution::State::wants_rows(const solve::LayerSession* maker) const {
   return drag->shown && drag->shown_by == maker;
 }
 
-/// Makes a frame.
+/// Makes a frame of the dragged curves. Returns none if no engine can take them.
 /// maker   out: the engine that made the frame
-Status Solution::State::make_frame(Context& context, const Curve& curve,
-                                   const solve::FrameOptions& how, solve::FramePatches& patches,
-                                   solve::LayerDrag*& maker) {
-  const auto draw = [&](solve::LayerDrag& engine) {
+Result<std::optional<solve::FramePatches>> Solution::State::make_frame(
+    Context& context, const solve::FramePolicy& how, solve::LayerSession*& maker) {
+  const std::vector<Curve> curves = dragged_curves();
+  std::optional<solve::FramePatches> patches;
+  const auto draw = [&](solve::LayerSession& engine) {
     maker = &engine;
-    solve::FrameOptions one = how;
+    solve::FramePolicy one = how;
     one.wants_rows = wants_rows(&engine);
     return run_with_all_memory([&](bool) {
-      Result<solve::FramePatches> frame = engine.frame(context, curve, one);
-      if (frame) patches = std::move(*frame);
-      return frame.status();
+      SFUMATO_TRY_ASSIGN(patches, engine.frame(context, curves, one));
+      return ok_status();
     });
   };
-  Status status = draw(*drag->engine);
-  if (status.code != StatusCode::bad_input || !drag->engine->needs_room(curve)) return status;
+  SFUMATO_TRY(draw(*drag->engine));
+  if (patches || !drag->engine->needs_room(curves)) return patches;
   SFUMATO_TRY(begin_roomy(context));
-  return drag->roomy ? draw(*drag->roomy) : status;
+  if (drag->roomy) SFUMATO_TRY(draw(*drag->roomy));
+  return patches;
 }
 
 /// Begins the engine with room beyond the picture, if this Context has the drag's Budget and memory
@@ -150,7 +190,7 @@ Status Solution::State::make_frame(Context& context, const Curve& curve,
 Status Solution::State::begin_roomy(Context& context) {
   if (drag->roomy || !drag->may_have_room || &context.budget != drag->budget) return ok_status();
   Status status = run_with_all_memory([&](bool) {
-    Result<solve::LayerDrag> roomy = drag->engine->with_room(context);
+    Result<solve::LayerSession> roomy = drag->engine->with_room(context);
     if (roomy) drag->roomy.emplace(std::move(*roomy));
     return roomy.status();
   });
@@ -158,19 +198,16 @@ Status Solution::State::begin_roomy(Context& context) {
   return drag->may_have_room ? status : ok_status();
 }
 
-/// Shows the dragged curve in the picture. The document already has it.
-Status Solution::State::show(Context& context, const Curve& curve, const solve::FrameOptions& how) {
-  solve::FramePatches frame;
-  solve::LayerDrag* maker = nullptr;
-  Status status = make_frame(context, curve, how, frame, maker);
-  if (status.code == StatusCode::bad_input) {
-    return solve(context, *options, SolveGoal::rough, how.stats);
-  }
-  return status ? show_frame(context, maker, std::move(frame), how) : status;
+/// Shows the dragged curves in the picture. The document already has them.
+Status Solution::State::show(Context& context, const solve::FramePolicy& how) {
+  solve::LayerSession* maker = nullptr;
+  SFUMATO_TRY_ASSIGN(auto&& frame, make_frame(context, how, maker));
+  if (!frame) return solve(context, *options, SolveGoal::rough, how.stats);
+  return show_frame(context, maker, std::move(*frame), how);
 }
 
 /// Reserves room in the picture's layer for the last frame of `maker`, unless that was released.
-Status Solution::State::make_room(Context& context, const solve::LayerDrag& maker) {
+Status Solution::State::make_room(Context& context, const solve::LayerSession& maker) {
   PatchLayer& layer = picture.layers[drag->layer];
   const std::size_t known = bytes_of(layer);
   Status status = run_with_all_memory([&](bool) {
@@ -181,8 +218,8 @@ Status Solution::State::make_room(Context& context, const solve::LayerDrag& make
 
 /// Puts a frame into the picture. All steps that may fail come first. Makes the frame again if its
 /// tables were released meanwhile.
-Status Solution::State::show_frame(Context& context, solve::LayerDrag* maker,
-                                   solve::FramePatches frame, const solve::FrameOptions& how) {
+Status Solution::State::show_frame(Context& context, solve::LayerSession* maker,
+                                   solve::FramePatches frame, const solve::FramePolicy& how) {
   SFUMATO_TRY(hold(context, frame.layer));
   if (!frame.is_whole) SFUMATO_TRY(make_room(context, *maker));
   std::optional<LayerRows> news;
@@ -198,8 +235,7 @@ Status Solution::State::show_frame(Context& context, solve::LayerDrag* maker,
   delta.rows.reserve(delta.rows.size() + 1);
   if (!frame.is_whole && !maker->can_go_on(context)) {
     drag->forget_shown();
-    const Curve& curve = document.layers[drag->layer].curves[drag->curve];
-    return show(context, curve, how);
+    return show(context, how);
   }
   solve::note_new(drag->layer, std::move(news), delta);
   if (frame.is_whole) {

@@ -10,7 +10,7 @@ namespace sfumato {
 Result<PatchLayer> Solution::State::solve_frame(Context& context, const solve::LayerTask& task,
                                                 DiffuseStats* stats, FrameLayers& counts) {
   // Lack of memory releases the films in `films`; this film must stay during the frame.
-  std::optional<solve::LayerFilm> film = std::exchange(films[task.layer], std::nullopt);
+  std::optional<solve::FilmLayer> film = std::exchange(films[task.layer], std::nullopt);
   if (film && film->can_go_on(document, task.layer, task.sight)) {
     SFUMATO_TRY_ASSIGN(auto&& next, film->next(context, document, task.layer, stats));
     if (next) {
@@ -21,7 +21,7 @@ Result<PatchLayer> Solution::State::solve_frame(Context& context, const solve::L
   }
   film.reset();
   PatchLayer patches;
-  SFUMATO_TRY_ASSIGN(auto&& begun, solve::LayerFilm::begin(context, document, task.layer,
+  SFUMATO_TRY_ASSIGN(auto&& begun, solve::FilmLayer::begin(context, document, task.layer,
                                                            task.sight, *options, stats, patches));
   ++counts.begun;
   films[task.layer].emplace(std::move(begun));

@@ -16,8 +16,8 @@
 #include "sfumato/solve/solution.hpp"
 #include "solve/layers/layer_runs.hpp"
 #include "solve/session/color_drag.hpp"
-#include "solve/session/dragged_curve.hpp"
-#include "solve/session/layer_film.hpp"
+#include "solve/session/dragged_curves.hpp"
+#include "solve/session/film_layer.hpp"
 
 namespace sfumato {
 
@@ -27,7 +27,7 @@ struct Solution::State {
   /// The kind of solution to compute for layers that are not solved.
   enum class SolveGoal : std::uint8_t { exact, rough, next };
 
-  using Drag = solve::DraggedCurve;
+  using Drag = solve::DraggedCurves;
 
   static constexpr std::string_view kPurpose = "the solution of a document";
   static constexpr std::size_t kAllTriangles = std::numeric_limits<std::size_t>::max();
@@ -65,8 +65,9 @@ struct Solution::State {
   Status solve(Context& context, const DiffuseOptions& wanted, SolveGoal goal, DiffuseStats* stats,
                FrameLayers* counts = nullptr);
   Status check_is_editable() const;
-  Status begin_drag(Context& context, std::uint32_t layer, std::uint32_t curve);
-  Status drag_to(Context& context, Curve curve, const solve::FrameTime& time, DiffuseStats* stats);
+  Status begin_drag(Context& context, std::uint32_t layer, std::vector<std::uint32_t> curves);
+  Status drag_to(Context& context, std::vector<Curve> curves, const solve::FrameTime& time,
+                 DiffuseStats* stats);
   Status drag_more(Context& context, const solve::FrameTime& time, DiffuseStats* stats);
   Status begin_color(Context& context, const StopPlace& place);
   Status color_to(Context& context, const StopValue& value);
@@ -123,12 +124,16 @@ struct Solution::State {
   DiffuseOptions options_of(const LayerState& layer) const;
   Status begin_engine(Context& context, Drag& begun);
   Status begin_roomy(Context& context);
-  Status make_frame(Context& context, const Curve& curve, const solve::FrameOptions& how,
-                    solve::FramePatches& patches, solve::LayerDrag*& maker);
-  bool wants_rows(const solve::LayerDrag* maker) const;
-  Status make_room(Context& context, const solve::LayerDrag& maker);
-  Status show_frame(Context& context, solve::LayerDrag* maker, solve::FramePatches frame,
-                    const solve::FrameOptions& how);
+  std::vector<Curve> dragged_curves() const;
+  Status replace_dragged(const Context& context, std::vector<Curve>& curves);
+  void restore_dragged(std::vector<Curve>& curves, std::size_t count);
+  Result<std::optional<solve::FramePatches>> make_frame(Context& context,
+                                                        const solve::FramePolicy& how,
+                                                        solve::LayerSession*& maker);
+  bool wants_rows(const solve::LayerSession* maker) const;
+  Status make_room(Context& context, const solve::LayerSession& maker);
+  Status show_frame(Context& context, solve::LayerSession* maker, solve::FramePatches frame,
+                    const solve::FramePolicy& how);
   Result<std::vector<solve::LayerTask>> tasks(const Context& context, const Box& viewport,
                                               SolveGoal goal) const;
   Status keep(const Context& context, std::span<solve::LayerTask> tasks, SolveGoal goal,
@@ -136,8 +141,8 @@ struct Solution::State {
   Status assemble(Context& context, const Box& viewport);
   PictureDelta delta_with_news() const;
   Status make_room(const Context& context, const InsertCurve& insert);
-  Status show(Context& context, const Curve& curve, const solve::FrameOptions& how);
-  Status show_more(Context& context, const solve::FrameOptions& how);
+  Status show(Context& context, const solve::FramePolicy& how);
+  Status show_more(Context& context, const solve::FramePolicy& how);
   std::size_t bytes() const;
   void count_bytes(const Change& inverse);
 
@@ -164,7 +169,7 @@ struct Solution::State {
   }
 
   std::vector<LayerState> layers;
-  std::vector<std::optional<solve::LayerFilm>> films;  ///< per layer, or empty
+  std::vector<std::optional<solve::FilmLayer>> films;  ///< per layer, or empty
   std::vector<std::uint64_t> last_drag;                ///< per layer: KeptLayer::last_drag
   std::uint64_t drag_count = 0;
   std::optional<DiffuseOptions> options;  ///< the options that the layers were solved with

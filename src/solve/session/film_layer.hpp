@@ -1,40 +1,33 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <optional>
+#include <vector>
 
+#include "base/charge.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
 #include "sfumato/document/document.hpp"
 #include "sfumato/picture/picture.hpp"
 #include "sfumato/solve/diffuse.hpp"
-#include "solve/layers/prepare_layer.hpp"
+#include "solve/session/layer_session.hpp"
 
 namespace sfumato::solve {
 
-/// A layer through the frames of a film. Its mesh continues from one frame to the next, and changes
-/// only where curves move. Therefore nothing flickers where nothing moves.
-///
-/// A frame copies the still meshes, which lack the curves that ever moved, and inserts these curves
-/// at their new places. It holds the bound on the error: the nodes that see a change are gathered,
-/// the others keep their values, and patches that miss are refined. If such a patch is a triangle
-/// of the still mesh, the still mesh is refined there for all later frames, so that triangles do
-/// not come and go. Once these refinements have enlarged it by half, they are reverted.
+/// A layer through the frames of a film. The first frame is solved. Later ones are the frames of a
+/// LayerSession whose moving curves are all curves that ever moved, and which holds the bound on
+/// the error. Nodes and triangles that see no moving curve are therefore the same in all frames,
+/// and nothing flickers there.
 ///
 /// Memory stays charged to the Budget of begin()'s Context, which must outlive this.
-class LayerFilm {
+class FilmLayer {
  public:
   /// Solves the first frame. `sight` is the sight of the layer, and not empty.
   /// patches   out: the first frame
   /// Errors    limit, cancelled
-  static Result<LayerFilm> begin(Context& context, const Document& document, std::uint32_t layer,
+  static Result<FilmLayer> begin(Context& context, const Document& document, std::uint32_t layer,
                                  const LayerSight& sight, const DiffuseOptions& options,
                                  DiffuseStats* stats, PatchLayer& patches);
-
-  LayerFilm(LayerFilm&&) noexcept;
-  LayerFilm& operator=(LayerFilm&&) noexcept;
-  ~LayerFilm();
 
   /// Returns whether the layer of a document may be the next frame of this film: it has as many
   /// curves, at least half of them unchanged, and its sight, artboard and interpolation are the
@@ -48,9 +41,15 @@ class LayerFilm {
                                          std::uint32_t layer, DiffuseStats* stats);
 
  private:
-  struct State;
-  explicit LayerFilm(std::unique_ptr<State> state);
-  std::unique_ptr<State> state_;
+  explicit FilmLayer(LayerInput first) : first_(std::move(first)), last_(first_.curves) {}
+
+  std::vector<std::uint32_t> moving(const std::vector<Curve>& now) const;
+
+  LayerInput first_;                     ///< the layer in the first frame
+  std::vector<Curve> last_;              ///< its curves in the last frame
+  std::optional<RefinedLayer> refined_;  ///< the first frame, if there is enough memory
+  std::optional<LayerSession> session_;
+  ScopedCharge charge_;  ///< of the curves
 };
 
 }  // namespace sfumato::solve
