@@ -217,11 +217,15 @@ export class SfumatoContext extends Handle {
   }
 
   /**
-   * Prepares a picture for quick updates while this curve moves. The first update then takes no longer than the
-   * next ones. The picture must show the present document.
+   * Prepares a picture for quick updates while curves of a layer move together. The first update then takes no longer
+   * than the next ones. The picture must show the present document.
+   * @param {number[]} curves
    */
-  expectDrag(picture, layer, curve) {
-    this.run("sfumato_expect_drag", this.#pictureOf(picture), layer, curve);
+  expectDrag(picture, layer, curves) {
+    const solved = this.#pictureOf(picture);
+    this.library.withBytes(new Uint32Array(curves), (list) =>
+      this.run("sfumato_expect_drag", solved, layer, list, curves.length),
+    );
   }
 
   /**

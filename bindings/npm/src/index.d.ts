@@ -204,7 +204,7 @@ export class SfumatoContext implements Handle {
   ): void;
   /** Turns a picture, solved with `coherent`, into the next frame of a film; unchanged areas do not flicker. */
   solveNext(document: SfumatoDocument, picture: SfumatoPicture): void;
-  expectDrag(picture: SfumatoPicture, layer: number, curve: number): void;
+  expectDrag(picture: SfumatoPicture, layer: number, curves: readonly number[]): void;
   raster(
     picture: SfumatoPicture,
     image: { width: number; height: number; format?: "rgb8" | "rgba8" },

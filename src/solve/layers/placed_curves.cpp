@@ -49,13 +49,13 @@ void remove_last(std::uint32_t first, std::size_t count, curves::FlatCurves& all
   all.curve_begin.resize(all.curve_begin.size() - count);
 }
 
+}  // namespace
+
 std::size_t bytes_of_curves(std::span<const Curve> curves) {
   std::size_t bytes = 0;
   for (const Curve& curve : curves) bytes += bytes_of(curve);
   return bytes;
 }
-
-}  // namespace
 
 Result<PlacedCurves> place_curves(Context& context, const curves::FlatCurves& others,
                                   std::span<const Curve> curves, std::span<const Curve> moving,

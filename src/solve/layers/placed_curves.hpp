@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -21,6 +22,9 @@ struct PlacedCurves {
   std::uint32_t first = 0;     ///< their first vertex in `flat`
   ScopedCharge charge{};
 };
+
+/// Returns the bytes of memory that the curves' vectors take.
+std::size_t bytes_of_curves(std::span<const Curve> curves);
 
 /// Returns `curves`, and `moving` after them.
 /// others   the polylines of `curves`

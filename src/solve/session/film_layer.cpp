@@ -6,15 +6,10 @@
 
 #include "base/try.hpp"
 #include "curves/attributes.hpp"
+#include "solve/layers/placed_curves.hpp"
 
 namespace sfumato::solve {
 namespace {
-
-std::size_t bytes_of_curves(std::span<const Curve> curves) {
-  std::size_t bytes = 0;
-  for (const Curve& curve : curves) bytes += bytes_of(curve);
-  return bytes;
-}
 
 /// Returns whether both lists of curves need the same fields.
 bool have_same_fields(std::span<const Curve> a, std::span<const Curve> b) {

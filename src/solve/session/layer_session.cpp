@@ -147,11 +147,6 @@ struct LayerSession::State {
   LastFrame last;
 
  private:
-  std::size_t bytes_of_curves() const {
-    std::size_t bytes = 0;
-    for (const Curve& curve : input.curves) bytes += bytes_of(curve);
-    return bytes;
-  }
   Result<bool> place(Context& context, std::span<const Curve> now, LastFrame& frame) const;
   Result<bool> is_in_order(const Context& context, const LastFrame& frame) const;
   Result<std::vector<std::uint8_t>> insert_curves(const Context& context, LastFrame& frame,
@@ -242,7 +237,8 @@ Result<PreparedLayer> LayerSession::State::prepare_with_room(Context& context,
 /// refined   the layer with the curves; it is unchanged afterwards
 Status LayerSession::State::take_off(Context& context, RefinedLayer& refined) {
   const FlatMesh& whole = refined.flat_mesh;
-  SFUMATO_TRY(charge.add(context, curves::bytes_of(whole.flat) + bytes_of_curves(), "a drag"));
+  SFUMATO_TRY(
+      charge.add(context, curves::bytes_of(whole.flat) + bytes_of_curves(input.curves), "a drag"));
   flat = whole.flat;
   TableMemory memory("a drag");
   SFUMATO_TRY_ASSIGN(const std::vector<std::uint8_t>& moves,

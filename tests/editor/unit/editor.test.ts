@@ -1,7 +1,7 @@
 // The editor's state: previews of gestures, results of undo, and requests to the engine.
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { DrawingEditor } from "../../../web/editor/src/app/editor.js";
-import type { Engine, QuickChange } from "../../../web/editor/src/engine/types.js";
+import type { Engine, LayerCurves, QuickChange } from "../../../web/editor/src/engine/types.js";
 import type { Drawing, Outcome } from "../../../web/editor/src/model/types.js";
 import { setAttribute, sf } from "../../../web/editor/src/source/attributes.js";
 
@@ -24,8 +24,8 @@ class NotedEngine {
   }
   look() {}
   expected: (string | null)[] = [];
-  expect(place: { layer: number; curve: number } | null) {
-    this.expected.push(place && `${place.layer} ${place.curve}`);
+  expect(curves: LayerCurves | null) {
+    this.expected.push(curves && `${curves.layer} ${curves.curves}`);
   }
   colors = async () => new Float32Array();
   free() {}
@@ -88,6 +88,18 @@ describe("the engine", () => {
     editor.selection.value = [];
     rest();
     expect(engine.expected).toEqual(["0 1", "0 1", "0 0", null]);
+  });
+
+  it("hears of all curves that move together, where they are in one layer", () => {
+    exact();
+    const whole = ["b", "a"].map((id) => ({ handle: handleOf(id), part: { kind: "whole" } as const }));
+    editor.selection.value = whole;
+    rest();
+    editor.hovered.value = handleOf("a");
+    rest();
+    editor.selection.value = [whole[0]];
+    rest();
+    expect(engine.expected).toEqual(["0 0,1", "0 0,1", "0 0"]);
   });
 
   it("hears of it anew with each exact picture, and not before", () => {

@@ -131,7 +131,7 @@ function watchedHost() {
     const number = host.workers;
     const post = made.postMessage.bind(made);
     made.postMessage = (message: { name: string; given: { way?: { kind: string } }[] }) => {
-      if (message.name === "expect") expected.push(message.given.join(" "));
+      if (message.name === "expect") expected.push(`${message.given[0].layer} ${message.given[0].curves}`);
       if (message.given[0]?.way?.kind === "exact") exact.push(number);
       if (message.given[0]?.way?.kind === "quick") quick.push(number);
       post(message);
@@ -203,21 +203,21 @@ describe.skipIf(!hasModule).each(ways)("the engine $way", ({ mostInFront }) => {
     const { host, expected } = watchedHost();
     open(host);
     page.show(drawing(70), false);
-    page.engine.expect({ layer: 0, curve: 1 });
+    page.engine.expect({ layer: 0, curves: [1] });
     await page.exact();
     await page.until(() => expected.length === 1);
     // It is busy with that; the latest request follows.
-    page.engine.expect({ layer: 1, curve: 0 });
-    page.engine.expect({ layer: 0, curve: 0 });
+    page.engine.expect({ layer: 1, curves: [0] });
+    page.engine.expect({ layer: 0, curves: [0] });
     await page.until(() => expected.length === 2);
     const { updates } = page;
-    page.engine.expect({ layer: 9, curve: 9 });
+    page.engine.expect({ layer: 9, curves: [9] });
     await page.until(() => expected.length === 3);
     page.engine.expect(null);
     expect(page.updates).toBe(updates);
     expect(expected).toEqual(["0 1", "0 0", "9 9"]);
     page.show(drawing(90), true, [pointsFor(90)]);
-    page.engine.expect({ layer: 0, curve: 1 });
+    page.engine.expect({ layer: 0, curves: [1] });
     page.show(drawing(90), false, []);
     await page.exact();
     await expectSolved(page, drawing(90), 512);
@@ -503,7 +503,7 @@ describe.skipIf(!hasModule)("a module that fails while it prepares a drag", () =
     page.show(drawing(70), false);
     await page.exact();
     const { workers } = host;
-    page.engine.expect({ layer: 0, curve: 1 });
+    page.engine.expect({ layer: 0, curves: [1] });
     await new Promise((resolve) => setTimeout(resolve, 50));
     const started = host.workers - workers;
     page.show(drawing(90), false);

@@ -115,7 +115,7 @@ export class DrawingEditor implements Editor {
     this.navigation = new Navigation(this);
     effect(() => this.#keepFitted());
     effect(() => this.#look());
-    expectDrags(this, (handle) => this.#engineCurves(handle)[0] ?? null);
+    expectDrags(this, (handle) => this.#engineCurves(handle));
   }
 
   get drawing(): Drawing {

@@ -14,13 +14,13 @@ import { EngineError } from "./rpc.js";
 import { Seat, type Host } from "./seat.js";
 import type { LintReport, Solved, SolveOptions, Way } from "./session.js";
 import type {
-  CurvePlace,
   Engine,
   EngineCurve,
   EngineStatus,
   GivenImage,
   Hint,
   ImportedSvg,
+  LayerCurves,
   PictureUpdate,
   QuickChange,
   RasterWish,
@@ -424,8 +424,8 @@ export class WorkerEngine implements Engine {
 
   // Preparation of the next drag.
 
-  expect(curve: CurvePlace | null): void {
-    this.#expected.set(curve);
+  expect(curves: LayerCurves | null): void {
+    this.#expected.set(curves);
   }
 
   /** The front worker, if it is idle and its picture is exact; otherwise null. */

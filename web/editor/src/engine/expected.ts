@@ -1,14 +1,15 @@
 // The next drag: the front worker prepares it while it has nothing else to do.
 import { EngineError } from "./rpc.js";
 import type { Seat } from "./seat.js";
-import type { CurvePlace } from "./types.js";
+import type { LayerCurves } from "./types.js";
 
-const isSame = (a: CurvePlace | null, b: CurvePlace) => a?.layer === b.layer && a.curve === b.curve;
+const isSame = (a: LayerCurves | null, b: LayerCurves) =>
+  a?.layer === b.layer && a.curves.join() === b.curves.join();
 
 export class Expected {
   readonly #idle: () => Seat | null;
   readonly #lose: (seat: Seat) => void;
-  #curve: CurvePlace | null = null;
+  #curves: LayerCurves | null = null;
 
   /**
    * @param idle the worker, with an exact picture of the text, or null while it is busy
@@ -19,17 +20,17 @@ export class Expected {
     this.#lose = lose;
   }
 
-  set(curve: CurvePlace | null): void {
-    this.#curve = curve;
+  set(curves: LayerCurves | null): void {
+    this.#curves = curves;
     void this.prepare();
   }
 
   async prepare(): Promise<void> {
-    const [seat, curve] = [this.#idle(), this.#curve];
-    if (!seat || !curve || isSame(seat.expected, curve)) return;
-    seat.expected = curve;
+    const [seat, curves] = [this.#idle(), this.#curves];
+    if (!seat || !curves || isSame(seat.expected, curves)) return;
+    seat.expected = curves;
     try {
-      await seat.link.call("expect", curve.layer, curve.curve);
+      await seat.link.call("expect", curves);
     } catch (error) {
       // The drag itself reports errors of the text.
       if (!EngineError.of(error).isOfText) this.#lose(seat);

@@ -1,7 +1,7 @@
 // A worker, and what it has of the text.
 import { Link } from "./rpc.js";
 import type { ReadResult, SolveOptions } from "./session.js";
-import type { CurvePlace, EngineCurve, GivenImage, QuickChange } from "./types.js";
+import type { EngineCurve, GivenImage, LayerCurves, QuickChange } from "./types.js";
 import { en } from "../strings/en.js";
 
 const words = en.engine;
@@ -58,8 +58,8 @@ export class Seat {
   exactFor: SolveOptions | null = null;
   /** Whether its last picture is exact. */
   isExact = false;
-  /** The curve whose drag it has begun since. */
-  expected: CurvePlace | null = null;
+  /** The curves whose drag it has begun since. */
+  expected: LayerCurves | null = null;
   #imageCount = 0;
 
   /** @param name distinguishes its stamps from others' */

@@ -3,7 +3,7 @@ import { answer, Handed, type MessageEndpoint, type Note } from "./rpc.js";
 import { Session, type SolveWish } from "./session.js";
 import { buffersOf } from "./tables.js";
 import { snapped } from "./snap.js";
-import type { FitWish, GivenImage, QuickChange, RasterWish, SnapWish, TraceWish } from "./types.js";
+import type { FitWish, GivenImage, LayerCurves, QuickChange, RasterWish, SnapWish, TraceWish } from "./types.js";
 
 export function serve(scope: MessageEndpoint): void {
   let session: Session;
@@ -19,7 +19,7 @@ export function serve(scope: MessageEndpoint): void {
       const solved = session.solve(wish);
       return new Handed(solved, buffersOf(solved.layers));
     },
-    expect: (layer: number, curve: number) => session.expect(layer, curve),
+    expect: (curves: LayerCurves) => session.expect(curves),
     colors(layer: number, xy: Float64Array) {
       const colors = session.colors(layer, xy);
       return new Handed(colors, [colors.buffer as ArrayBuffer]);

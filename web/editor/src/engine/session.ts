@@ -28,6 +28,7 @@ import type {
   FitWish,
   GivenImage,
   ImportedSvg,
+  LayerCurves,
   LayerUpdate,
   PhotoPixels,
   QuickChange,
@@ -238,9 +239,9 @@ export class Session {
     return updates;
   }
 
-  /** The curve that is to be dragged next, of a picture that is exact. */
-  expect(layer: number, curve: number): void {
-    if (this.#shown) this.#context.expectDrag(this.#shown.picture, layer, curve);
+  /** The curves that are to be dragged next, of a picture that is exact. */
+  expect({ layer, curves }: LayerCurves): void {
+    if (this.#shown) this.#context.expectDrag(this.#shown.picture, layer, curves);
   }
 
   /** A layer of the last picture as rays meet it; null: it has no curves that exact pixels can be gathered from. */

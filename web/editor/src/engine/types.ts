@@ -29,6 +29,12 @@ export interface CurvePlace {
   readonly curve: number;
 }
 
+/** Curves of one layer. */
+export interface LayerCurves {
+  readonly layer: number;
+  readonly curves: readonly number[];
+}
+
 export interface EngineCurve extends CurvePlace {
   /** Where its element's `<` stands in the text, UTF-16 units; which of its subpaths. */
   readonly offset: number;
@@ -172,8 +178,8 @@ export interface Engine {
   show(text: string, moving: boolean, quick?: readonly QuickChange[]): number;
   /** CSS pixels times the device's ratio to an artboard unit, and what is seen: how fine is enough. */
   look(pixelsPerUnit: number, seen: Box, artboard: Box): void;
-  /** Announces the next curve to move, numbered as `index`: the first frame of its drag comes sooner. */
-  expect(curve: CurvePlace | null): void;
+  /** Announces the next curves to move, numbered as `index`: the first frame of their drag comes sooner. */
+  expect(curves: LayerCurves | null): void;
   /** Version of the library; "" until it has started. */
   readonly version: string;
   /** The last text that was read: its number, and its curves; changes of curves since leave both. */
