@@ -33,12 +33,16 @@ bool is_dragged(const LayerCurves& changed, const sfumato_picture& handle) {
          std::ranges::includes(handle.dragged->curves, changed.curves);
 }
 
-/// Notes that the picture shows the document, after a change of some curves.
+/// Notes that the picture shows the document, after a change of these curves.
 /// is_same   the solution has the same curves as `document`, to the last bit
-void note_shown(const sfumato_document& document, bool is_same, sfumato_picture& handle) {
-  const bool was_same = handle.applied == handle.shown;  // also in all other curves
-  handle.shown = document.edits.now();
-  handle.applied = was_same && is_same ? handle.shown : Revision{};
+void note_shown(const sfumato_document& document, const LayerCurves& changed, bool is_same,
+                sfumato_picture& handle) {
+  const auto& [layer, curves] = changed;
+  for (const std::uint32_t curve : curves) {
+    const std::uint64_t number = document.revisions.curves[layer][curve];
+    handle.shown.curves[layer][curve] = number;
+    handle.applied.curves[layer][curve] = is_same ? number : 0;
+  }
 }
 
 /// Shows the curves at their new places in the picture.
@@ -55,7 +59,7 @@ Status drag(sfumato_context& context, const LayerCurves& moved, const sfumato_do
   handle.count(stats);
   note_changes(handle.picture(), handle.solution->take_delta(), changed);
   handle.changed = std::move(changed);
-  note_shown(document, true, handle);
+  note_shown(document, moved, true, handle);
   return ok_status();
 }
 
@@ -93,24 +97,36 @@ Status set_stop(sfumato_context& context, const StopChange& change, sfumato_pict
   return ok_status();
 }
 
-/// Shows the new value of a stop in the picture. Errors: bad_input if more has changed.
-Status recolor(sfumato_context& context, CurvePlace place, const sfumato_document& document,
-               sfumato_picture& handle) {
+/// Returns the change of a stop, if it is the only difference of these curves from the picture's.
+std::optional<StopChange> only_stop_change(const LayerCurves& changed,
+                                           const sfumato_document& document,
+                                           const sfumato_picture& handle) {
+  if (changed.curves.size() != 1) return std::nullopt;
   const Document& shown = handle.solution->document();
-  const Curve& from = shown.layers[place.layer].curves[place.curve];
-  const Curve& to = document.document.layers[place.layer].curves[place.curve];
-  const auto change = find_stop_change(from, to, place, shown.interpolation);
-  if (!change) return make_error(StatusCode::bad_input, "more than a stop has changed");
-  SFUMATO_TRY(set_stop(context, *change, handle));
-  note_shown(document, from == to, handle);  // all stops of a side may differ by rounding
+  const StopPlace at{changed.layer, changed.curves[0]};
+  return find_stop_change(shown.layers[at.layer].curves[at.curve],
+                          document.document.layers[at.layer].curves[at.curve], at,
+                          shown.interpolation);
+}
+
+/// Shows the new value of a stop in the picture.
+Status recolor(sfumato_context& context, const StopChange& change, const LayerCurves& changed,
+               const sfumato_document& document, sfumato_picture& handle) {
+  SFUMATO_TRY(set_stop(context, change, handle));
+  const auto curve_of = [&](const Document& of) -> const Curve& {
+    return of.layers[change.place.layer].curves[change.place.curve];
+  };
+  // All stops of a side may differ by rounding.
+  const bool is_same = curve_of(handle.solution->document()) == curve_of(document.document);
+  note_shown(document, changed, is_same, handle);
   return ok_status();
 }
 
 /// Converts a place in the terms of the C API; none if the side or the attribute is unknown.
-std::optional<StopPlace> place_of(CurvePlace at, std::uint32_t side, std::uint32_t attribute,
-                                  std::uint32_t index) {
+std::optional<StopPlace> place_of(std::uint32_t layer, std::uint32_t curve, std::uint32_t side,
+                                  std::uint32_t attribute, std::uint32_t index) {
   if (side > SFUMATO_RIGHT || attribute > SFUMATO_OPACITY) return std::nullopt;
-  StopPlace place{at.layer, at.curve, side == SFUMATO_LEFT ? CurveSide::left : CurveSide::right,
+  StopPlace place{layer, curve, side == SFUMATO_LEFT ? CurveSide::left : CurveSide::right,
                   attribute == SFUMATO_COLOR ? StopAttribute::color : StopAttribute::opacity,
                   index};
   if (index == UINT32_MAX) place.index.reset();
@@ -168,9 +184,8 @@ Status show_changes(sfumato_context& context, const LayerCurves& changed,
     const LayerCurves dragged = *handle.dragged;
     return drag(context, dragged, document, seconds, handle);
   }
-  if (changed.curves.size() == 1) {
-    Status status = recolor(context, {changed.layer, changed.curves[0]}, document, handle);
-    if (status.code != StatusCode::bad_input) return status;
+  if (const auto change = only_stop_change(changed, document, handle)) {
+    return recolor(context, *change, changed, document, handle);
   }
   return drag(context, changed, document, seconds, handle);
 }
@@ -210,7 +225,7 @@ int32_t sfumato_stop_response(sfumato_context* context, sfumato_picture* picture
   return sfumato::capi::call(context, [&](sfumato::capi::Workshop&) -> sfumato::capi::Outcome {
     if (!response) return sfumato::capi::bad_usage("NULL given; pass room for a view");
     return sfumato::capi::respond(*context, picture,
-                                  sfumato::capi::place_of({layer, curve}, side, attribute, index),
+                                  sfumato::capi::place_of(layer, curve, side, attribute, index),
                                   *response);
   });
 }

@@ -107,23 +107,22 @@ Outcome solve(Workshop& workshop, sfumato_context* context, const sfumato_docume
   auto handle = std::make_unique<sfumato_picture>(context->workshop, std::move(solution), settings);
   if (own.drag_triangles) handle->solution->expect_drags(*own.drag_triangles);
   SFUMATO_TRY(bring_up(workshop.context, settings.coherent ? solve_frame : solve_exactly, *handle));
-  handle->shown = handle->applied = document.edits.now();
+  handle->shown = handle->applied = document.revisions;
   *out = handle.release();
   return {};
 }
 
-/// Applies the changes, except for replacements by an equal curve.
-Status apply_all(Context& context, std::vector<Change> changes, Solution& solution) {
-  ScopedCharge charge;
-  for (const Change& change : changes) {
-    SFUMATO_TRY(charge.add(context, bytes_of(change), "changes of a document"));
-  }
-  for (Change& change : changes) {
-    if (const auto* replace = std::get_if<ReplaceCurve>(&change)) {
-      const Layer& layer = solution.document().layers[replace->layer];
-      if (layer.curves[replace->curve] == replace->value) continue;
+/// Replaces the changed curves, except by equal ones.
+Status replace_curves(Context& context, const std::vector<LayerCurves>& changed,
+                      const Document& document, Solution& solution) {
+  for (const auto& [layer, curves] : changed) {
+    for (const std::uint32_t curve : curves) {
+      const Curve& now = document.layers[layer].curves[curve];
+      if (solution.document().layers[layer].curves[curve] == now) continue;
+      ScopedCharge charge;
+      SFUMATO_TRY(charge.add(context, bytes_of(now), "changes of a document"));
+      SFUMATO_TRY(solution.apply(context, ReplaceCurve{layer, curve, now}));
     }
-    SFUMATO_TRY(solution.apply(context, std::move(change)));
   }
   return ok_status();
 }
@@ -135,12 +134,11 @@ Status replace_all(Context& context, const Document& document, Solution& solutio
 
 /// Makes the solution's document equal to the other one.
 Status follow(Context& context, const sfumato_document& document, sfumato_picture& handle) {
-  const auto edits = document.edits.since(handle.applied);
-  auto changes = edits ? changes_of(*edits, document.document) : std::nullopt;
+  const auto changed = changed_curves(handle.applied, document.revisions);
   handle.applied = {};  // until all changes are applied
-  SFUMATO_TRY(changes ? apply_all(context, std::move(*changes), *handle.solution)
+  SFUMATO_TRY(changed ? replace_curves(context, *changed, document.document, *handle.solution)
                       : replace_all(context, document.document, *handle.solution));
-  handle.applied = document.edits.now();
+  handle.applied = document.revisions;
   return ok_status();
 }
 
@@ -155,29 +153,33 @@ Outcome solve_all(Workshop& workshop, const sfumato_document& document, Solve so
   handle.shown = {};  // until the picture is updated
   SFUMATO_TRY(follow(workshop.context, document, handle));
   SFUMATO_TRY(bring_up(workshop.context, solve, handle));
-  handle.shown = document.edits.now();
+  handle.shown = document.revisions;
   return ok_status();
+}
+
+/// Shows nothing new, gathers nodes that wait, or drags or colours the changed curves. Errors: bad
+/// input if more changed.
+Status solve_changes(sfumato_context& context, const sfumato_document& document, double seconds,
+                     sfumato_picture& handle) {
+  const auto changed = changed_curves(handle.shown, document.revisions);
+  if (changed && changed->empty() && handle.solution->waiting_nodes() == 0) {
+    for (ChangedRows& rows : handle.changed) rows = {};
+    handle.count({});
+    return ok_status();
+  }
+  if (changed && changed->empty()) return show_more(context, seconds, handle);
+  if (changed && changed->size() == 1 && may_be_dragged(changed->front(), document.document)) {
+    return show_changes(context, changed->front(), document, seconds, handle);
+  }
+  return make_error(StatusCode::bad_input, "more than a few curves of a layer changed");
 }
 
 Outcome solve_quickly(sfumato_context& context, const sfumato_document& document, double seconds,
                       sfumato_picture& handle) {
+  Status status = solve_changes(context, document, seconds, handle);
   // The tables of a drag may exceed a limit that the layer alone does not exceed.
-  const auto is_shown = [](const Status& status) {
-    return status.code != StatusCode::bad_input && status.code != StatusCode::limit;
-  };
-  if (handle.shown == document.edits.now()) {
-    if (handle.solution->waiting_nodes() == 0) {
-      for (ChangedRows& rows : handle.changed) rows = {};
-      handle.count({});
-      return {};
-    }
-    Status status = show_more(context, seconds, handle);
-    if (is_shown(status)) return status;
-  } else if (const auto changed = document.edits.only_changes_since(handle.shown);
-             changed && may_be_dragged(*changed, document.document)) {
-    Status status = show_changes(context, *changed, document, seconds, handle);
-    if (is_shown(status)) return status;
-  }
+  const bool is_refused = status.code == StatusCode::bad_input || status.code == StatusCode::limit;
+  if (!is_refused) return status;
   return solve_all(*context.workshop, document, solve_roughly, handle);
 }
 

@@ -1,7 +1,6 @@
 #include "capi/documents/document.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <string>
 #include <variant>
 
@@ -19,7 +18,7 @@ namespace {
 constexpr std::string_view kPurpose = "a document";
 
 std::size_t kept_bytes(const sfumato_document& handle) {
-  return bytes_of(handle.document) + bytes_of(handle.origin);
+  return bytes_of(handle.document) + bytes_of(handle.origin) + bytes_of(handle.revisions);
 }
 
 void release(std::size_t spare, sfumato_document& handle) {
@@ -37,7 +36,7 @@ std::size_t room_bytes(const Document& document, const Change& change) {
   const auto* insert = std::get_if<InsertCurve>(&change);
   if (!insert || insert->layer >= document.layers.size()) return 0;
   return 2 * (document.layers[insert->layer].curves.size() + 1) *
-         (sizeof(Curve) + sizeof(CurveSource));
+         (sizeof(Curve) + sizeof(CurveSource) + sizeof(std::uint64_t));
 }
 
 Outcome copy(sfumato_context* context, Workshop& workshop, const sfumato_document& from,
@@ -76,6 +75,7 @@ Outcome hand_out(sfumato_context* context, Document document, Origin origin,
   auto handle = std::make_unique<sfumato_document>(context->workshop);
   handle->origin = std::move(origin);
   handle->document = std::move(document);
+  handle->revisions = revisions_of(handle->document);
   Context& work = context->workshop->context;
   SFUMATO_TRY(handle->held.add(work, kept_bytes(*handle), kPurpose));
   handle->charged = kept_bytes(*handle);
@@ -88,12 +88,12 @@ Outcome change(const Context& context, sfumato_document& handle, Change change) 
   SFUMATO_TRY(
       handle.held.add(context, bytes_of(change) + room_bytes(handle.document, change), kPurpose));
   handle.charged += bytes;
-  const std::optional<Edit> edit = edit_of(change);
   const bool replaces = std::holds_alternative<ReplaceCurve>(change);
   make_room(handle.origin, change);
+  make_room(change, handle.revisions);
   const Result<Change> inverse = apply_change(context, handle.document, std::move(change));
   if (inverse) {
-    handle.edits.note(edit);
+    note(*inverse, handle.revisions);
     follow(handle.origin, *inverse);
   }
   if (replaces) {  // without checking all other curves

@@ -5,8 +5,8 @@
 
 #include "base/charge.hpp"
 #include "capi/context.hpp"
-#include "capi/documents/edits.hpp"
 #include "capi/documents/origin.hpp"
+#include "capi/documents/revisions.hpp"
 #include "sfumato/document/change.hpp"
 #include "sfumato/document/document.hpp"
 
@@ -19,7 +19,7 @@ struct sfumato_document {
   std::size_t charged = 0;  ///< bytes of `held`
   sfumato::capi::Origin origin{};
   sfumato::Document document;
-  sfumato::capi::Edits edits;
+  sfumato::capi::Revisions revisions;
 };
 
 namespace sfumato::capi {

@@ -53,7 +53,7 @@ bool is_shifted(const StopList<Value>& from, const StopList<Value>& to, Interpol
 /// Collects the differences between the sides of two curves.
 class Comparison {
  public:
-  Comparison(CurvePlace at, InterpolationSpace space) : at_(at), space_(space) {}
+  Comparison(const StopPlace& at, InterpolationSpace space) : at_(at), space_(space) {}
 
   void compare(const Side& from, const Side& to, CurveSide side) {
     is_more_ = is_more_ || !(from.blur_radius == to.blur_radius);
@@ -84,7 +84,7 @@ class Comparison {
     }
   }
 
-  CurvePlace at_;
+  StopPlace at_;
   InterpolationSpace space_;
   std::optional<StopChange> change_;
   bool is_more_ = false;
@@ -92,7 +92,7 @@ class Comparison {
 
 }  // namespace
 
-std::optional<StopChange> find_stop_change(const Curve& from, const Curve& to, CurvePlace at,
+std::optional<StopChange> find_stop_change(const Curve& from, const Curve& to, const StopPlace& at,
                                            InterpolationSpace space) {
   if (from.id != to.id || from.control_points != to.control_points || from.weight != to.weight) {
     return std::nullopt;

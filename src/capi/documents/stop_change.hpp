@@ -2,7 +2,6 @@
 
 #include <optional>
 
-#include "capi/documents/edits.hpp"
 #include "sfumato/base/color_space.hpp"
 #include "sfumato/document/curve.hpp"
 #include "sfumato/document/stop_place.hpp"
@@ -18,7 +17,7 @@ struct StopChange {
 /// Returns the change that turns one curve into another, if it affects one stop of a colour or an
 /// opacity, or all stops of one list by the same difference in `space`. Returns none if nothing
 /// differs, or anything else does.
-std::optional<StopChange> find_stop_change(const Curve& from, const Curve& to, CurvePlace at,
+std::optional<StopChange> find_stop_change(const Curve& from, const Curve& to, const StopPlace& at,
                                            InterpolationSpace space);
 
 }  // namespace sfumato::capi

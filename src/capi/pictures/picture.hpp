@@ -9,7 +9,7 @@
 
 #include "base/charge.hpp"
 #include "capi/context.hpp"
-#include "capi/documents/edits.hpp"
+#include "capi/documents/revisions.hpp"
 #include "options/option.hpp"
 #include "options/settings.hpp"
 #include "sfumato/base/vec2.hpp"
@@ -38,8 +38,8 @@ void note_changes(const Picture& picture, const PictureDelta& delta,
 /// Returns whether frames of a drag of these curves take less time than rough pictures.
 bool may_be_dragged(const LayerCurves& changed, const Document& document);
 
-/// Updates a picture towards its document if only these curves differ, within a time as
-/// Solution::drag(). Errors: bad input if the picture must be solved; others as drag() and color().
+/// Updates a picture to its document if only these curves differ, within a time as
+/// Solution::drag(). Errors: as drag() and color().
 Status show_changes(sfumato_context& context, const LayerCurves& changed,
                     const sfumato_document& document, double seconds, sfumato_picture& handle);
 
@@ -86,8 +86,8 @@ struct sfumato_picture {
   std::vector<sfumato::capi::ChangedRows> changed{};    ///< of each layer
   sfumato::DiffuseStats stats{};                        ///< from the last time that it was solved
   sfumato::FrameLayers frame{};                         ///< the same, where it is one of a film
-  sfumato::capi::Revision shown{};                      ///< what it is a picture of
-  sfumato::capi::Revision applied{};                    ///< the state of its solution's document
+  sfumato::capi::Revisions shown{};                     ///< the state that it is a picture of
+  sfumato::capi::Revisions applied{};                   ///< the state of its solution's document
   std::optional<sfumato::capi::LayerCurves> dragged{};  ///< or that may be dragged next
   bool has_moved = false;                               ///< whether they were dragged
   std::optional<sfumato::StopPlace> colored{};  ///< the stop that its solution is prepared for
