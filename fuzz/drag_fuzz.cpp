@@ -137,7 +137,7 @@ void drag_one(Context& context, fuzz::ByteReader& bytes, Solution& solution) {
     return color_one(context, bytes, solution, layer, static_cast<std::uint32_t>(choice % count));
   }
   const auto curve = static_cast<std::uint32_t>(choice % count);
-  if (Status status = solution.begin_drag(context, layer, curve); !status) {
+  if (Status status = solution.begin_drag(context, layer, {curve}); !status) {
     return require_told(status);
   }
   const Curve before = solution.document().layers[layer].curves[curve];

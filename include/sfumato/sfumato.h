@@ -335,12 +335,12 @@ SFUMATO_API int32_t sfumato_solve_within(sfumato_context* context, const sfumato
  * the picture as it was. */
 SFUMATO_API int32_t sfumato_solve_next(sfumato_context* context, const sfumato_document* document,
                                        sfumato_picture* picture);
-/** Prepares a picture for dragging curves of a layer together, so that the first quick picture is as
- * fast as the later ones. Use it, for example, when a pointer is above a curve. The picture stays
- * unchanged. Where the tables that quick pictures start from were not kept, its layer is solved once
- * more. The prepared tables take memory of this context until other curves are prepared, or the
- * picture is solved again. Returns SFUMATO_BAD_INPUT without such curves, or if their layer changed
- * since it was solved. */
+/** Prepares a picture for dragging curves of a layer together: the first quick picture is then as
+ * fast as later ones. Use it, for example, when a pointer is above a curve. The picture stays
+ * unchanged. Where the tables that quick pictures start from were not kept, its layer is solved
+ * once more. The prepared tables take memory of this context until other curves are prepared, or
+ * the picture is solved again. Returns SFUMATO_BAD_INPUT without such curves, or if their layer
+ * changed since it was solved. */
 SFUMATO_API int32_t sfumato_expect_drag(sfumato_context* context, sfumato_picture* picture,
                                         uint32_t layer, const uint32_t* curves, size_t curve_count);
 /** Writes a picture exactly, as `sfumato solve` does: docs/picture-file.md. */

@@ -6,126 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "capi/handles.hpp"
+#include "capi/quick_pictures.hpp"
 
 /// Pictures of a document while a curve moves.
 namespace sfumato::test {
 namespace {
-
-constexpr const char* kOptions = "max-error=4";
-constexpr std::uint32_t kWidth = 96, kHeight = 96;
-
-/// Three curves in a layer, one in another.
-constexpr const char* kDrawing =
-    "<svg xmlns='http://www.w3.org/2000/svg' xmlns:sf='urn:sfumato:1' viewBox='0 0 96 96'>"
-    "<g sf:diffuse='true'>"
-    "<path d='M10 20C40 10 60 30 86 18' sf:left='#fff' sf:right='#036'/>"
-    "<path d='M12 50C30 70 60 30 84 52' sf:left='red,blue' sf:right='gold'/>"
-    "<path d='M30 80L70 84' sf:left='green' sf:right='black'/></g>"
-    "<g sf:diffuse='true'><path d='M40 40C60 40 60 60 40 60' sf:left='#fff' sf:right='#333'"
-    " sf:opacity='0.5'/></g></svg>";
-
-/// Forty short curves in a layer.
-std::string many_curves() {
-  std::string text =
-      "<svg xmlns='http://www.w3.org/2000/svg' xmlns:sf='urn:sfumato:1' viewBox='0 0 96 96'>"
-      "<g sf:diffuse='true'>";
-  for (int i = 0; i < 40; ++i) {
-    text += "<path d='M" + std::to_string(8 + 11 * (i % 8)) + " " +
-            std::to_string(10 + 18 * (i / 8)) + "q4 5 8 0' sf:left='" +
-            (i % 2 == 0 ? "red" : "gold") + "' sf:right='" + (i % 3 == 0 ? "navy" : "teal") + "'/>";
-  }
-  return text + "</g></svg>";
-}
-
-std::int32_t expect_drag(sfumato_context* context, sfumato_picture* picture, std::uint32_t layer,
-                         const std::vector<std::uint32_t>& curves) {
-  return sfumato_expect_drag(context, picture, layer, curves.data(), curves.size());
-}
-
-class CQuick : public testing::Test {
- protected:
-  void move(double by, std::uint32_t curve = 0, std::uint32_t layer = 0) {
-    sfumato_view view{};
-    ASSERT_EQ(sfumato_curve_points(document.get(), layer, curve, &view), SFUMATO_OK);
-    std::vector<double> xy(static_cast<const double*>(view.data),
-                           static_cast<const double*>(view.data) + 2 * view.rows);
-    for (double& number : xy) number += by;
-    ASSERT_EQ(sfumato_set_curve_points(c, document.get(), layer, curve, xy.data(), view.rows),
-              SFUMATO_OK);
-  }
-
-  std::int32_t again(std::int32_t quick) {
-    return sfumato_solve_again(c, document.get(), quick, picture.get());
-  }
-
-  bool is_exact() const {
-    return tables_of(picture.get()) == tables_of(solve(c, document.get(), kOptions).get());
-  }
-
-  std::vector<std::uint8_t> pixels_of(const sfumato_picture* of) const {
-    std::vector<std::uint8_t> pixels(3 * kWidth * kHeight);
-    const sfumato_image image{pixels.data(), 3 * kWidth, kWidth, kHeight, SFUMATO_RGB8};
-    EXPECT_EQ(sfumato_raster(c, of, &image, "background=white"), SFUMATO_OK);
-    return pixels;
-  }
-
-  /// Returns the mean difference of all pixels from the exact picture, in code values.
-  double mean_miss() const {
-    const std::vector<std::uint8_t> shown = pixels_of(picture.get());
-    const std::vector<std::uint8_t> exact = pixels_of(solve(c, document.get(), kOptions).get());
-    double sum = 0;
-    for (std::size_t i = 0; i < shown.size(); ++i) sum += std::abs(shown[i] - exact[i]);
-    return sum / static_cast<double>(shown.size());
-  }
-
-  /// Returns the number of new rows in all tables of a layer.
-  std::uint32_t new_rows(std::uint32_t layer) const {
-    std::uint32_t rows = 0;
-    for (std::uint32_t table = SFUMATO_VERTICES; table <= SFUMATO_OPACITY_VALUES; ++table) {
-      sfumato_view view{};
-      EXPECT_EQ(sfumato_picture_changes(picture.get(), layer, table, &view), SFUMATO_OK);
-      const auto* const range = static_cast<const std::uint32_t*>(view.data);
-      for (std::size_t i = 0; i < view.rows; ++i) rows += range[2 * i + 1] - range[2 * i];
-    }
-    return rows;
-  }
-
-  using Bytes = std::vector<std::uint8_t>;
-
-  /// Returns a table of the first layer.
-  Bytes table_of(std::uint32_t table) const {
-    sfumato_view view{};
-    EXPECT_EQ(sfumato_picture_table(picture.get(), 0, table, &view), SFUMATO_OK);
-    const auto* const data = static_cast<const std::uint8_t*>(view.data);
-    return data ? Bytes(data, data + view.rows * view.row_bytes) : Bytes();
-  }
-
-  /// Updates a copy of a table from its new rows only. Returns their number.
-  std::size_t renew(std::uint32_t table, Bytes& copy) const {
-    sfumato_view rows{}, now{};
-    EXPECT_EQ(sfumato_picture_changes(picture.get(), 0, table, &rows), SFUMATO_OK);
-    EXPECT_EQ(sfumato_picture_table(picture.get(), 0, table, &now), SFUMATO_OK);
-    copy.resize(now.rows * now.row_bytes);
-    std::size_t count = 0;
-    const auto* const range = static_cast<const std::uint32_t*>(rows.data);
-    for (std::size_t i = 0; i < rows.rows; ++i) {
-      const std::size_t from = range[2 * i], to = range[2 * i + 1];
-      EXPECT_LT(from, to);
-      EXPECT_LE(to, now.rows);
-      std::memcpy(copy.data() + from * now.row_bytes,
-                  static_cast<const std::uint8_t*>(now.data) + from * now.row_bytes,
-                  (to - from) * now.row_bytes);
-      count += to - from;
-    }
-    return count;
-  }
-
-  ContextHandle context{sfumato_context_new("threads=1")};
-  sfumato_context* c = context.get();
-  DocumentHandle document = read_text(c, kDrawing);
-  PictureHandle picture = solve(c, document.get(), kOptions);
-};
 
 TEST_F(CQuick, pictures_show_a_curve_that_moves) {
   for (const double by : {0.5, -1.5, 3.0}) {
@@ -135,37 +20,6 @@ TEST_F(CQuick, pictures_show_a_curve_that_moves) {
     EXPECT_LT(mean_miss(), 0.5) << by;
     EXPECT_GT(new_rows(0), 0u);
     EXPECT_EQ(new_rows(1), 0u);
-  }
-  ASSERT_EQ(again(0), SFUMATO_OK);
-  EXPECT_TRUE(is_exact());
-}
-
-TEST_F(CQuick, pictures_show_several_curves_that_move_together) {
-  document = read_text(c, many_curves());
-  picture = solve(c, document.get(), kOptions);
-  ASSERT_EQ(expect_drag(c, picture.get(), 0, {21, 3}), SFUMATO_OK);
-  const std::uint32_t all = new_rows(0);
-  for (int frame = 0; frame < 4; ++frame) {
-    const double by = 1.5 - frame;
-    move(by, 3);
-    if (frame != 2) move(by, 21);
-    ASSERT_EQ(again(1), SFUMATO_OK) << sfumato_error_text(c);
-    EXPECT_LT(mean_miss(), 0.5) << by;
-    if (frame == 0) continue;
-    EXPECT_LT(new_rows(0), all / 2) << "only the curves' surroundings are new";
-  }
-  ASSERT_EQ(again(0), SFUMATO_OK);
-  EXPECT_TRUE(is_exact());
-}
-
-/// Rough pictures are quicker then.
-TEST_F(CQuick, pictures_of_many_curves_that_move_are_rough) {
-  document = read_text(c, many_curves());
-  picture = solve(c, document.get(), kOptions);
-  for (int frame = 0; frame < 2; ++frame) {
-    for (const std::uint32_t curve : {3u, 10u, 21u}) move(1, curve);
-    ASSERT_EQ(again(1), SFUMATO_OK) << sfumato_error_text(c);
-    EXPECT_LT(mean_miss(), 3);
   }
   ASSERT_EQ(again(0), SFUMATO_OK);
   EXPECT_TRUE(is_exact());
@@ -240,70 +94,6 @@ TEST_F(CQuick, pictures_within_a_time_go_on_where_they_stopped) {
   ASSERT_EQ(sfumato_solve_within(c, document.get(), 0, picture.get()), SFUMATO_OK);
   ASSERT_EQ(again(0), SFUMATO_OK);
   EXPECT_EQ(waiting(), 0);
-  EXPECT_TRUE(is_exact());
-}
-
-TEST_F(CQuick, a_drag_that_is_expected_leaves_the_picture_and_begins_at_once) {
-  const std::string before = tables_of(picture.get());
-  ASSERT_EQ(expect_drag(c, picture.get(), 0, {1}), SFUMATO_OK);
-  ASSERT_EQ(expect_drag(c, picture.get(), 0, {0}), SFUMATO_OK);
-  EXPECT_TRUE(tables_of(picture.get()) == before);
-  EXPECT_TRUE(is_exact());
-  move(2);
-  ASSERT_EQ(again(1), SFUMATO_OK);
-  EXPECT_LT(mean_miss(), 0.5);
-  EXPECT_GT(new_rows(0), 0u);
-  EXPECT_EQ(new_rows(1), 0u);
-  const std::string moved = tables_of(picture.get());
-  ASSERT_EQ(again(0), SFUMATO_OK);
-  EXPECT_TRUE(is_exact());
-  move(-2);
-  ASSERT_EQ(again(0), SFUMATO_OK);
-  move(2);
-  ASSERT_EQ(again(1), SFUMATO_OK);
-  EXPECT_TRUE(tables_of(picture.get()) == moved) << "as without it";
-}
-
-TEST_F(CQuick, other_changes_than_the_drag_that_is_expected_are_shown_too) {
-  ASSERT_EQ(expect_drag(c, picture.get(), 0, {1}), SFUMATO_OK);
-  move(2, 0);
-  ASSERT_EQ(again(1), SFUMATO_OK);
-  EXPECT_LT(mean_miss(), 0.5);
-  ASSERT_EQ(expect_drag(c, picture.get(), 0, {0}), SFUMATO_OK) << "the layer is rough";
-  ASSERT_EQ(again(0), SFUMATO_OK);
-  EXPECT_TRUE(is_exact());
-  ASSERT_EQ(expect_drag(c, picture.get(), 0, {0}), SFUMATO_OK);
-  ASSERT_EQ(sfumato_remove_curve(c, document.get(), 0, 0), SFUMATO_OK);
-  ASSERT_EQ(again(0), SFUMATO_OK);
-  EXPECT_TRUE(is_exact());
-}
-
-TEST_F(CQuick, drags_are_shown_whatever_failed_before) {
-  sfumato_cancel(c);
-  EXPECT_EQ(expect_drag(c, picture.get(), 0, {0}), SFUMATO_CANCELLED);
-  sfumato_resume(c);
-  for (int i = 0; i < 2; ++i) ASSERT_EQ(expect_drag(c, picture.get(), 0, {0}), SFUMATO_OK);
-  EXPECT_TRUE(is_exact());
-  move(2);
-  sfumato_cancel(c);
-  EXPECT_EQ(again(0), SFUMATO_CANCELLED);
-  sfumato_resume(c);
-  EXPECT_EQ(expect_drag(c, picture.get(), 0, {0}), SFUMATO_OK) << "the picture is there";
-  move(2);
-  ASSERT_EQ(again(1), SFUMATO_OK);
-  EXPECT_LT(mean_miss(), 0.5);
-  ASSERT_EQ(again(0), SFUMATO_OK);
-  EXPECT_TRUE(is_exact());
-}
-
-TEST_F(CQuick, drags_of_no_curve_are_not_expected) {
-  EXPECT_EQ(expect_drag(c, picture.get(), 0, {99}), SFUMATO_BAD_INPUT);
-  EXPECT_EQ(expect_drag(c, picture.get(), 99, {0}), SFUMATO_BAD_INPUT);
-  EXPECT_EQ(expect_drag(c, picture.get(), 0, {}), SFUMATO_BAD_INPUT);
-  EXPECT_EQ(expect_drag(c, picture.get(), 0, {1, 1}), SFUMATO_BAD_INPUT);
-  EXPECT_EQ(sfumato_expect_drag(c, picture.get(), 0, nullptr, 1), SFUMATO_BAD_USAGE);
-  EXPECT_EQ(expect_drag(c, nullptr, 0, {0}), SFUMATO_BAD_USAGE);
-  EXPECT_EQ(expect_drag(nullptr, picture.get(), 0, {0}), SFUMATO_BAD_USAGE);
   EXPECT_TRUE(is_exact());
 }
 

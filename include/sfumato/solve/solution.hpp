@@ -110,9 +110,10 @@ class Solution {
   /// than the drawing order. A call with another Context than that of create(), which is charged
   /// for the meshes, begins all layers on new meshes; so does scarce memory.
   ///
-  /// `layers` and `stats`, unless null, are added to. Errors: as solve(). Cost: about half of that
-  /// of solve(), where few nodes see the changes; the kept tables take six times as much memory as
-  /// the picture.
+  /// `layers` and `stats`, unless null, are added to. Errors: as solve(). Cost: O(triangles and
+  /// nodes of the layer) for tables, and a gather of the nodes that see the curves that ever moved;
+  /// more in the first frame in which a curve moves. The kept tables take twelve times as much
+  /// memory as the picture.
   Status solve_next(Context& context, const DiffuseOptions& options, FrameLayers* layers = nullptr,
                     DiffuseStats* stats = nullptr);
 

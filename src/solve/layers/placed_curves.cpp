@@ -51,7 +51,7 @@ void remove_last(std::uint32_t first, std::size_t count, curves::FlatCurves& all
 
 }  // namespace
 
-std::size_t bytes_of_curves(std::span<const Curve> curves) {
+std::size_t bytes_of(std::span<const Curve> curves) {
   std::size_t bytes = 0;
   for (const Curve& curve : curves) bytes += bytes_of(curve);
   return bytes;
@@ -72,10 +72,10 @@ Result<PlacedCurves> place_curves(Context& context, const curves::FlatCurves& ot
   if (vertices > placed.flat.vertex.capacity()) {
     reserve(vertices + vertices / 8, others.curve_begin.size() + moving.size(), placed.flat);
   }
-  SFUMATO_TRY(placed.charge.raise_to(context,
-                                     curves::bytes_of(placed.flat) + curves::bytes_of(moved) +
-                                         bytes_of_curves(curves) + bytes_of_curves(moving),
-                                     "a drag"));
+  SFUMATO_TRY(placed.charge.raise_to(
+      context,
+      curves::bytes_of(placed.flat) + curves::bytes_of(moved) + bytes_of(curves) + bytes_of(moving),
+      "a drag"));
   if (!used) {
     copy(others, placed.flat);
     placed.curves.assign(curves.begin(), curves.end());

@@ -24,7 +24,7 @@ struct PlacedCurves {
 };
 
 /// Returns the bytes of memory that the curves' vectors take.
-std::size_t bytes_of_curves(std::span<const Curve> curves);
+std::size_t bytes_of(std::span<const Curve> curves);
 
 /// Returns `curves`, and `moving` after them.
 /// others   the polylines of `curves`

@@ -24,7 +24,8 @@ Result<FilmLayer> FilmLayer::begin(Context& context, const Document& document, s
                                    const LayerSight& sight, const DiffuseOptions& options,
                                    DiffuseStats* stats, PatchLayer& patches) {
   FilmLayer film(input_of(document, layer, sight, options));
-  SFUMATO_TRY(film.charge_.add(context, 2 * bytes_of_curves(film.last_), "a film"));
+  SFUMATO_TRY(
+      film.charge_.add(context, bytes_of(film.first_.curves) + bytes_of(film.last_), "a film"));
   SFUMATO_TRY_ASSIGN(patches,
                      LayerSession::solve_with_room(context, film.first_, stats, film.refined_));
   return film;

@@ -18,6 +18,7 @@
 #include "mesh/mesher.hpp"
 #include "solve/layers/layer_units.hpp"
 #include "solve/layers/placed_curves.hpp"
+#include "solve/session/moving_curves.hpp"
 
 namespace sfumato::solve {
 namespace {
@@ -30,45 +31,6 @@ constexpr std::size_t kMostRuns = 16;
 /// are few, and even solving it roughly would take longer.
 constexpr std::size_t kManyHalfEdges = 100;
 constexpr double kManyPerTriangle = 0.01;
-
-/// Returns a mark per vertex: 1 for the vertices of these curves.
-Result<std::vector<std::uint8_t>> marks_of(const Context& context, const curves::FlatCurves& flat,
-                                           std::span<const std::uint32_t> which,
-                                           TableMemory& memory) {
-  std::vector<std::uint8_t> marks;
-  SFUMATO_TRY(memory.resize(context, marks, flat.vertex.size()));
-  for (const std::uint32_t curve : which) {
-    std::fill(marks.begin() + flat.curve_begin[curve], marks.begin() + flat.curve_begin[curve + 1],
-              std::uint8_t{1});
-  }
-  return marks;
-}
-
-/// Returns the polylines of these curves.
-std::vector<gather::ShareBound::Polyline> polylines_of(const curves::FlatCurves& flat,
-                                                       std::span<const std::uint32_t> which) {
-  std::vector<gather::ShareBound::Polyline> polylines;
-  polylines.reserve(which.size());
-  for (const std::uint32_t curve : which) {
-    const std::uint32_t first = flat.curve_begin[curve], end = flat.curve_begin[curve + 1];
-    polylines.push_back(std::span(flat.vertex).subspan(first, end - first));
-  }
-  return polylines;
-}
-
-/// Returns 0, 1, …, count - 1.
-std::vector<std::uint32_t> numbers(std::size_t count) {
-  std::vector<std::uint32_t> list(count);
-  std::iota(list.begin(), list.end(), 0u);
-  return list;
-}
-
-/// Returns the largest weight of these curves.
-double largest_weight(std::span<const Curve> curves, std::span<const std::uint32_t> which) {
-  double largest = 0;
-  for (const std::uint32_t curve : which) largest = std::max(largest, double{curves[curve].weight});
-  return largest;
-}
 
 /// The fields of a solved layer while they watch some of its curves.
 class WatchedFields {
@@ -237,8 +199,7 @@ Result<PreparedLayer> LayerSession::State::prepare_with_room(Context& context,
 /// refined   the layer with the curves; it is unchanged afterwards
 Status LayerSession::State::take_off(Context& context, RefinedLayer& refined) {
   const FlatMesh& whole = refined.flat_mesh;
-  SFUMATO_TRY(
-      charge.add(context, curves::bytes_of(whole.flat) + bytes_of_curves(input.curves), "a drag"));
+  SFUMATO_TRY(charge.add(context, curves::bytes_of(whole.flat) + bytes_of(input.curves), "a drag"));
   flat = whole.flat;
   TableMemory memory("a drag");
   SFUMATO_TRY_ASSIGN(const std::vector<std::uint8_t>& moves,
