@@ -219,7 +219,7 @@ export class SfumatoContext extends Handle {
   /**
    * Prepares a picture for quick updates while curves of a layer move together. The first update then takes no longer
    * than the next ones. The picture must show the present document.
-   * @param {number[]} curves
+   * @param {readonly number[]} curves
    */
   expectDrag(picture, layer, curves) {
     const solved = this.#pictureOf(picture);

@@ -72,7 +72,7 @@ const states = {
   picker: {
     async enter({ page }) {
       await showCurve(page);
-      await page.getByRole("button", { name: /^Colour of left stop 1/ }).click();
+      await page.getByRole("button", { name: /^Colour of the whole left side/ }).click();
       await page.locator(".picker").waitFor();
     },
     leave: ({ page }) => page.locator(".picker").press("Escape"),

@@ -132,7 +132,7 @@ async function steps(editor) {
   // The new curve takes its colours from the picture below it. The picture beside it hardly changes.
   const change = largestDifference(before, after, (x, y) => away(x, y) === 0);
   check(change <= 6, `beside a new curve the picture changes by ${change}`);
-  await fill(editor, "Colour, hex", "ffe080");
+  await fill(editor, "Colour of the whole left side, hex", "ffe080");
   await changing(editor, "New layer", () => panel.getByRole("button", { name: "New layer" }).click());
   const empty = await editor.picture();
   await changing(editor, "the pencil", async () => {

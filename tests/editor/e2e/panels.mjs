@@ -141,6 +141,7 @@ async function testPicker({ browser, address }) {
   const editor = await EditorPage.open(browser, address);
   const { page } = editor;
   await states.curve(editor);
+  await page.getByRole("group", { name: "Left side" }).locator(".stop").first().click();
   await page.getByRole("button", { name: /^Colour of left stop 1/ }).click();
   const picker = page.locator(".picker");
   const start = await editor.text;
@@ -363,9 +364,52 @@ async function testTour({ browser, address }) {
   await editor.close();
 }
 
+const banded = `<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1" viewBox="0 0 640 480" sf:background="#fff">
+  <g id="back" sf:diffuse="true">
+    <path id="low" d="M100 300C200 250 300 350 400 300" sf:left="${Array.from({ length: 16 }, (_, i) => `#${(i % 10).toString().repeat(3)} ${Math.round((i * 1000) / 15) / 10}%`).join(", ")}" sf:right="#36c, #fe8 50%, #284"/>
+  </g>
+</svg>
+`;
+
+/** A side with 16 colours gets one by its field, several stops get one together, and a key does the same. */
+async function testOneColor({ browser, address }) {
+  const editor = await EditorPage.open(browser, address);
+  const { page } = editor;
+  const stop = (side, index) => page.getByRole("group", { name: `${side} side` }).locator(".stop").nth(index);
+  const type = (name, hex) => async () => {
+    const field = page.locator(".inspector").getByRole("textbox", { name });
+    await field.fill(hex);
+    await field.press("Enter");
+  };
+  await editor.load(banded);
+  const start = await editor.text;
+  await page.locator(".canvas-stage").focus();
+  await row(page, "back").click();
+  await page.keyboard.press("ArrowRight");
+  await row(page, "low").click();
+  const whole = await changing(editor, "the side's colour", type("Colour of the whole left side, hex", "ffe000"));
+  check(/sf:left="#ffe000" sf:right="#36c, #fe8 50%, #284"/.test(whole), `the left side has other colours: ${whole}`);
+  await page.locator(".canvas-stage").focus();
+  checkEqual(await changing(editor, "undo", () => editor.key("Control+z")), start, "the text after one step of undo");
+  await stop("Left", 3).click();
+  await stop("Left", 5).click({ modifiers: ["Shift"] });
+  const several = await changing(editor, "two stops", type("Colour, hex", "ffe000"));
+  checkEqual(several.match(/#ffe000/g)?.length, 2, "stops that were recoloured");
+  await stop("Right", 1).click();
+  await page.locator(".canvas-stage").focus();
+  const one = await changing(editor, "one colour by a key", () => editor.key("Shift+C"));
+  check(one.includes('sf:right="#fe8"'), `the right side has other colours: ${one}`);
+  await page.getByRole("button", { name: /^Colour of the whole right side/ }).click();
+  const picker = page.getByRole("dialog", { name: "Colour of the whole right side" });
+  await picker.waitFor();
+  await changing(editor, "the picker's hue", () => picker.getByRole("slider", { name: "Hue" }).press("PageUp"));
+  await editor.close();
+}
+
 export async function testPanels(tap, given) {
   await tap.test("a colour is picked from the picture", () => testPicked(given));
   await tap.test("each field of the panel does one step", () => testFields(given));
+  await tap.test("a side or several stops get one colour", () => testOneColor(given));
   await tap.test("the picker's parts change the colour, all in one step", () => testPicker(given));
   await tap.test("the tree by buttons and by keys", () => testTree(given));
   await tap.test("the export dialog writes each format", () => testExport(given));

@@ -381,7 +381,7 @@ async function testColors(editor) {
   await take(page.getByLabel("Background, hex"), written((color) => new RegExp(`sf:background="${color}"`)));
   await editor.key("a");
   await editor.click(320, 112);
-  await take(page.locator(".inspector").getByLabel("Colour, hex", { exact: true }).first(), written((color) => new RegExp(`id="line"[^>]*sf:left="${color}"`)));
+  await take(page.locator(".inspector").getByLabel("Colour of the whole left side, hex"), written((color) => new RegExp(`id="line"[^>]*sf:left="${color}"`)));
   await page.getByRole("group", { name: "Left side" }).first().locator(".stop").first().dblclick();
   await take(page.locator(".picker").getByLabel("Hex"), written((color) => new RegExp(`id="line"[^>]*sf:left="${color}"`)));
   await editor.key("Escape");

@@ -6,7 +6,7 @@ import { SIDE, type ExactLayer } from "../../../web/viewer/exact_fields.js";
 import { WorkerEngine } from "../../../web/editor/src/engine/engine.js";
 import { LayerMirror, type MirroredLayer } from "../../../web/editor/src/engine/mirror.js";
 import type { Host } from "../../../web/editor/src/engine/seat.js";
-import type { EngineStatus, PictureUpdate, QuickChange } from "../../../web/editor/src/engine/types.js";
+import type { EngineStatus, LayerCurves, PictureUpdate, QuickChange } from "../../../web/editor/src/engine/types.js";
 import { hasModule, localHost, module, textOf } from "./wasm.js";
 
 const artboard = [0, 0, 200, 150] as const;
@@ -130,7 +130,10 @@ function watchedHost() {
     const made = host.worker();
     const number = host.workers;
     const post = made.postMessage.bind(made);
-    made.postMessage = (message: { name: string; given: { way?: { kind: string } }[] }) => {
+    interface Given extends Partial<LayerCurves> {
+      readonly way?: { readonly kind: string };
+    }
+    made.postMessage = (message: { name: string; given: Given[] }) => {
       if (message.name === "expect") expected.push(`${message.given[0].layer} ${message.given[0].curves}`);
       if (message.given[0]?.way?.kind === "exact") exact.push(number);
       if (message.given[0]?.way?.kind === "quick") quick.push(number);

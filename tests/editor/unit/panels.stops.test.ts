@@ -8,6 +8,7 @@ import {
   withoutStop,
   type Stops,
 } from "../../../web/editor/src/panels/stops.js";
+import { tinted, type Tints } from "../../../web/editor/src/panels/tints.js";
 import { randomFrom } from "./random.js";
 
 const list = (...stops: readonly [number, number][]): Stops<number> => ({
@@ -74,5 +75,31 @@ describe("a list of stops", () => {
       }
       expect(offsets(now)).toEqual([...offsets(now)].sort((a, b) => a - b));
     }
+  });
+});
+
+describe("stops with another colour", () => {
+  const grey = (k: number, alpha = 1) => ({ r: k, g: k, b: k, alpha });
+  const tints = (gradient: object | null): Tints =>
+    ({
+      list: { kind: "stops", space: "arc", stops: [0, 0.5, 1].map((k) => ({ offset: k, value: grey(k, gradient ? k : 1) })) },
+      gradient,
+    }) as unknown as Tints;
+  const red = { r: 1, g: 0, b: 0 };
+
+  it("are those that were selected", () => {
+    const { stops } = tinted(tints(null), [0, 2], red);
+    expect(stops.map(({ value }) => value.g)).toEqual([0, 0.5, 0]);
+    expect(stops.map(({ value }) => value.r)).toEqual([1, 0.5, 1]);
+  });
+
+  it("are a single one where the whole side gets it", () => {
+    expect(tinted(tints(null), null, red).stops).toEqual([{ offset: 0, value: { ...red, alpha: 1 } }]);
+  });
+
+  it("keep their places and their alpha in a gradient", () => {
+    const { stops } = tinted(tints({}), null, red);
+    expect(stops.map(({ offset }) => offset)).toEqual([0, 0.5, 1]);
+    expect(stops.map(({ value }) => value)).toEqual([0, 0.5, 1].map((alpha) => ({ ...red, alpha })));
   });
 });

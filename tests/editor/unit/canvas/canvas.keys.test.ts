@@ -69,7 +69,7 @@ test("enter_on_a_stop_asks_for_its_colour", () => {
     { handle: a.handle, part: { kind: "stop", side: "left", attribute: "color", index: 0 } },
   ];
   expect(press("Enter")).toBe(true);
-  expect(editor.picker.value).toEqual({ handle: a.handle, side: "left", stop: 0 });
+  expect(editor.picker.value).toEqual({ handle: a.handle, side: "left", stops: [0] });
 });
 
 test("arrows_move_by_pixels_of_the_screen_and_by_ten_with_shift", () => {

@@ -370,7 +370,7 @@ describe("stops", () => {
 
   test("open_the_picker_when_they_are_clicked_twice", () => {
     click(tool, [150, 82], { clicks: 2 });
-    expect(editor.picker.value).toEqual({ handle: item.handle, side: "left", stop: 1 });
+    expect(editor.picker.value).toEqual({ handle: item.handle, side: "left", stops: [1] });
     expect(editor.steps).toEqual([]);
   });
 

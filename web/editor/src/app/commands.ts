@@ -26,7 +26,7 @@ import { en } from "../strings/en.js";
 import { copyByMenu, pasteByMenu } from "./clipboard.js";
 import type { DrawingEditor } from "./editor.js";
 import { takeInHandle } from "./handles.js";
-import { deleteStop } from "./stops.js";
+import { deleteStop, oneColor } from "./stops.js";
 import { chosen, chosenCurves, chosenItems, chosenNodes, chosenStop, isPrimaryClosed, primaryCurve } from "./selected.js";
 import type { ToolName } from "./types.js";
 
@@ -105,6 +105,18 @@ function align(label: string, axis: 0 | 1, share: number): Command {
     });
     editor.run(label, together(moved));
   };
+}
+
+/** Gives the selected stop's side, or all sides of the selected curves, one colour. */
+function giveOneColor(editor: DrawingEditor) {
+  const stop = chosenStop(editor);
+  const curve = primaryCurve(editor);
+  const curves = stop && curve ? [curve] : chosenCurves(editor);
+  const made = oneColor(editor.drawing, curves, stop?.attribute === "color" ? stop : null);
+  if (!made) return editor.say(words.noColors);
+  editor.run(words.oneColor, made);
+  const whole = { kind: "whole" } as const;
+  editor.selection.value = curves.map(({ handle }) => ({ handle, part: whole }));
 }
 
 function flip(label: string, axis: 0 | 1): Command {
@@ -200,6 +212,7 @@ const table: readonly (readonly [string, Command])[] = [
   ["to-bottom", stack(words.toBottom, -Infinity)],
   ["new-layer", (editor) => void editor.run(words.newLayer, addLayer(editor.drawing, editor.selection.value.at(-1)?.handle ?? null, ""))],
   ["swap-sides", edit(words.swapSides, (d, _, editor) => swapSides(d, curvesOf(d, editor.selection.value)))],
+  ["one-color", giveOneColor],
   ["reverse", edit(words.reverse, (d, _, editor) => reverseCurves(d, curvesOf(d, editor.selection.value), editor.step(null)))],
   ["close-curve", closeChosen],
   ["join", joinChosen],

@@ -46,6 +46,7 @@ export const defaultKeys: readonly KeyBinding[] = [
   binding("curve", "show-color", "1"),
   binding("curve", "show-opacity", "2"),
   binding("curve", "show-blur", "3"),
+  binding("curve", "one-color", "Shift+C"),
   binding("curve", "swap-sides", "X"),
   binding("curve", "reverse", "Shift+X"),
   binding("curve", "join", "Ctrl+J"),

@@ -1,7 +1,7 @@
 // A stop that is chosen on the canvas or in a panel, as a command.
-import { setBoth, setColor, setGradientStops, setNumbers, setRadius } from "../model/commands/index.js";
+import { setBoth, setColor, setGradientStops, setNumbers, setRadius, together } from "../model/commands/index.js";
 import { gradientOf } from "../model/gradients.js";
-import type { CurveItem, Drawing, Outcome, Part, SideValue } from "../model/types.js";
+import type { CurveItem, Drawing, Outcome, Part, Side, SideValue } from "../model/types.js";
 
 type StopPart = Part & { kind: "stop" };
 
@@ -38,4 +38,30 @@ export function deleteStop(drawing: Drawing, curve: CurveItem, part: StopPart): 
   return isShared && attribute === "blur"
     ? setBoth(drawing, handle, attribute, numbers)
     : setNumbers(drawing, handle, side, attribute, numbers);
+}
+
+/** Returns the sides of a curve that have several colours, or only the side of the selected stop. */
+function manyColored(curve: CurveItem, stop: StopPart | null): readonly Side[] {
+  const sides: readonly Side[] = stop ? [stop.side] : ["left", "right"];
+  return sides.filter((side) => {
+    const { color } = curve[side];
+    return color.kind === "stops" && color.stops.length > 1;
+  });
+}
+
+/** Gives each side one colour: that of the selected stop, or of its first stop. Returns null if none has several. */
+export function oneColor(
+  drawing: Drawing,
+  curves: readonly CurveItem[],
+  stop: StopPart | null,
+): Outcome | null {
+  const outcomes = curves.flatMap((curve) =>
+    manyColored(curve, stop).map((side) => {
+      const { color } = curve[side];
+      if (color.kind !== "stops") return null;
+      const { value } = color.stops[stop?.index ?? 0] ?? color.stops[0];
+      return setColor(drawing, curve.handle, side, { kind: "stops", space: "arc", stops: [{ offset: 0, value }] });
+    }),
+  );
+  return together(outcomes);
 }

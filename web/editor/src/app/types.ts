@@ -82,7 +82,8 @@ export type Dialog =
 export interface PickerTarget {
   readonly handle: Handle;
   readonly side: "left" | "right";
-  readonly stop: number;
+  /** Indices of stops, ascending, at least one; null: the whole side, which gets one colour. */
+  readonly stops: readonly number[] | null;
 }
 
 /** One movement of the pointer: shown while it lasts, kept as one step of undo. */

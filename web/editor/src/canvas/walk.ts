@@ -57,7 +57,7 @@ export function goIn(editor: Editor): boolean {
   if (!item) return false;
   const { part } = primary;
   if (part.kind === "stop" && part.attribute === "color") {
-    editor.picker.value = { handle: primary.handle, side: part.side, stop: part.index };
+    editor.picker.value = { handle: primary.handle, side: part.side, stops: [part.index] };
     return true;
   }
   if (part.kind !== "whole") return false;

@@ -3,7 +3,7 @@ import { setGradientStops } from "../model/commands/index.js";
 import { gradientOf, type Gradient, type Tint } from "../model/gradients.js";
 import type { CurveItem, Drawing, PaintAttribute, Side } from "../model/types.js";
 import { mixerOf } from "./color.js";
-import { mixNumbers, putColor, type Mix, type Put, type Stops } from "./stops.js";
+import { constant, mixNumbers, putColor, type Mix, type Put, type Stops } from "./stops.js";
 
 export interface Tints {
   readonly list: Stops<Tint>;
@@ -58,4 +58,21 @@ export function tintsOf(drawing: Drawing, item: CurveItem, side: Side): Tints | 
     mix: (a, b, t) => ({ ...mix(a, b, t), alpha: 1 }),
     gradient: null,
   };
+}
+
+/**
+ * Returns a side's stops with another colour or alpha.
+ * @param chosen indices of the stops that change; null: the whole side. Its own stops become a single one then; a
+ *   gradient keeps its stops and their alpha.
+ */
+export function tinted(
+  { list, gradient }: Tints,
+  chosen: readonly number[] | null,
+  change: Partial<Tint>,
+): Stops<Tint> {
+  if (!chosen && !gradient) return constant({ ...list.stops[0].value, ...change });
+  const stops = list.stops.map((stop, k) =>
+    !chosen || chosen.includes(k) ? { ...stop, value: { ...stop.value, ...change } } : stop,
+  );
+  return { ...list, stops };
 }

@@ -195,7 +195,11 @@ export const panels = {
   removeStop: "remove stop",
   setColor: steps.changeColor,
   colorOfStop: (side: string, index: number, color: string) => `Colour of ${side.toLowerCase()} stop ${index}, ${color}`,
+  colorOfStops: (side: string, count: number, color: string) => `Colour of ${count} ${side.toLowerCase()} stops, ${color}`,
+  colorOfSide: (side: string, color: string) => `Colour of the whole ${side.toLowerCase()} side, ${color}`,
   hex: "Colour, hex",
+  hexOfSide: (side: string) => `Colour of the whole ${side.toLowerCase()} side, hex`,
+  oneColor: shared.oneColor,
   at: "At",
   atOf: (side: string, index: number) => `Position of ${side.toLowerCase()} stop ${index}`,
   pickFromPicture: "Pick from the picture",
@@ -348,7 +352,11 @@ export const layers = {
 
 export const picker = {
   title: (side: string, index: number) => `Colour of ${side.toLowerCase()} stop ${index}`,
+  titleOfSeveral: (side: string, count: number) => `Colour of ${count} ${side.toLowerCase()} stops`,
+  titleOfSide: (side: string) => `Colour of the whole ${side.toLowerCase()} side`,
   head: (side: string, index: number, count: number) => `${side}, stop ${index} of ${count}`,
+  headOfSeveral: (side: string, count: number) => `${side}, ${count} stops`,
+  headOfSide: (side: string) => `${side}, whole side`,
   change: steps.changeColor,
   open: steps.openSide,
   pick: "Pick a colour from the screen",

@@ -47,6 +47,7 @@ export const shared = {
   opacity: "Opacity",
   open: "Open",
   openCurve: "Open curve",
+  oneColor: "One colour",
   paste: "Paste",
   pen: "Pen",
   percent: (value: string) => `${value} %`,

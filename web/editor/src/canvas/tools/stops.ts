@@ -43,7 +43,7 @@ export function dragStop(canvas: Canvas, mark: StopMark, start: Press): Drag {
       isBracket ? pulledBracket(canvas, mark, p, before) : slidStop(canvas, mark, p, before),
     click: (p) => {
       if (p.clicks >= 2 && mark.attribute === "color") {
-        editor.picker.value = { handle: mark.handle, side: mark.side, stop: mark.index };
+        editor.picker.value = { handle: mark.handle, side: mark.side, stops: [mark.index] };
       }
     },
     kept: () => {

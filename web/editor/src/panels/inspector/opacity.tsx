@@ -107,8 +107,6 @@ interface RibbonProps<Value> extends SideProps {
 /** Stops of a side, or of the gradient that it shows, by what they are as opacity. */
 function OpacityRibbon<Value>({ opacityOf, ...props }: RibbonProps<Value>) {
   const { item, side, list } = props;
-  const { editor } = useShell();
-  const chosen = chosenStop(editor, item, "opacity");
   const stops = list.stops.map(({ offset, value }) => ({
     at: fractionOf(item, list.space, offset),
     css: css(opacityOf(value)),
@@ -122,7 +120,6 @@ function OpacityRibbon<Value>({ opacityOf, ...props }: RibbonProps<Value>) {
         band={bandOf(stops, "srgb")}
         css={(value) => css(opacityOf(value))}
         describe={(value) => describe(opacityOf(value))}
-        chosen={chosen?.side === side ? chosen.index : null}
       />
     </div>
   );

@@ -7,6 +7,7 @@ import { en } from "../../strings/en.js";
 import { follow } from "../controls/follow.js";
 import { decimal } from "../format.js";
 import { useShell } from "../services.js";
+import { chosenStops, chooseStop, toggleStop } from "./chosen.js";
 import {
   fractionOf,
   movedStop,
@@ -41,8 +42,6 @@ export interface RibbonProps<Value> {
   readonly band: string;
   readonly css: (value: Value) => string;
   readonly describe: (value: Value) => string;
-  /** Index of the stop that is chosen, or null. */
-  readonly chosen: number | null;
   readonly onOpen?: (index: number) => void;
 }
 
@@ -61,11 +60,7 @@ function sidestep<Value>(list: Stops<Value>, index: number): number {
 function useStopDrag<Value>(props: RibbonProps<Value>, ribbon: { current: HTMLDivElement | null }) {
   const { editor } = useShell();
   const { item, side, attribute, list, put } = props;
-  const choose = (index: number) => {
-    editor.selection.value = [
-      { handle: item.handle, part: { kind: "stop", side, attribute, index } },
-    ];
-  };
+  const choose = (index: number) => chooseStop(editor, item, attribute, { side, index });
   const fractionAt = (clientX: number) => {
     const box = ribbon.current?.getBoundingClientRect();
     if (!box) return 0;
@@ -121,6 +116,9 @@ function useStopDrag<Value>(props: RibbonProps<Value>, ribbon: { current: HTMLDi
   const pressStop = (index: number) => (event: TargetedPointerEvent<HTMLElement>) => {
     if (event.button !== 0) return;
     event.stopPropagation();
+    if (event.shiftKey || event.ctrlKey || event.metaKey) {
+      return toggleStop(editor, item, attribute, { side, index });
+    }
     choose(index);
     if (event.altKey) {
       const { value } = list.stops[index];
@@ -146,7 +144,10 @@ function halfway<Value>({ stops, space }: Stops<Value>, index: number, item: Cur
   return rounded((from + (to ?? 1)) / 2);
 }
 
-/** A key on a stop: arrows move it, Insert adds another, Delete takes it away, Enter opens it. */
+/**
+ * A key on a stop: arrows move it, Insert adds another, Delete removes it, Enter opens it, Shift and Space select it
+ * beside others.
+ */
 function useStopKeys<Value>(
   props: RibbonProps<Value>,
   ribbon: { current: HTMLElement | null },
@@ -185,6 +186,8 @@ function useStopKeys<Value>(
       const placed = withStop(list, { offset, value: valueAt(list.stops, offset, props.mix) });
       editor.run(words.addStop, put(editor.drawing, side, placed.value));
       choose(placed.index);
+    } else if (event.key === " " && (event.shiftKey || event.ctrlKey)) {
+      toggleStop(editor, item, props.attribute, { side, index });
     } else if (event.key === "Enter" && props.onOpen) props.onOpen(index);
     else return;
     event.preventDefault();
@@ -203,7 +206,10 @@ export function bandOf(
 }
 
 export function Ribbon<Value>(props: RibbonProps<Value>) {
-  const { item, side, list, chosen, css } = props;
+  const { item, side, list, css } = props;
+  const { editor } = useShell();
+  const selected = chosenStops(editor, item, props.attribute);
+  const chosen = selected?.side === side ? selected.indices : [];
   const ribbon = useRef<HTMLDivElement>(null);
   const { choose, pressBand, pressStop } = useStopDrag(props, ribbon);
   const keys = useStopKeys(props, ribbon, choose);
@@ -230,7 +236,7 @@ export function Ribbon<Value>(props: RibbonProps<Value>) {
                 "--c": css(stop.value),
                 translate: `${sidestep(list, index)}px 0`,
               }}
-              aria-pressed={index === chosen}
+              aria-pressed={chosen.includes(index)}
               aria-label={words.stopName(
                 words.sides[side],
                 index + 1,

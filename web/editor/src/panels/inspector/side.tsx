@@ -9,8 +9,7 @@ import { cssSpaces } from "../color.js";
 import { openMenu, type MenuItem } from "../controls/menu.js";
 import { useShell, type Shell } from "../services.js";
 import { constant, fractionOf, putColor, rounded } from "../stops.js";
-import { tintsOf, type Tints } from "../tints.js";
-import { chosenStop } from "./chosen.js";
+import { tinted, tintsOf, type Tints } from "../tints.js";
 import { cssOf, describeTint } from "./gradient.js";
 import { documentPaints, gradientItems, textureItem, type NewStop } from "./paints.js";
 import { bandOf, Ribbon } from "./ribbon.js";
@@ -51,7 +50,14 @@ function sideMenu(shell: Shell, item: CurveItem, side: Side): readonly MenuItem[
     void editor.run(label, make(editor.drawing));
   const put = putColor(item.handle);
   const local = item.kind === "stroke";
+  const tints = tintsOf(editor.drawing, item, side);
   return [
+    {
+      label: words.oneColor,
+      disabled: !tints || tints.list.stops.length < 2,
+      run: run(words.oneColor, (before) => tints && tints.put(before, side, tinted(tints, null, tints.list.stops[0].value))),
+    },
+    "line",
     {
       label: words.sideStops,
       checked: color.kind === "stops",
@@ -119,7 +125,6 @@ function OtherThanStops({ item, side }: SideProps) {
 function SideRibbon({ item, side, tints }: SideProps & { readonly tints: Tints }) {
   const { editor } = useShell();
   const { list, gradient } = tints;
-  const chosen = chosenStop(editor, item, "color");
   const space = gradient ? "srgb" : cssSpaces[editor.drawing.interpolation];
   const stops = list.stops.map(({ offset, value }) => ({
     at: fractionOf(item, list.space, offset),
@@ -141,9 +146,8 @@ function SideRibbon({ item, side, tints }: SideProps & { readonly tints: Tints }
       band={bandOf(stops, space)}
       css={hexOf}
       describe={describeTint}
-      chosen={chosen?.side === side ? chosen.index : null}
       onOpen={(stop) => {
-        editor.picker.value = { handle: item.handle, side, stop };
+        editor.picker.value = { handle: item.handle, side, stops: [stop] };
       }}
     />
   );

@@ -1,4 +1,5 @@
-// The chosen colour stop: its colour, its figures, its place; of a gradient's also its alpha.
+// The selected colour stops, or the sides as a whole: colour, hex, and the place of a single stop. A gradient's stops
+// also have an alpha.
 import { useRef } from "preact/hooks";
 import type { CurveItem, Side } from "../../model/types.js";
 import type { Rgb } from "../../geometry/color.js";
@@ -9,27 +10,26 @@ import { NumberField } from "../controls/field.js";
 import { HexField } from "../controls/hex.js";
 import { edits } from "../controls/sink.js";
 import { useShell } from "../services.js";
-import { curveOf, fractionOf, movedStop, offsetAt, withValue } from "../stops.js";
-import { tintsOf, type Tints } from "../tints.js";
+import { keyOf } from "../picker/session.js";
+import { curveOf, fractionOf, movedStop, offsetAt } from "../stops.js";
+import { tinted, tintsOf, type Tints } from "../tints.js";
 import type { Drawing } from "../../model/types.js";
-import { chooseStop, chosenStop, type ChosenStop } from "./chosen.js";
+import { chosenStops } from "./chosen.js";
 import { GradientFields } from "./gradient.js";
 
 const words = en.panels;
 
+/** Stops of a side that the row is about; null: the whole side. */
 interface Found extends Tints {
-  readonly at: ChosenStop;
+  readonly side: Side;
+  readonly stops: readonly number[] | null;
 }
 
-/** The stop that the row is about: the chosen one, else the first that there is. */
-function stopOfRow(drawing: Drawing, item: CurveItem, chosen: ChosenStop | null): Found | null {
-  const sides: readonly Side[] = chosen ? [chosen.side] : ["left", "right"];
-  for (const side of sides) {
-    const tints = tintsOf(drawing, item, side);
-    const index = chosen?.index ?? 0;
-    if (tints && index < tints.list.stops.length) return { ...tints, at: { side, index } };
-  }
-  return null;
+/** Returns the selected stops, or null if none is selected. */
+function selectedStops(drawing: Drawing, item: CurveItem, chosen: ReturnType<typeof chosenStops>): Found | null {
+  const tints = chosen && tintsOf(drawing, item, chosen.side);
+  const stops = tints && chosen.indices.filter((index) => index < tints.list.stops.length);
+  return stops && stops.length > 0 ? { ...tints, side: chosen.side, stops } : null;
 }
 
 /** Asks for a colour of the picture; a second time, the first one is forgotten. */
@@ -44,59 +44,91 @@ function usePicking(setColor: (value: Rgb) => void) {
   };
 }
 
+/** Names what a swatch colours. */
+function nameOf({ side, stops, list }: Found): string {
+  const name = words.sides[side];
+  const hex = hexOf(list.stops[stops?.[0] ?? 0].value);
+  if (!stops) return words.colorOfSide(name, hex);
+  return stops.length > 1 ? words.colorOfStops(name, stops.length, hex) : words.colorOfStop(name, stops[0] + 1, hex);
+}
+
 function Swatch({ item, found }: { readonly item: CurveItem; readonly found: Found }) {
   const { editor } = useShell();
-  const { side, index } = found.at;
-  const { value } = found.list.stops[index];
+  const { side, stops, list } = found;
+  const target = { handle: item.handle, side, stops };
   const picker = editor.picker.value;
-  const isOpen = picker?.handle === item.handle && picker.side === side && picker.stop === index;
+  const isOpen = picker !== null && keyOf(picker) === keyOf(target);
   return (
     <button
       type="button"
       class="swatch"
-      style={{ "--c": hexOf(value) }}
+      style={{ "--c": hexOf(list.stops[stops?.[0] ?? 0].value) }}
       aria-haspopup="dialog"
       aria-pressed={isOpen}
-      aria-label={words.colorOfStop(words.sides[side], index + 1, hexOf(value))}
+      aria-label={nameOf(found)}
       onClick={() => {
-        if (!isOpen) chooseStop(editor, item, "color", found.at);
-        editor.picker.value = isOpen ? null : { handle: item.handle, side, stop: index };
+        editor.picker.value = isOpen ? null : target;
       }}
     />
   );
 }
 
-function Fields({ item, found }: { readonly item: CurveItem; readonly found: Found }) {
+/** Recolours the stops, as one step of undo. */
+function useRecolor({ side, stops, put, ...tints }: Found) {
   const { editor } = useShell();
-  const { list, put, gradient } = found;
-  const { side, index } = found.at;
-  const stop = list.stops[index];
-  const setColor = (value: Rgb) =>
-    void editor.run(
-      words.setColor,
-      put(editor.drawing, side, withValue(list, index, { ...stop.value, ...value })),
-    );
+  return (value: Rgb) =>
+    void editor.run(words.setColor, put(editor.drawing, side, tinted({ ...tints, put }, stops, value)));
+}
+
+/** A colour that becomes the only one of a side. */
+function WholeSide({ item, found }: { readonly item: CurveItem; readonly found: Found }) {
+  const name = words.sides[found.side];
+  return (
+    <div class="side-row">
+      <span class="side-name">{name}</span>
+      <div class="side-color">
+        <Swatch item={item} found={found} />
+        <HexField name={words.hexOfSide(name)} value={found.list.stops[0].value} onChange={useRecolor(found)} />
+      </div>
+    </div>
+  );
+}
+
+function Place({ item, found, index }: { readonly item: CurveItem; readonly found: Found; readonly index: number }) {
+  const { editor } = useShell();
+  const { list, put, side } = found;
+  return (
+    <NumberField
+      label={words.at}
+      name={words.atOf(words.sides[side], index + 1)}
+      value={fractionOf(item, list.space, list.stops[index].offset) * 100}
+      digits={1}
+      unit="%"
+      min={0}
+      max={100}
+      sink={edits(editor, words.moveStop, (percent: number, before) => {
+        const curve = curveOf(before, item.handle);
+        if (!curve) return null;
+        const placed = movedStop(list, index, offsetAt(curve, list.space, percent / 100));
+        return put(before, side, placed.value);
+      })}
+    />
+  );
+}
+
+/** The colour of the selected stops, and the place of a single one. */
+function Fields({ item, found, stops }: { readonly item: CurveItem; readonly found: Found; readonly stops: readonly number[] }) {
+  const { editor } = useShell();
+  const { list, put, side, gradient } = found;
+  const shown = list.stops[stops[0]].value;
+  const setColor = useRecolor(found);
   const pick = usePicking(setColor);
   return (
     <>
       <div class="stop-row">
         <Swatch item={item} found={found} />
-        <HexField name={words.hex} value={stop.value} onChange={setColor} />
-        <NumberField
-          label={words.at}
-          name={words.atOf(words.sides[side], index + 1)}
-          value={fractionOf(item, list.space, stop.offset) * 100}
-          digits={1}
-          unit="%"
-          min={0}
-          max={100}
-          sink={edits(editor, words.moveStop, (percent: number, before) => {
-            const curve = curveOf(before, item.handle);
-            if (!curve) return null;
-            const placed = movedStop(list, index, offsetAt(curve, list.space, percent / 100));
-            return put(before, side, placed.value);
-          })}
-        />
+        <HexField name={words.hex} value={shown} onChange={setColor} />
+        {stops.length === 1 && <Place item={item} found={found} index={stops[0]} />}
         <IconButton
           icon="pipette"
           label={words.pickFromPicture}
@@ -107,10 +139,10 @@ function Fields({ item, found }: { readonly item: CurveItem; readonly found: Fou
       {gradient && (
         <GradientFields
           gradient={gradient}
-          alpha={stop.value.alpha}
-          alphaName={words.alphaOf(words.sides[side], index + 1)}
+          alpha={shown.alpha}
+          alphaName={words.alphaOf(words.sides[side], stops[0] + 1)}
           sink={edits(editor, words.setAlpha, (percent: number, before) =>
-            put(before, side, withValue(list, index, { ...stop.value, alpha: percent / 100 })),
+            put(before, side, tinted(found, stops, { alpha: percent / 100 })),
           )}
         />
       )}
@@ -118,8 +150,18 @@ function Fields({ item, found }: { readonly item: CurveItem; readonly found: Fou
   );
 }
 
+/** The selected stops; if none is selected, a colour for each side as a whole. */
 export function StopRow({ item }: { readonly item: CurveItem }) {
   const { editor } = useShell();
-  const found = stopOfRow(editor.drawing, item, chosenStop(editor, item, "color"));
-  return found && <Fields item={item} found={found} />;
+  const found = selectedStops(editor.drawing, item, chosenStops(editor, item, "color"));
+  if (found?.stops) return <Fields item={item} found={found} stops={found.stops} />;
+  const sides: readonly Side[] = ["left", "right"];
+  return (
+    <>
+      {sides.map((side) => {
+        const tints = tintsOf(editor.drawing, item, side);
+        return tints && <WholeSide key={side} item={item} found={{ ...tints, side, stops: null }} />;
+      })}
+    </>
+  );
 }

@@ -94,6 +94,7 @@ export function object(editor: Editor): readonly MenuItem[] {
     { label: words.toTop, command: "to-top", disabled: nothing },
     { label: words.toBottom, command: "to-bottom", disabled: nothing },
     "line",
+    { label: words.oneColor, command: "one-color", disabled: noCurve },
     { label: words.swapSides, command: "swap-sides", disabled: noCurve },
     { label: words.reverse, command: "reverse", disabled: noCurve },
     {

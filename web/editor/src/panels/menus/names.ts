@@ -39,6 +39,7 @@ const names: Readonly<Record<string, string>> = {
   "show-color": words.showStops.color,
   "show-opacity": words.showStops.opacity,
   "show-blur": words.showStops.blur,
+  "one-color": words.oneColor,
   "swap-sides": words.swapSides,
   reverse: words.reverse,
   join: words.join,

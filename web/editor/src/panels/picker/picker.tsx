@@ -76,6 +76,16 @@ function Swatches({
   );
 }
 
+/** The picker's name and heading: it colours a stop, several stops, or a whole side. */
+function titlesOf({ side, stops }: PickerTarget, count: number): { readonly title: string; readonly head: string } {
+  const name = en.panels.sides[side];
+  if (!stops) return { title: words.titleOfSide(name), head: words.headOfSide(name) };
+  if (stops.length > 1) {
+    return { title: words.titleOfSeveral(name, stops.length), head: words.headOfSeveral(name, stops.length) };
+  }
+  return { title: words.title(name, stops[0] + 1), head: words.head(name, stops[0] + 1, count) };
+}
+
 /** New above, old below; a click on the lower half goes back. */
 function Compare({ session }: { readonly session: Session }) {
   return (
@@ -212,7 +222,7 @@ function Popover({ target }: { readonly target: PickerTarget }) {
     if (!session) editor.picker.value = null;
   }, [session === null]);
   if (!session) return null;
-  const side = en.panels.sides[target.side];
+  const { title, head } = titlesOf(target, session.list.stops.length);
   const drag = (event: TargetedPointerEvent<HTMLElement>) => {
     if (event.button !== 0 || phone || (event.target as Element).closest("button")) return;
     const box = popover.current!.getBoundingClientRect();
@@ -234,14 +244,14 @@ function Popover({ target }: { readonly target: PickerTarget }) {
     <section
       class="popover picker"
       role="dialog"
-      aria-label={words.title(side, target.stop + 1)}
+      aria-label={title}
       tabIndex={-1}
       ref={popover}
       data-region
       onKeyDown={key}
     >
       <div class="popover-head" onPointerDown={drag}>
-        <h2>{words.head(side, target.stop + 1, session.list.stops.length)}</h2>
+        <h2>{head}</h2>
         <IconButton small icon="pipette" label={words.pick} onClick={() => void pick()} />
         <IconButton small icon="x" label={words.close} onClick={session.close} />
       </div>

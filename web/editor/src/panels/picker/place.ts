@@ -4,7 +4,7 @@ import type { Editor, PickerTarget } from "../../app/types.js";
 import { mapped, type Point } from "../../geometry/affine.js";
 import { pathPointAt, placeOfOffset } from "../../geometry/length.js";
 import { signal } from "@preact/signals";
-import { targetStop } from "./session.js";
+import { keyOf, targetStop } from "./session.js";
 
 const EDGE = 12;
 /** The place that the user dragged it to, kept until the page closes. */
@@ -16,8 +16,8 @@ function stopAt(editor: Editor, target: PickerTarget, stage: DOMRect): Point | n
   const path = found?.item.paths[0];
   // A gradient's stops do not stand on the curve.
   if (!found || !path || found.gradient) return null;
-  const { list, item } = found;
-  const local = pathPointAt(path, placeOfOffset(path, list.space, list.stops[target.stop].offset));
+  const { list, item, shown } = found;
+  const local = pathPointAt(path, placeOfOffset(path, list.space, shown.offset));
   const [x, y] = mapped(editor.stageFromArtboard(), mapped(item.artboardFromItem, local));
   return [stage.left + x, stage.top + y];
 }
@@ -50,5 +50,5 @@ export function usePlace(
     put();
     window.addEventListener("resize", put);
     return () => window.removeEventListener("resize", put);
-  }, [target.handle, target.side, target.stop, isPhone]);
+  }, [keyOf(target), isPhone]);
 }

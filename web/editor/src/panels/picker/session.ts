@@ -6,8 +6,8 @@ import { hexOf } from "../../geometry/colortext.js";
 import { setColor, setNumbers, together } from "../../model/commands/index.js";
 import type { CurveItem, Drawing, Outcome } from "../../model/types.js";
 import { en } from "../../strings/en.js";
-import { constant, curveOf, withValue } from "../stops.js";
-import { tintsOf, type Tints } from "../tints.js";
+import { constant, curveOf } from "../stops.js";
+import { tinted, tintsOf, type Tints } from "../tints.js";
 
 const words = en.picker;
 const RECENT = 8;
@@ -31,20 +31,22 @@ export interface Session extends Tints {
   close(): void;
 }
 
-const keyOf = ({ handle, side, stop }: PickerTarget) => `${handle} ${side} ${stop}`;
+/** Names a target. */
+export const keyOf = ({ handle, side, stops }: PickerTarget) => `${handle} ${side} ${stops ?? "all"}`;
 
-/** Returns the picker's target in the drawing, or null where it no longer exists. */
-export function targetStop(drawing: Drawing, { handle, side, stop }: PickerTarget) {
+/** Returns the picker's target in the drawing, with the stop that it shows, or null where it no longer exists. */
+export function targetStop(drawing: Drawing, { handle, side, stops }: PickerTarget) {
   const item = curveOf(drawing, handle);
   const tints = item && tintsOf(drawing, item, side);
-  return tints && stop < tints.list.stops.length ? { item, ...tints } : null;
+  const isThere = tints && (stops ?? [0]).every((index) => index < tints.list.stops.length);
+  return isThere ? { item, ...tints, shown: tints.list.stops[stops?.[0] ?? 0] } : null;
 }
 
 type Found = NonNullable<ReturnType<typeof targetStop>>;
 
 /** Opacity of a side diffuses separately: it is shown as alpha if it is constant along the side. */
-function alphaOf({ item, gradient, list }: Found, { side, stop }: PickerTarget): number | null {
-  if (gradient) return list.stops[stop].value.alpha;
+function alphaOf({ item, gradient, shown }: Found, { side }: PickerTarget): number | null {
+  if (gradient) return shown.value.alpha;
   const { opacity } = item[side];
   const isOne = opacity.kind === "stops" && opacity.stops.length === 1;
   return item.kind === "curve" && isOne ? opacity.stops[0].value : null;
@@ -55,13 +57,12 @@ const make =
   (before: Drawing): Outcome | null => {
     const found = targetStop(before, target);
     if (!found) return null;
-    const { list, put, gradient } = found;
-    const { handle, side, stop } = target;
-    const now = list.stops[stop].value;
-    const value = { ...now, ...color, alpha: gradient ? (alpha ?? now.alpha) : now.alpha };
+    const { put, gradient } = found;
+    const { handle, side, stops } = target;
+    const change = { ...color, ...(gradient && alpha !== undefined ? { alpha } : {}) };
     const isSide = !gradient && alpha !== undefined;
     return together([
-      put(before, side, withValue(list, stop, value)),
+      put(before, side, tinted(found, stops, change)),
       isSide ? setNumbers(before, handle, side, "opacity", constant(alpha)) : null,
     ]);
   };
@@ -77,7 +78,7 @@ export function useSession(editor: Editor, target: PickerTarget): Session | null
   const gesture = useRef<Gesture | null>(null);
   const wish = useRef<Wish>({});
   const found = targetStop(editor.drawing, target);
-  const color = found?.list.stops[target.stop].value ?? null;
+  const color = found?.shown.value ?? null;
   const before = useMemo(() => color, [key]);
   const latest = useRef<Rgb | null>(color);
   latest.current = color;
