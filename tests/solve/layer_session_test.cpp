@@ -25,7 +25,7 @@ namespace sfumato::solve {
 namespace {
 
 const auto kLayerSessionDocuments =
-    test::random_case_count<std::uint64_t>(SFUMATO_HAS_SANITIZER ? 4 : 14, 40);
+    test::random_case_count<std::uint64_t>(SFUMATO_HAS_SANITIZER ? 3 : 10, 40);
 
 /// Limit for the error of a frame, per moving curve. A gather skips windows too narrow to count;
 /// the skipped ones depend on the mesh around a point.

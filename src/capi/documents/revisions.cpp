@@ -1,29 +1,16 @@
 #include "capi/documents/revisions.hpp"
 
-#include <algorithm>
-#include <atomic>
 #include <variant>
 
 #include "base/table_memory.hpp"
 
 namespace sfumato::capi {
-namespace {
-
-/// Returns a number that no state has.
-std::uint64_t new_number() {
-  static std::atomic<std::uint64_t> last{0};
-  return ++last;
-}
-
-}  // namespace
 
 Revisions revisions_of(const Document& document) {
-  Revisions revisions{new_number(), {}};
-  revisions.curves.resize(document.layers.size());
-  for (std::size_t layer = 0; layer < document.layers.size(); ++layer) {
-    revisions.curves[layer].resize(document.layers[layer].curves.size());
-    std::ranges::generate(revisions.curves[layer], new_number);
-  }
+  Revisions revisions{std::make_shared<const char>('\0'), 1, 1, {}};
+  revisions.curves.reserve(document.layers.size());
+  for (const Layer& layer : document.layers)
+    revisions.curves.emplace_back(layer.curves.size(), revisions.last);
   return revisions;
 }
 
@@ -44,20 +31,23 @@ void note(const Change& inverse, Revisions& revisions) {
   const auto place_of = [&](const auto& change) {
     return revisions.curves[change.layer].begin() + change.curve;
   };
+  ++revisions.last;
   if (const auto* replaced = std::get_if<ReplaceCurve>(&inverse)) {
-    *place_of(*replaced) = new_number();
+    *place_of(*replaced) = revisions.last;
     return;
   }
-  revisions.frame = new_number();
+  revisions.frame = revisions.last;
   if (const auto* inserted = std::get_if<RemoveCurve>(&inverse)) {
-    revisions.curves[inserted->layer].insert(place_of(*inserted), new_number());
+    revisions.curves[inserted->layer].insert(place_of(*inserted), revisions.last);
   } else if (const auto* removed = std::get_if<InsertCurve>(&inverse)) {
     revisions.curves[removed->layer].erase(place_of(*removed));
   }
 }
 
 std::optional<std::vector<LayerCurves>> changed_curves(const Revisions& from, const Revisions& to) {
-  if (from.frame != to.frame || from.frame == 0) return std::nullopt;
+  if (!from.document || from.document != to.document || from.frame != to.frame) {
+    return std::nullopt;
+  }
   std::vector<LayerCurves> changed;
   for (std::uint32_t layer = 0; layer < to.curves.size(); ++layer) {
     LayerCurves list{layer, {}};

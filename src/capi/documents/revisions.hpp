@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -18,13 +19,13 @@ struct LayerCurves {
   friend bool operator==(const LayerCurves&, const LayerCurves&) = default;
 };
 
-/// The state of a document: a number for each curve, and one for everything else. Each edit gives a
-/// new number to what it changes. Equal numbers mean equal content; 0 means unknown content.
+/// The state of a document: the number of the last edit of each curve, and of everything else.
 struct Revisions {
-  std::uint64_t frame = 0;                         ///< of everything but the curves
-  std::vector<std::vector<std::uint64_t>> curves;  ///< per layer, per curve
-
-  friend bool operator==(const Revisions&, const Revisions&) = default;
+  std::shared_ptr<const char> document{};  ///< identifies the document; not read
+  std::uint64_t last = 0;                  ///< number of the last edit
+  std::uint64_t frame = 0;                 ///< of everything but the curves
+  /// Per layer, per curve; 0: unknown.
+  std::vector<std::vector<std::uint64_t>> curves{};
 };
 
 /// Returns the state of a document that is new.

@@ -70,6 +70,7 @@ Result<std::optional<PatchLayer>> FilmLayer::next(Context& context, const Docume
   for (const std::uint32_t curve : session_->moving()) moved.push_back(now[curve]);
   SFUMATO_TRY_ASSIGN(auto&& frame, session_->frame(context, moved, {.stats = stats}));
   if (!frame) return none;
+  if (stats) stats->curves += moved.size();
   last_ = now;
   return std::optional(std::move(frame->layer));
 }

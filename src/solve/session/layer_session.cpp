@@ -58,10 +58,10 @@ class WatchedFields {
   }
 
   /// Uses `fields`, which watch the curves, instead of the layer's own.
-  void take_instead(PreparedFields fields) { fields_ = &anew_.emplace(std::move(fields)); }
+  void take_instead(PreparedFields fields) { fields_ = &own_.emplace(std::move(fields)); }
 
  private:
-  std::optional<PreparedFields> anew_;
+  std::optional<PreparedFields> own_;
   PreparedFields* fields_;
 };
 
