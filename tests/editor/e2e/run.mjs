@@ -12,6 +12,7 @@ import { testExact } from "./exact.mjs";
 import { testExporting } from "./exporting.mjs";
 import { testFiles } from "./files.mjs";
 import { testFocus } from "./focus.mjs";
+import { testForeign } from "./foreign.mjs";
 import { testGradients } from "./gradients.mjs";
 import { testPaints } from "./paints.mjs";
 import { testGestures } from "./gestures.mjs";
@@ -39,6 +40,7 @@ const themes = [
   testExporting,
   testFiles,
   testFocus,
+  testForeign,
   testLayers,
   testGradients,
   testPaints,

@@ -1,7 +1,7 @@
 // Faults that an illustrator found in a trial of the editor, each tested with pointer and keys only.
 import { readFileSync } from "node:fs";
 import { drop } from "./disk.mjs";
-import { changing, count, startBlank } from "./draw.mjs";
+import { changing, startBlank } from "./draw.mjs";
 import { check, checkEqual, EditorPage, packageOf, pathOf, until } from "./harness.mjs";
 import { askedAgain, atOnce, callsOf, idleMoments } from "./hooks.mjs";
 import { decode } from "./pixels.mjs";
@@ -310,54 +310,6 @@ async function testTransparent(editor) {
   await editor.key("Escape");
 }
 
-// Drawings of other programs.
-
-const icon = `<svg xmlns="http://www.w3.org/2000/svg" width="24" height="24" viewBox="0 0 24 24">
-  <path fill="#e33" d="M2 2H22V12H2Z"/><circle cx="12" cy="18" r="4" fill="#36c"/>
-</svg>
-`;
-const withWords = icon.replace("</svg>", '<text x="2" y="9">Words</text></svg>');
-const wordsAlone = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 24 24"><text x="2" y="9">Words</text></svg>';
-
-async function testForeign(editor) {
-  const { page } = editor;
-  const dialog = page.getByRole("dialog", { name: /has no diffusion curves/ });
-  const dropped = async (name, svg) => {
-    await drop(page, [{ name, bytes: Buffer.from(svg) }]);
-    await dialog.waitFor();
-  };
-  await loaded(editor, text(line));
-  await dropped("icon.svg", icon);
-  checkEqual(await editor.text, text(line), "the text while it is asked");
-  await editor.shot("foreign");
-  await page.keyboard.press("Escape");
-  await dialog.waitFor({ state: "detached" });
-  checkEqual(await editor.text, text(line), "the text after Escape");
-  await dropped("icon.svg", icon);
-  await page.getByRole("button", { name: "Convert" }).click();
-  await said(page, /“icon\.svg” was converted to 2 curves\./);
-  const made = await editor.text;
-  checkEqual([count(made, /sf:right="#ee3333/g), count(made, /sf:right="#3366cc/g)], [1, 1], "sides of the shapes' colours");
-  await editor.settled();
-  checkEqual((await page.evaluate(() => window.sfumatoEditor.status)).kind, "exact", "the picture");
-  await dropped("words.svg", withWords);
-  await page.getByRole("button", { name: "Convert" }).click();
-  await said(page, /2 curves; some parts were left out/);
-  await page.getByRole("button", { name: "Show", exact: true }).click();
-  await said(page, /Left out of “words\.svg”.*Line 3, column 1: the text/s, "dialog");
-  await editor.shot("foreign-left-out");
-  await page.keyboard.press("Escape");
-  await dropped("alone.svg", wordsAlone);
-  await page.getByRole("button", { name: "Convert" }).click();
-  await said(page, /Nothing in this file can be converted to curves.*text/s, "dialog [role=alert]");
-  await editor.shot("foreign-nothing");
-  await page.getByRole("button", { name: "Open as it is" }).click();
-  await shows(page, wordsAlone);
-  await dropped("icon.svg", icon);
-  await page.getByRole("button", { name: "Open as it is" }).click();
-  await shows(page, icon);
-}
-
 // One colour dialect, one name, steps, licences.
 
 async function testColors(editor) {
@@ -457,7 +409,6 @@ export async function testTrial(tap, { browser, address, oneFile }) {
     "a closed curve can be opened, and says so": testOpenCurve,
     "a placed photo is locked, and lets the drawing show": testPlacedPhoto,
     "a drawing without a background is exported clear, and says so": testTransparent,
-    "a file of another program becomes curves, or is opened as it is": testForeign,
     "each colour field takes what files take": testColors,
     "nudges of two curves are two steps": testNudges,
     "the licences of all that is bundled are in the site": testLicences,

@@ -1,8 +1,8 @@
 // Copying and pasting, between drawings and from other programs.
-import { expect, test } from "vitest";
-import { copyItems, paste } from "../../../../web/editor/src/model/commands/index.js";
+import { describe, expect, test } from "vitest";
+import { copyItems, insertCentred, paste } from "../../../../web/editor/src/model/commands/index.js";
 import { blankText, openDrawing } from "../../../../web/editor/src/model/drawing.js";
-import type { CurveItem, Drawing } from "../../../../web/editor/src/model/types.js";
+import type { CurveItem } from "../../../../web/editor/src/model/types.js";
 import { Styles } from "../../../../web/editor/src/source/styles.js";
 import { SourceError } from "../../../../web/editor/src/source/tree.js";
 import { after, handle, named, SAMPLES } from "../drawings.js";
@@ -66,39 +66,6 @@ test("prefixes become those of the drawing, and strangers' attributes stay behin
   expect(now).toContain('style="mix-blend-mode:screen;opacity:0.9"');
 });
 
-function sides(d: Drawing, id: string): readonly (string | null)[] {
-  const { element } = named(d, id);
-  return ["left", "right"].map(
-    (side) => element.attributes.find(({ name }) => name === `sf:${side}`)?.value ?? null,
-  );
-}
-
-test("plain shapes get their colours from fill and stroke", () => {
-  const plain = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 50 50">
-    <style>.red{fill:#f00}</style>
-    <linearGradient id="g"/>
-    <g fill="none" stroke="#00f" transform="translate(7 0)"><path id="line" d="M0 0L9 9"/></g>
-    <path id="clockwise" class="red" d="M0 0H9V9Z"/>
-    <path id="counter" d="M0 0V9H9Z"/>
-    <circle id="shaded" r="3" style="fill:url(#g)"/>
-    <rect id="unseen" width="3" height="3" display="none"/>
-    <text id="words">!</text>
-    <defs><circle id="dot" r="2" fill="gold"/></defs>
-    <use href="#dot" x="5"/>
-  </svg>`;
-  const d = openDrawing(pasted(blankText(50, 50, null), plain));
-  expect(sides(d, "line")).toEqual(["#00f", "#00f"]);
-  expect(named(d, "line").artboardFromItem).toEqual([1, 0, 0, 1, 7, 0]);
-  expect(sides(d, "clockwise")).toEqual(["none", "#f00"]);
-  expect(sides(d, "counter")).toEqual(["#000", "none"]);
-  expect(sides(d, "shaded")).toEqual(["none", "url(#g)"]);
-  expect(sides(d, "dot")).toEqual(["none", "#ffd700"]);
-  expect(named(d, "dot").artboardFromItem).toEqual([1, 0, 0, 1, 5, 0]);
-  expect(() => named(d, "unseen")).toThrow();
-  expect(d.text).not.toContain("words");
-  expect(d.text.match(/<linearGradient/g)?.length).toBe(1);
-});
-
 test("layers of a pasted drawing stay layers, and its background stays behind", () => {
   const d = openDrawing(pasted(blankText(200, 150, null), SAMPLES[0].text, "layer-1"));
   expect(d.items.map(({ kind }) => kind)).toEqual(["layer", "layer", "group", "use", "group"]);
@@ -112,6 +79,32 @@ test("what is no SVG is refused with a place", () => {
   expect(() => paste(d, "<svg><g></svg>", null)).toThrow(SourceError);
   expect(paste(d, "<svg/>", null)).toBeNull();
   expect(paste(d, '<svg xmlns="http://www.w3.org/2000/svg"/>', null)).toBeNull();
+});
+
+test("shapes of another program are no curves: the engine makes a drawing of them first", () => {
+  const plain = svg('<path d="M0 0H9V9Z" fill="red"/>');
+  expect(paste(openDrawing(PAINTED), plain, null)).toBeNull();
+});
+
+describe("a drawing that is inserted", () => {
+  const placed = (box: string, curve = '<path id="new" d="M0 0H9V9Z" sf:left="red" sf:right="blue"/>') =>
+    `<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1" viewBox="${box}" sf:version="1"><g sf:diffuse="true">${curve}</g></svg>`;
+  const frame = (box: string) => {
+    const d = openDrawing(after(PAINTED, (at) => insertCentred(at, placed(box), null)));
+    return named(d, "new").artboardFromItem.map((value) => Number(value.toFixed(4)));
+  };
+
+  test.each([
+    ["stays where it is on an artboard of the same size", "0 0 90 90", [1, 0, 0, 1, 0, 0]],
+    ["keeps its size where it is smaller, in the middle", "0 0 30 10", [1, 0, 0, 1, 30, 40]],
+    ["is reduced where it is larger", "0 0 180 90", [0.5, 0, 0, 0.5, 0, 22.5]],
+    ["may have its artboard anywhere", "-45 -45 90 90", [1, 0, 0, 1, 45, 45]],
+  ])("%s", (_, box, map) => expect(frame(box)).toEqual(map));
+
+  test("is a layer of its own above the given one", () => {
+    const d = openDrawing(after(PAINTED, (at) => insertCentred(at, placed("0 0 90 90"), handle(at, "l"))));
+    expect(d.items.map(({ kind, children }) => [kind, children.length])).toEqual([["layer", 2], ["layer", 1]]);
+  });
 });
 
 const SHEETS = svg(
@@ -160,11 +153,6 @@ test("the sheets of the drawing that it comes into do not change what is pasted"
   const other = svg('<style>.soft{opacity:.1}</style><g id="m" sf:diffuse="true"><path d="M0 0h1" sf:left="red"/></g>');
   const now = pasted(other, copied(SHEETS, "l"));
   expect(property(now, "l", "opacity")).toBe(".5");
-});
-
-test("strokes of plain shapes may stand in a sheet", () => {
-  const plain = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><style>.k{fill:none;stroke:#0a0}</style><path id="k" class="k" d="M0 0L9 9"/></svg>';
-  expect(sides(openDrawing(pasted(blankText(50, 50, null), plain)), "k")).toEqual(["#0a0", "#0a0"]);
 });
 
 test("without sheets the text of what is copied is as it was", () => {

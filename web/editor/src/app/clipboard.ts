@@ -54,17 +54,17 @@ export async function copyByMenu(editor: DrawingEditor, cut: boolean): Promise<v
   }
 }
 
-export async function pasteByMenu(editor: DrawingEditor): Promise<void> {
-  let text = own;
+/** Returns what is on the clipboard, for menus: the browser may ask the user about it, or refuse it. */
+export async function clipboardText(): Promise<string> {
   try {
-    text = (await navigator.clipboard.readText()) || own;
+    return (await navigator.clipboard.readText()) || own;
   } catch {
     // The text that was copied here last.
+    return own;
   }
-  pasteText(editor, text);
 }
 
-/** Handles the browser's copy and cut events; page/pastes.ts handles paste. */
+/** Handles the browser's copy and cut events; page/pasted.ts handles paste. */
 export function listenToCopying(editor: DrawingEditor): void {
   const on = (name: "copy" | "cut", act: () => string) =>
     document.addEventListener(name, (event) => {

@@ -23,7 +23,7 @@ import {
 import { boxOf } from "../model/item-boxes.js";
 import type { Attribute, Drawing, Handle, Outcome } from "../model/types.js";
 import { en } from "../strings/en.js";
-import { copyByMenu, pasteByMenu } from "./clipboard.js";
+import { copyByMenu } from "./clipboard.js";
 import type { DrawingEditor } from "./editor.js";
 import { takeInHandle } from "./handles.js";
 import { deleteStop, oneColor } from "./stops.js";
@@ -199,7 +199,6 @@ const table: readonly (readonly [string, Command])[] = [
   ["redo", (editor) => editor.redo()],
   ["cut", (editor) => void copyByMenu(editor, true)],
   ["copy", (editor) => void copyByMenu(editor, false)],
-  ["paste", (editor) => void pasteByMenu(editor)],
   ["duplicate", edit(words.duplicate, (d, handles, editor) => duplicate(d, handles, copyOffset(editor)))],
   ["delete", deleteChosen],
   ["select-all", selectAll],
@@ -253,7 +252,7 @@ const table: readonly (readonly [string, Command])[] = [
   ),
 ];
 
-/** Returns all commands except those for files, which `more` adds or replaces. */
+/** Returns all commands except those that need the page, which `more` adds or replaces. */
 export function commandTable(more: readonly (readonly [string, Command])[]): ReadonlyMap<string, Command> {
   return new Map([...table, ...more]);
 }

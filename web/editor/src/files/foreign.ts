@@ -1,5 +1,5 @@
 // SVG of other programs, which has shapes but no diffusion curves.
-import { SFUMATO, SVG } from "../source/attributes.js";
+import { isOfSfumato, SVG } from "../source/attributes.js";
 import { parse } from "../source/parse.js";
 import { SourceError, type ElementNode } from "../source/tree.js";
 
@@ -22,12 +22,13 @@ function* within(element: ElementNode): Generator<ElementNode> {
   for (const child of element.children) yield* within(child);
 }
 
-/** Returns whether a text is SVG that shows something and contains nothing of Sfumato. */
+/** Returns whether a text is SVG that shows something and contains nothing of Sfumato but the version. */
 export function isForeign(text: string): boolean {
   let isShowing = false;
   try {
-    for (const { local, namespace, attributes } of within(parse(text))) {
-      if (attributes.some((attribute) => attribute.namespace === SFUMATO)) return false;
+    for (const element of within(parse(text))) {
+      if (isOfSfumato(element)) return false;
+      const { local, namespace } = element;
       isShowing ||= (namespace === SVG || namespace === "") && SHOWN.has(local);
     }
   } catch (error) {

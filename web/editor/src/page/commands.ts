@@ -1,11 +1,14 @@
-// Commands of files and photos, which the page adds to the editor's.
+// Commands of files, photos and pasting, which the page adds to the editor's.
+import { clipboardText } from "../app/clipboard.js";
 import type { DrawingEditor } from "../app/editor.js";
 import { askToTrace } from "./tracing.js";
 import type { Documents } from "./documents.js";
+import { takePasted } from "./pasted.js";
 import { colorsFromPhoto, blurFromPhoto, snapToPhoto, toggleDifference } from "./photo-work.js";
 
 export function fileCommands(documents: () => Documents) {
   return [
+    ["paste", (editor) => void clipboardText().then((text) => takePasted(editor, documents(), { files: [], text }))],
     ["open", () => void documents().choose()],
     ["place-photo", () => void documents().choosePhoto()],
     ["trace-photo", (editor) => askToTrace(editor)],

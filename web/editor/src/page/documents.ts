@@ -2,7 +2,7 @@
 import { effect, signal, type Signal } from "@preact/signals";
 import type { DrawingEditor } from "../app/editor.js";
 import type { HistoryLog } from "../app/history.js";
-import { warningText } from "../engine/complaint.js";
+import { complaintOf } from "../engine/complaint.js";
 import { Autosave, forgetDrawings, keptDrawings, recoverDrawing, type KeptHead, type KeptWhere } from "../files/autosave.js";
 import { openPieces } from "../files/drop.js";
 import { isForeign } from "../files/foreign.js";
@@ -14,13 +14,13 @@ import { newPlace, withExtension, type Place, type Saved } from "../files/place.
 import { save, saveAs } from "../files/save.js";
 import { besideServed, openServed, servedName } from "../files/served.js";
 import { answerOtherTabs, claim, isOpenElsewhere, type Claim } from "../files/tabs.js";
-import { addReference } from "../model/commands/index.js";
-import { blankText, openDrawing } from "../model/drawing.js";
-import type { Drawing } from "../model/types.js";
+import { addReference, insertCentred } from "../model/commands/index.js";
+import { blankText } from "../model/drawing.js";
 import type { Foreign } from "../panels/services.js";
 import { SourceError } from "../source/tree.js";
 import { en } from "../strings/en.js";
 import { dataUri } from "./files.js";
+import { converted, curvesIn, type Converted } from "./foreign.js";
 import type { Lost, Pictures } from "./pictures.js";
 
 const words = en.page;
@@ -47,10 +47,6 @@ const PLACED = 0.5;
 /** Names are shown at most this long, characters. */
 const LONGEST = 60;
 const shortened = (name: string) => (name.length > LONGEST ? `${name.slice(0, LONGEST)}…` : name);
-
-function curvesIn(drawing: Drawing): number {
-  return [...drawing.all()].filter(({ kind }) => kind === "curve" || kind === "stroke").length;
-}
 
 export class Documents {
   readonly problem: Signal<Problem | null> = signal(null);
@@ -159,31 +155,66 @@ export class Documents {
 
   /** Asks what is to be done with a file that holds no curves; nothing is opened until then. */
   #ask(opened: OpenedDrawing, beside: Beside) {
+    const { welcome, dialog } = this.editor;
     this.foreign.value = {
       name: opened.place.name,
       convert: () => this.#convertForeign(opened, beside),
+      insert: welcome.peek() ? null : () => this.#insertForeign(opened, beside),
       open: () => this.#open(opened, beside),
     };
-    this.editor.dialog.value = { kind: "foreign" };
+    dialog.value = { kind: "foreign" };
+  }
+
+  #converted(text: string, beside: Beside): Promise<Converted> {
+    return converted(this.editor.engine, this.pictures, text, beside);
   }
 
   /** Its shapes as a drawing without a file: saving must not write over the other program's. */
   async #convertForeign({ text, place }: OpenedDrawing, beside: Beside): Promise<void> {
     const asked = this.foreign.peek();
-    const before = this.pictures.begin(beside);
-    await this.pictures.take(text);
-    const made = await this.editor.engine.importSvg(text).finally(() => void this.pictures.begin(before));
-    const curves = curvesIn(openDrawing(made.text));
-    if (curves === 0) throw new Error([words.nothingConverted, ...made.warnings.map(warningText)].join("\n"));
+    const made = await this.#converted(text, beside);
     // The person may have left the dialog.
     if (this.foreign.peek() !== asked) return;
     await this.#show(made.text, { place: newPlace(withExtension(place.name, "svg")) }, beside);
-    this.#tellConverted(place.name, curves, made.warnings);
+    this.#tellConverted(place.name, made);
   }
 
-  #tellConverted(name: string, curves: number, warnings: readonly string[]) {
-    if (warnings.length === 0) return this.editor.say(words.converted(shortened(name), curves));
-    const show = () => this.#refuse(words.leftOutOf(shortened(name)), warnings.map(warningText).join("\n"));
+  /** Its shapes as layers of the present drawing, in one step of undo. */
+  async #insertForeign({ text, place }: OpenedDrawing, beside: Beside): Promise<void> {
+    const asked = this.foreign.peek();
+    const { drawing } = this.editor;
+    const made = await this.#converted(text, beside);
+    if (this.foreign.peek() !== asked || this.editor.drawing !== drawing) return;
+    this.editor.dialog.value = null;
+    this.#insert(words.insertLayers, place.name, made);
+  }
+
+  /** Puts SVG text of another program into the drawing. */
+  pasteForeign(text: string): Promise<void> {
+    const pasted = this.#pasteForeign(text);
+    this.editor.awaitEdit(pasted);
+    return pasted;
+  }
+
+  async #pasteForeign(text: string): Promise<void> {
+    const { drawing } = this.editor;
+    try {
+      const made = await this.#converted(text, nothingBeside);
+      if (this.editor.drawing === drawing) this.#insert(en.commands.paste, words.pastedName, made);
+    } catch (error) {
+      this.#refuse(words.nothingPasted, complaintOf(error));
+    }
+  }
+
+  #insert(label: string, name: string, made: Converted) {
+    const { editor } = this;
+    const outcome = insertCentred(editor.drawing, made.text, editor.activeLayer?.handle ?? null);
+    if (editor.run(label, outcome)) this.#tellConverted(name, made);
+  }
+
+  #tellConverted(name: string, { curves, leftOut }: Converted) {
+    if (leftOut.length === 0) return this.editor.say(words.converted(shortened(name), curves));
+    const show = () => this.#refuse(words.leftOutOf(shortened(name)), leftOut.join("\n"));
     this.editor.say(words.convertedPartly(shortened(name), curves), { label: words.showLeftOut, run: show });
   }
 

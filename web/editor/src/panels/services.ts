@@ -53,6 +53,8 @@ export interface Foreign {
   readonly name: string;
   /** Opens a drawing of its shapes, and says what was left out. @throws Error, in words */
   convert(): Promise<void>;
+  /** Puts its shapes into the drawing as layers; null: no drawing is open. @throws Error, in words */
+  readonly insert: (() => Promise<void>) | null;
   /** Opens it as it is. */
   open(): Promise<void>;
 }

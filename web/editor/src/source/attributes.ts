@@ -36,6 +36,11 @@ export function valueOf(element: ElementNode, name: AttributeName): string | und
   return attributeOf(element, name)?.value;
 }
 
+/** Returns whether an element has an attribute of Sfumato's. The version alone does not count. */
+export function isOfSfumato({ attributes }: ElementNode): boolean {
+  return attributes.some(({ namespace, local }) => namespace === SFUMATO && local !== "version");
+}
+
 /** href, or else xlink:href. */
 export function hrefOf(element: ElementNode): AttributeNode | undefined {
   return attributeOf(element, "href") ?? attributeOf(element, { namespace: XLINK, local: "href" });

@@ -88,6 +88,7 @@ export const dialogs = {
   foreignNote: "The file itself is not changed.",
   convert: "Convert",
   converting: "Converting…",
+  insertAsLayers: "Insert as layers",
   openAsIs: "Open as it is",
   reasonAt: (line: number, column: number, reason: string) => `Line ${line}, column ${column}: ${reason}`,
   lineOf: (line: number) => `Line ${line}`,

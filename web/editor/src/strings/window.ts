@@ -15,13 +15,15 @@ export const page = {
     `“${name}” was converted to ${curvesOf(curves)}; some parts were left out.`,
   leftOutOf: (name: string) => `Left out of “${name}”`,
   showLeftOut: shared.show,
-  nothingConverted: "Nothing in this file can be converted to curves.",
+  nothingConverted: "Nothing in this SVG can be converted to curves.",
+  nothingPasted: "Nothing was pasted",
   downloaded: (name: string) => `“${name}” downloaded.`,
   gone: "This drawing is no longer stored in this browser.",
   graphics: {
     missing: "This browser has no WebGL 2, so the picture is not shown. Use another browser to see it; everything else works.",
     lost: "The graphics driver was reset. Redrawing…",
   },
+  insertLayers: "insert layers",
   keptHere: "Your drawing is stored in this browser.",
   missing: (names: readonly string[]) =>
     names.length === 1

@@ -20,29 +20,26 @@ function Body({ foreign }: { readonly foreign: Foreign }) {
     }
     isBusy.value = false;
   };
+  const choice = (label: string, work: () => Promise<void>, isPrimary = false) => (
+    <button
+      type="button"
+      class={isPrimary ? "button primary large" : "button large"}
+      disabled={isBusy.value}
+      onClick={() => void run(work)}
+    >
+      {label}
+    </button>
+  );
   const foot = (
     <>
-      <button
-        type="button"
-        class="button large"
-        disabled={isBusy.value}
-        onClick={() => void run(foreign.open)}
-      >
-        {words.openAsIs}
-      </button>
+      {choice(words.openAsIs, foreign.open)}
       <span class="spacer" />
-      <button
-        type="button"
-        class="button primary large"
-        disabled={isBusy.value}
-        onClick={() => void run(foreign.convert)}
-      >
-        {isBusy.value ? words.converting : words.convert}
-      </button>
+      {foreign.insert && choice(words.insertAsLayers, foreign.insert)}
+      {choice(isBusy.value ? words.converting : words.convert, foreign.convert, true)}
     </>
   );
   return (
-    <Frame title={words.holdsNoCurves(foreign.name)} class="small" foot={foot}>
+    <Frame title={words.holdsNoCurves(foreign.name)} class="small foreign" foot={foot}>
       <div class="dialog-body form">
         <p class="read">{words.foreignText}</p>
         <p class="read muted">{words.foreignNote}</p>

@@ -3,10 +3,9 @@ import { composed, type Affine } from "../../../geometry/affine.js";
 import { applied } from "../../../source/patch.js";
 import { openDrawing } from "../../drawing.js";
 import type { Drawing, Outcome } from "../../types.js";
-import { paste } from "../structure/clipboard.js";
 import { addReference } from "./create.js";
+import { insertAt } from "../structure/inserted.js";
 import { rename } from "../structure/naming.js";
-import { transform } from "./transform.js";
 
 /** A photo to be kept with its drawing. */
 export interface KeptPhoto {
@@ -14,9 +13,6 @@ export interface KeptPhoto {
   readonly width: number;
   readonly height: number;
 }
-
-/** Decimals of a map that scales a whole artboard. */
-const STEP = 1e-6;
 
 /** From shares of 0 to 1 to the middle of the artboard, as large as a photo of that size fits. */
 export function fitted(d: Drawing, width: number, height: number): Affine {
@@ -63,6 +59,5 @@ export function insertTraced(
   const from = whole(traced);
   const [, , width, height] = from.artboard;
   const map = composed(artboardFromPhoto, [1 / width, 0, 0, 1 / height, 0, 0]);
-  const handles = from.items.map(({ handle }) => handle);
-  return paste(d, changed(from, transform(from, handles, map, STEP)).text, null);
+  return insertAt(d, from, map, null);
 }

@@ -1,5 +1,5 @@
-// SVG text put into the drawing: what copyItems() made, another drawing, or plain shapes.
-import { declare, SFUMATO, valueOf } from "../../../source/attributes.js";
+// SVG text put into the drawing: what copyItems() made, or another drawing.
+import { declare, isOfSfumato, SFUMATO, valueOf } from "../../../source/attributes.js";
 import { parse } from "../../../source/parse.js";
 import { applied } from "../../../source/patch.js";
 import type { Edit } from "../../../source/patch.js";
@@ -19,18 +19,20 @@ import { svgName } from "../markup.js";
 import { reframing } from "../mapping.js";
 import { innerPlace, newLayer, outerPlace } from "./places.js";
 import type { Place } from "./places.js";
-import { freshNames, neededBy, renaming } from "./references.js";
+import { freshNames, neededBy, renaming, within } from "./references.js";
 import { respelled } from "../paint/respell.js";
 
 /**
  * Puts what a text holds into the drawing, where it was on its artboard. Curves go into the layer
  * that `into` is or stands in, else into a new layer; all else goes on top of that layer, or into
- * that group. Shapes of a text without Sfumato's attributes become curves.
+ * that group. A text without Sfumato's attributes has nothing to put in: the engine's importSvg()
+ * makes a drawing of it.
  * @throws SourceError where the text is no SVG
  */
 export function paste(d: Drawing, text: string, into: Handle | null): Outcome | null {
   const root = parse(text);
   if (root.local !== "svg") throw new SourceError("this is no SVG; expected <svg>", 0, 1, 1);
+  if (![...within(root)].some(isOfSfumato)) return null;
   // The text's style sheets stay behind.
   const plain = withoutSheets(text, new Styles(text, root), root);
   const from = openDrawing(adopted(plain, plain === text ? root : parse(plain)));
