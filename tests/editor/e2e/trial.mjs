@@ -135,6 +135,27 @@ async function testSeam(editor) {
   await editor.key("F8");
 }
 
+/** A stop on the ribbon of a closed curve gets another colour: the curve still ends with its first colour. */
+async function testClosedRibbon(editor) {
+  const { page } = editor;
+  await loaded(editor, text(`${frame}<path id="ring" d="${ring}" sf:left="#eee" sf:right="#c33"/>`));
+  await editor.key("v");
+  await editor.click(200, 100);
+  const side = page.getByRole("group", { name: "Right side" }).first();
+  await changing(editor, "a click on the ribbon", () => side.locator(".band").click());
+  const field = page.locator(".inspector").getByLabel("Colour, hex", { exact: true }).first();
+  const colored = await changing(editor, "a colour", async () => {
+    await field.fill("0000ff");
+    await field.press("Enter");
+  });
+  check(/sf:right="#c33, #00f 50%, #c33"/.test(colored), `a seam: ${colored}`);
+  await editor.shot("closed-ribbon");
+  // Without the stop at the end, the stop at the start goes too.
+  const deleted = await changing(editor, "Delete", () => side.locator(".stop").last().press("Delete"));
+  check(/sf:right="#00f"/.test(deleted), `after Delete: ${deleted}`);
+  checkEqual(await side.locator(".stop[aria-pressed=true]").count(), 1, "a stop that is chosen");
+}
+
 async function testRing(editor) {
   const { page } = editor;
   const seam = text(`${frame}<path id="ring" d="${ring}" sf:left="#eee" sf:right="#c33, #00f"/>`);
@@ -403,6 +424,7 @@ export async function testTrial(tap, { browser, address, oneFile }) {
     "undo within the pencil's line takes the line": testPencilUndo,
     "pencil and stroke end where they snap, without a spike": testSnappedEnds,
     "the repair of a seam keeps every colour": testSeam,
+    "a closed curve stays without a seam when a stop gets another colour": testClosedRibbon,
     "a hint's ring goes with the hint": testRing,
     "no hints are said to be only where they were looked for": testHintsLooking,
     "500 layers are drawn": testManyLayers,

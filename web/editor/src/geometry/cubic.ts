@@ -36,6 +36,15 @@ export function isSameCubic(a: Cubic, b: Cubic): boolean {
   return a.every((point, k) => isSame(point, b[k]));
 }
 
+export function endsOf({ points }: CubicPath): readonly [Point, Point] {
+  return [points[0], points[points.length - 1]];
+}
+
+/** Returns whether the ends of a path are at different points. */
+export function isOpen(path: CubicPath): boolean {
+  return !path.closed && !isSame(...endsOf(path));
+}
+
 export function segmentsOf(path: CubicPath): readonly number[] {
   return path.segments ?? Array.from({ length: pieceCount(path) + 1 }, (_, i) => i);
 }

@@ -1,8 +1,7 @@
 // Fixes for hints of `sfumato lint`, each one step of undo.
 import { composed, inverted, mapped, mappedVector } from "../geometry/affine.js";
 import type { Point } from "../geometry/affine.js";
-import type { Rgb } from "../geometry/color.js";
-import { segmentsOf, type CubicPath } from "../geometry/cubic.js";
+import { endsOf, isOpen, type CubicPath } from "../geometry/cubic.js";
 import { nodePath } from "../geometry/natural.js";
 import { nearestOn } from "../geometry/nearest.js";
 import { distance } from "../geometry/vector.js";
@@ -10,7 +9,8 @@ import { deleteItems, moveNodes, setBoth, setColor, setNumbers, setPath, swapSid
 import { layerOf } from "./commands/structure/items.js";
 import { finestStep } from "./commands/mapping.js";
 import { together } from "./commands/structure/together.js";
-import { atOutline, broughtIn, curvesWithin, endsOf, isOpen, withoutInvisible } from "./lint-items.js";
+import { atOutline, broughtIn, curvesWithin, withoutInvisible } from "./lint-items.js";
+import { closedBy, endOffset, meets } from "./seams.js";
 import type { CurveItem, Drawing, Handle, Item, Outcome, Side, SideValue } from "./types.js";
 
 /** The fields of a hint that fixes use: its rule, and the place of its curve's element in the text. */
@@ -174,16 +174,11 @@ function withoutIdleBlur(d: Drawing, curve: CurveItem): Outcome | null {
 
 /** Each side ends with the colour that it begins with; no colour before the end is lost. */
 function withoutSeam(d: Drawing, curve: CurveItem): Outcome | null {
-  const isSame = (a: Rgb, b: Rgb) => a.r === b.r && a.g === b.g && a.b === b.b;
   return together(
     SIDES.map((side) => {
       const { color } = curve[side];
-      if (color.kind !== "stops" || color.stops.length < 2) return null;
-      const [first, last] = [color.stops[0], color.stops[color.stops.length - 1]];
-      if (isSame(first.value, last.value)) return null;
-      const end = color.space === "arc" ? 1 : Math.max(...curve.paths.map((path) => segmentsOf(path).length - 1));
-      const others = last.offset < end ? color.stops : color.stops.slice(0, -1);
-      const stops = [...others, { offset: end, value: first.value }];
+      if (color.kind !== "stops" || meets(color.stops)) return null;
+      const stops = closedBy(color.stops, endOffset(curve, color.space));
       return setColor(d, curve.handle, side, { ...color, stops });
     }),
   );

@@ -1,7 +1,7 @@
 // Fixes of hints about layers, instances, groups and strokes as wholes.
-import { mappedBox, type Box, type Point } from "../geometry/affine.js";
-import { boundsOf, unionOf, type CubicPath } from "../geometry/cubic.js";
-import { cross, distance, dot, subtract } from "../geometry/vector.js";
+import { mappedBox, type Box } from "../geometry/affine.js";
+import { boundsOf, isOpen, unionOf, type CubicPath } from "../geometry/cubic.js";
+import { cross, dot, subtract } from "../geometry/vector.js";
 import { sf, valueOf } from "../source/attributes.js";
 import { shareOf } from "../source/css.js";
 import { deleteItems, setSideOpacity, transform } from "./commands/index.js";
@@ -13,14 +13,6 @@ import type { CurveItem, Drawing, Item, Outcome, Side } from "./types.js";
 /** Curves of a layer, in the order of the text. */
 export function curvesWithin(item: Item): CurveItem[] {
   return item.kind === "curve" ? [item] : item.children.flatMap(curvesWithin);
-}
-
-export function endsOf({ points }: CubicPath): readonly [Point, Point] {
-  return [points[0], points[points.length - 1]];
-}
-
-export function isOpen(path: CubicPath): boolean {
-  return !path.closed && distance(...endsOf(path)) > 0;
 }
 
 /** How often the control polygon turns: 1 with the inside on the right, -1 on the left; of an eight 0. */

@@ -4,6 +4,7 @@ import { attributeOf, setAttribute, sf, SFUMATO, valueOf } from "../../source/at
 import type { Edit } from "../../source/patch.js";
 import { COLORS, RADII, readSide, SHARES, sideText } from "../../source/stops.js";
 import type { Notation } from "../../source/stops.js";
+import { ringed } from "../seams.js";
 import type { CurveItem, Drawing, Handle, Outcome, Side, SideValue } from "../types.js";
 import { finestStep } from "./mapping.js";
 import { outcomeOf, together } from "./structure/together.js";
@@ -60,11 +61,12 @@ function write<Value>(
   return setAttribute(d.text, element, sf(name), sideText(side, notation, text));
 }
 
-/** The colour of one side; the other one stays as it is seen. */
+/** The colour of one side; the other one stays as it is seen. No edit makes a seam in a closed curve. */
 export function setColor(d: Drawing, h: Handle, side: Side, to: SideValue<Rgb>): Outcome | null {
   const item = curveOf(d, h);
   if (!item) return null;
-  const edits = write(d, item, side, to, item[side].color, COLORS, (color) => color);
+  const before = item[side].color;
+  const edits = write(d, item, side, ringed(item, before, to), before, COLORS, (color) => color);
   const other = otherSide(side);
   const shared = valueOf(item.element, sf(side));
   const isShared = shared !== undefined && !attributeOf(item.element, sf(other));

@@ -9,6 +9,7 @@ import { decimal } from "../format.js";
 import { useShell } from "../services.js";
 import { chosenStops, chooseStop, toggleStop } from "./chosen.js";
 import {
+  curveOf,
   fractionOf,
   movedStop,
   offsetAt,
@@ -165,7 +166,14 @@ function useStopKeys<Value>(
     focused.current = index;
     chooseStop(index);
   };
-  const { item, side, list, put } = props;
+  const { item, side, attribute, list, put } = props;
+  const remove = (index: number) => {
+    editor.run(words.removeStop, put(editor.drawing, side, withoutStop(list, index)));
+    // The stops at the start and the end of a closed curve go together.
+    const now = curveOf(editor.drawing, item.handle)?.[side][attribute];
+    const count = now?.kind === "stops" ? now.stops.length : list.stops.length - 1;
+    choose(Math.min(index, count - 1));
+  };
   return (index: number) => (event: TargetedKeyboardEvent<HTMLElement>) => {
     const step =
       (event.shiftKey ? 0.1 : 0.01) *
@@ -179,8 +187,7 @@ function useStopKeys<Value>(
         decimal(Math.min(Math.max(fraction, 0), 1) * 100, 1),
       );
     } else if ((event.key === "Delete" || event.key === "Backspace") && list.stops.length > 1) {
-      editor.run(words.removeStop, put(editor.drawing, side, withoutStop(list, index)));
-      choose(Math.min(index, list.stops.length - 2));
+      remove(index);
     } else if (event.key === "Insert") {
       const offset = offsetAt(item, list.space, halfway(list, index, item));
       const placed = withStop(list, { offset, value: valueAt(list.stops, offset, props.mix) });
