@@ -241,6 +241,18 @@ async function testDownload(editor) {
   await said(page, /downloaded/);
 }
 
+/** The nodes of a curve that is not finished are in the file. */
+async function testDraft(editor) {
+  const { page } = editor;
+  await editor.load(small, "draft.svg");
+  await page.locator(".canvas-stage").focus();
+  await editor.key("p");
+  for (const [x, y] of [[20, 30], [40, 30], [60, 40]]) await editor.click(x, y);
+  const { bytes } = await downloaded(page, () => page.keyboard.press("Control+s"));
+  checkEqual(String(bytes), await editor.text, "the file and the drawing");
+  checkEqual(String(bytes).match(/<path/g).length, small.match(/<path/g).length + 1, "curves of the file");
+}
+
 /** Opens a page with a disk, or one in a browser that only has downloads. */
 async function pageOf(browser, address, hasDisk) {
   const context = await newContext(browser, { size: [900, 500] });
@@ -263,6 +275,7 @@ export async function testSaving(tap, { browser, address }) {
   await editor.close();
   const legacy = await pageOf(browser, address, false);
   await tap.test("saving: a browser without dialogs downloads", () => testDownload(legacy));
+  await tap.test("saving: a curve that the pen draws is in the file", () => testDraft(legacy));
   await legacy.close();
   const many = await newContext(browser, { size: [900, 300] });
   await many.addInitScript(() => delete window.BroadcastChannel);

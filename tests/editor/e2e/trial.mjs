@@ -79,6 +79,21 @@ async function testPenUndoThrough(editor) {
   checkEqual(await editor.text, drawn, "the text after Enter and Ctrl Z");
 }
 
+/** A drawing that is opened while a curve is on its way has nothing of it. */
+async function testPenLeft(editor) {
+  const { page } = editor;
+  await loaded(editor, blank);
+  await editor.key("p");
+  for (const [x, y] of [[100, 300], [300, 300], [500, 420]]) await editor.click(x, y);
+  await drop(page, [{ name: "other.svg", bytes: Buffer.from(text(line)) }]);
+  await shows(page, text(line));
+  await editor.settled();
+  checkEqual(await editor.text, text(line), "the drawing that was opened");
+  await menu(page, "File", "Recover…");
+  await page.getByRole("dialog").getByText("1 curve").first().waitFor();
+  await page.keyboard.press("Escape");
+}
+
 async function testPencilUndo(editor) {
   const { page } = editor;
   await loaded(editor, text(line));
@@ -421,6 +436,7 @@ export async function testTrial(tap, { browser, address, oneFile }) {
   const quick = {
     "undo within the pen takes nodes back, and no edit before them": testPenUndo,
     "undo without a node left goes on to the drawing": testPenUndoThrough,
+    "a curve that the pen draws stays in its drawing when another one is opened": testPenLeft,
     "undo within the pencil's line takes the line": testPencilUndo,
     "pencil and stroke end where they snap, without a spike": testSnappedEnds,
     "the repair of a seam keeps every colour": testSeam,

@@ -270,6 +270,7 @@ describe("a tool's draft", () => {
     redoLabel,
     undo: vi.fn(),
     redo: vi.fn(),
+    finish: vi.fn(() => void (editor.draft.value = null)),
     drop: vi.fn(() => void (editor.draft.value = null)),
   });
 
@@ -293,6 +294,22 @@ describe("a tool's draft", () => {
     editor.undo();
     expect(editor.drawing.text).toBe(text);
     expect(editor.redoLabel.value).toBe("bend");
+  });
+
+  it("is completed, with all edits on their way, before the text is taken", async () => {
+    const own = (editor.draft.value = draft("set node", null));
+    own.finish.mockImplementation(() => {
+      const drawn = Promise.resolve().then(() => editor.run("draw", bent(editor.drawing, "b", "M0 20 L10 40")));
+      editor.awaitEdit(drawn);
+    });
+    await editor.completeEdits(1000);
+    expect(editor.drawing.text).toContain("M0 20 L10 40");
+  });
+
+  it("delays nobody for longer than is allowed", async () => {
+    editor.awaitEdit(new Promise(() => undefined));
+    await editor.completeEdits(1);
+    expect(editor.drawing.text).toBe(text);
   });
 
   it("ends where another drawing is opened", () => {

@@ -15,7 +15,7 @@ describe("keys", () => {
 
   it("each command has a meaning", () => {
     const photos = ["difference", "colors-from-photo", "blur-from-photo", "snap-to-photo"];
-    const ofPage = ["open", "save", "save-as", ...photos];
+    const ofPage = ["open", "save", "save-as", "paste", ...photos];
     const table = commandTable([]);
     const unknown = defaultKeys.filter(({ command }) => !table.has(command) && !ofPage.includes(command));
     expect(unknown.map(({ command }) => command)).toEqual([]);

@@ -212,6 +212,13 @@ describe("undo and redo while the pen draws", () => {
     expect(await ended()).toHaveLength(3);
   });
 
+  test("are_over_when_the_draft_is_finished_and_its_nodes_are_a_curve", async () => {
+    draft().finish();
+    await pen.isDone;
+    expect(nodes(made())).toEqual([[20, 40], [80, 40], [140, 40]]);
+    expect(editor.draft.value).toBeNull();
+  });
+
   test("end_with_the_tool_and_with_the_drawing", () => {
     draft().drop();
     expect([editor.draft.value, canvas.sketch.value.draft]).toEqual([null, null]);

@@ -43,6 +43,8 @@ import { artboardFromStage, Navigation, seenBox, stageFromArtboard } from "./vie
 const STEP = 1 / 1000;
 /** Hints are looked for when an exact picture has stood for this long, milliseconds. */
 const HINT_REST = 1000;
+/** An edit on its way, whose colours the engine evaluates, delays saving at most this long: milliseconds. */
+const EDIT_WAIT = 2000;
 
 /** The work that the editor leaves to others: the commands that menus and keys name. */
 type CommandTable = Pick<ReadonlyMap<string, (editor: DrawingEditor) => void>, "get">;
@@ -252,6 +254,17 @@ export class DrawingEditor implements Editor {
     if (this.#coming.size === 0) return false;
     void Promise.all(this.#coming).then(act);
     return true;
+  }
+
+  /**
+   * Puts the draft of a tool into the drawing, and waits for all edits on their way. Call it before the
+   * text is saved, or another drawing is opened.
+   * @param most milliseconds
+   */
+  async completeEdits(most = EDIT_WAIT): Promise<void> {
+    this.draft.peek()?.finish();
+    if (this.#coming.size === 0) return;
+    await Promise.race([Promise.all(this.#coming), new Promise((resolve) => setTimeout(resolve, most))]);
   }
 
   undo(): void {

@@ -102,6 +102,8 @@ export interface Draft {
   readonly redoLabel: string | null;
   undo(): void;
   redo(): void;
+  /** Ends it, and puts it into the drawing; an edit may be on its way then. */
+  finish(): void;
   /** Ends it, and leaves nothing. */
   drop(): void;
 }

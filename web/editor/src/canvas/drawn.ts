@@ -32,12 +32,13 @@ function one<V>(value: V): SideValue<V> {
  * @returns whether it came into being
  */
 export async function addCurve(editor: Editor, path: CubicPath, label: string): Promise<boolean> {
-  const layer = editor.activeLayer;
+  const { activeLayer: layer, drawing } = editor;
   const back = layer ? inverted(layer.artboardFromItem) : IDENTITY;
   if (!back) return false;
   const inLayer = mappedPath(back, path);
   const sides = (layer && (await takenSides(editor, layer, inLayer))) ?? (isBlank(editor) ? FIRST : OPEN);
-  // The layer may have been deleted while its colours were fetched.
+  // While its colours were fetched, another drawing may have been opened, and the layer deleted.
+  if (editor.drawing !== drawing) return false;
   const into = layer && editor.drawing.item(layer.handle) ? layer.handle : null;
   const step = editor.step(layer);
   const endStep = meetsEnd(editor, path) ? step / WELD_FINER : step;

@@ -88,7 +88,9 @@ export class Documents {
     });
     addEventListener("beforeunload", (event) => {
       const { isChanged, kept } = editor.file.peek();
-      if (isChanged && kept === "nowhere") event.preventDefault();
+      // Nodes of an unfinished curve are stored nowhere.
+      const hasDraft = (editor.draft.peek()?.undoLabel ?? null) !== null;
+      if (hasDraft || (isChanged && kept === "nowhere")) event.preventDefault();
     });
     void this.refreshKept();
   }
@@ -220,6 +222,8 @@ export class Documents {
 
   async #show(text: string, origin: Origin, beside: Beside, log?: HistoryLog): Promise<void> {
     const turn = ++this.#turn;
+    await this.editor.completeEdits();
+    if (turn !== this.#turn) return;
     const besideBefore = this.pictures.begin(beside);
     const lost = await this.pictures.take(text);
     if (turn !== this.#turn) return;
@@ -348,6 +352,7 @@ export class Documents {
 
   #saveBy(write: (text: string, place: Place) => Promise<Saved>): Promise<void> {
     const saved = this.#saves.then(async () => {
+      await this.editor.completeEdits();
       const { text, revision } = this.editor.drawing;
       const place = this.#place;
       this.#saved(await write(text, place), place, revision);

@@ -48,7 +48,10 @@ export function servicesOf(editor: DrawingEditor, documents: Documents, picture:
     exportTo: (wish, watch) => exportTo(editor, wish, watch),
     copyPicture: (wish, watch) => copyPng(wish, sourceOf(editor), watch),
     estimate: (wish) => estimateSize(wish, sourceOf(editor)),
-    preview: (viewport, transparent) => previewOf(editor, viewport, transparent),
+    preview: async (viewport, transparent) => {
+      await editor.completeEdits();
+      return previewOf(editor, viewport, transparent);
+    },
     trace: () => new PhotoTracing(editor, documents),
     autosaves: async () => documents.kept.value,
     recover: (id) => documents.recover(id),

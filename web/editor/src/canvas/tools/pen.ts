@@ -77,6 +77,7 @@ export class PenTool implements Tool {
             redoLabel,
             undo: () => this.undo(),
             redo: () => this.redo(),
+            finish: () => this.finish(false),
             drop: () => this.drop(),
           };
   }

@@ -49,6 +49,8 @@ class PencilDrag implements Drag {
       redoLabel: null,
       undo: drop,
       redo: () => undefined,
+      // While the pointer is down, the line is no curve yet.
+      finish: drop,
       drop,
     };
   }
