@@ -135,10 +135,11 @@ Status replace_all(Context& context, const Document& document, Solution& solutio
 /// Makes the solution's document equal to the other one.
 Status follow(Context& context, const sfumato_document& document, sfumato_picture& handle) {
   const auto changed = changed_curves(handle.applied, document.revisions);
+  Revisions applied = document.revisions;
   handle.applied = {};  // until all changes are applied
   SFUMATO_TRY(changed ? replace_curves(context, *changed, document.document, *handle.solution)
                       : replace_all(context, document.document, *handle.solution));
-  handle.applied = document.revisions;
+  handle.applied = std::move(applied);
   return ok_status();
 }
 
@@ -150,10 +151,11 @@ Outcome solve_all(Workshop& workshop, const sfumato_document& document, Solve so
   handle.colored.reset();
   handle.has_moved = false;
   handle.drag_workshop.reset();
+  Revisions shown = document.revisions;
   handle.shown = {};  // until the picture is updated
   SFUMATO_TRY(follow(workshop.context, document, handle));
   SFUMATO_TRY(bring_up(workshop.context, solve, handle));
-  handle.shown = document.revisions;
+  handle.shown = std::move(shown);
   return ok_status();
 }
 
