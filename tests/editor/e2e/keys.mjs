@@ -19,7 +19,7 @@ const text = `${head}
   <g id="back" sf:diffuse="true">
     <path id="low" d="M100 300C200 250 300 350 400 300" sf:left="#e33" sf:right="#36c"/>
     <path id="high" d="M100 120L300 100L500 140" sf:left="#fe8" sf:right="#284" sf:left-blur="4"/>
-    <path id="mid" d="M420 305C450 330 480 330 520 320" sf:left="#fff" sf:right="#000"/>
+    <path id="mid" d="M420 305C450 330 480 330 520 320" sf:left="#fff, #ccc" sf:right="#000"/>
   </g>
   <g id="front" sf:diffuse="true"><path id="own" d="M200 400L440 420" sf:left="#fff" sf:left-opacity="0" sf:right="#fff" sf:right-opacity=".5"/></g>
 </svg>
@@ -216,6 +216,7 @@ const shows = {
   "colors-from-photo": wantsPhoto,
   "blur-from-photo": wantsPhoto,
   "snap-to-photo": wantsPhoto,
+  "one-color": (keys, key) => keys.fresh("mid").then(() => keys.text(key, /id="mid"[^>]*sf:left="#fff" sf:right="#000"/)),
   "swap-sides": (keys, key) => keys.fresh("low").then(() => keys.text(key, /id="low"(?=[^>]*sf:left="#36c")[^>]*sf:right="#e33"/)),
   reverse: (keys, key) => keys.fresh("low").then(() => keys.text(key, /d="M400 300/)),
   join: async (keys, key) => {
