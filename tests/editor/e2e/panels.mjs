@@ -90,7 +90,7 @@ async function testPicked({ browser, address }) {
   const { page } = editor;
   await states.curve(editor);
   await editor.settled();
-  const drop = page.locator(".inspector").getByRole("button", { name: "Pick from the picture" });
+  const drop = page.locator(".inspector").getByRole("button", { name: "Pick the left side from the picture" });
   const before = await editor.text;
   await drop.click();
   await page.keyboard.press("Escape");
@@ -100,7 +100,7 @@ async function testPicked({ browser, address }) {
   await drop.click();
   // The copy of the upper layer is black there.
   const picked = await changing(editor, "the eyedropper", () => editor.click(250, 330));
-  check(/sf:left="#0(00|10101),/.test(picked), `not the colour there: ${picked}`);
+  check(/sf:left="#0(00|10101)"/.test(picked), `not the colour there: ${picked}`);
   await editor.close();
 }
 

@@ -203,6 +203,7 @@ export const panels = {
   at: "At",
   atOf: (side: string, index: number) => `Position of ${side.toLowerCase()} stop ${index}`,
   pickFromPicture: "Pick from the picture",
+  pickForSide: (side: string) => `Pick the ${side.toLowerCase()} side from the picture`,
   kindOfSide: (side: string) => `Type of the ${side.toLowerCase()} side`,
   sideStops: shared.colorStops,
   sideOpen: "Open: colours pass through",

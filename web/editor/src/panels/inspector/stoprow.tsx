@@ -83,12 +83,15 @@ function useRecolor({ side, stops, put, ...tints }: Found) {
 /** A colour that becomes the only one of a side. */
 function WholeSide({ item, found }: { readonly item: CurveItem; readonly found: Found }) {
   const name = words.sides[found.side];
+  const setColor = useRecolor(found);
+  const pick = usePicking(setColor);
   return (
     <div class="side-row">
       <span class="side-name">{name}</span>
       <div class="side-color">
         <Swatch item={item} found={found} />
-        <HexField name={words.hexOfSide(name)} value={found.list.stops[0].value} onChange={useRecolor(found)} />
+        <HexField name={words.hexOfSide(name)} value={found.list.stops[0].value} onChange={setColor} />
+        <IconButton icon="pipette" label={words.pickForSide(name)} onClick={() => void pick()} />
       </div>
     </div>
   );
