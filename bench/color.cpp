@@ -85,17 +85,12 @@ bool measure(const std::string& path, const Options& asked) {
 
 int main(int argc, char** argv) {
   sfumato::Options options;
-  bool is_good = argc > 1;
-  for (int i = 1; i < argc; ++i) {
-    const std::string argument = argv[i];
-    if (argument == "--curves" && i + 1 < argc) {
-      options.curves = static_cast<std::uint32_t>(std::max(1, std::atoi(argv[++i])));
-    } else if (argument == "--max-error" && i + 1 < argc) {
-      options.max_error = std::atof(argv[++i]);
-    } else if (!sfumato::measure(argument, options)) {
-      std::fprintf(stderr, "%s has no colours to change\n", argument.c_str());
-      is_good = false;
-    }
-  }
-  return is_good ? 0 : 1;
+  const auto read_curves = [&](const char* value) {
+    options.curves = static_cast<std::uint32_t>(sfumato::bench::number_of(value, 1));
+  };
+  const auto read_error = [&](const char* value) { options.max_error = std::atof(value); };
+  return sfumato::bench::measure_files(
+      argc, argv, {{"--curves", read_curves}, {"--max-error", read_error}},
+      [&](const std::string& path) { return sfumato::measure(path, options); },
+      "has no colours to change");
 }

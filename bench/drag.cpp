@@ -138,24 +138,19 @@ bool measure(const std::string& path, const Options& asked) {
 }  // namespace sfumato
 
 int main(int argc, char** argv) {
+  using sfumato::bench::number_of;
   sfumato::Options options;
-  bool is_good = argc > 1;
-  for (int i = 1; i < argc; ++i) {
-    const std::string argument = argv[i];
-    if (argument == "--curves" && i + 1 < argc) {
-      options.curves = static_cast<std::uint32_t>(std::max(1, std::atoi(argv[++i])));
-    } else if (argument == "--together" && i + 1 < argc) {
-      options.together = static_cast<std::uint32_t>(std::max(1, std::atoi(argv[++i])));
-    } else if (argument == "--missed" && i + 1 < argc) {
-      options.most_missed = std::atof(argv[++i]);
-    } else if (argument == "--seconds" && i + 1 < argc) {
-      options.seconds = std::atof(argv[++i]);
-    } else if (argument == "--max-error" && i + 1 < argc) {
-      options.max_error = std::atof(argv[++i]);
-    } else if (!sfumato::measure(argument, options)) {
-      std::fprintf(stderr, "%s cannot be dragged\n", argument.c_str());
-      is_good = false;
-    }
-  }
-  return is_good ? 0 : 1;
+  const auto count = [](std::uint32_t& to) {
+    return [&to](const char* value) { to = static_cast<std::uint32_t>(number_of(value, 1)); };
+  };
+  const auto real = [](double& to) { return [&to](const char* value) { to = std::atof(value); }; };
+  return sfumato::bench::measure_files(
+      argc, argv,
+      {{"--curves", count(options.curves)},
+       {"--together", count(options.together)},
+       {"--missed", real(options.most_missed)},
+       {"--seconds", real(options.seconds)},
+       {"--max-error", real(options.max_error)}},
+      [&](const std::string& path) { return sfumato::measure(path, options); },
+      "cannot be dragged");
 }

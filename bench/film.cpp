@@ -76,17 +76,13 @@ bool measure(const std::string& path, const Options& asked) {
 
 int main(int argc, char** argv) {
   sfumato::Options options;
-  bool is_good = argc > 1;
-  for (int i = 1; i < argc; ++i) {
-    const std::string argument = argv[i];
-    if (argument == "--curves" && i + 1 < argc) {
-      options.curves = static_cast<std::uint32_t>(std::max(1, std::atoi(argv[++i])));
-    } else if (argument == "--frames" && i + 1 < argc) {
-      options.frames = std::max(2, std::atoi(argv[++i]));
-    } else if (!sfumato::measure(argument, options)) {
-      std::fprintf(stderr, "%s cannot be solved\n", argument.c_str());
-      is_good = false;
-    }
-  }
-  return is_good ? 0 : 1;
+  const auto read_curves = [&](const char* value) {
+    options.curves = static_cast<std::uint32_t>(sfumato::bench::number_of(value, 1));
+  };
+  const auto read_frames = [&](const char* value) {
+    options.frames = sfumato::bench::number_of(value, 2);
+  };
+  return sfumato::bench::measure_files(
+      argc, argv, {{"--curves", read_curves}, {"--frames", read_frames}},
+      [&](const std::string& path) { return sfumato::measure(path, options); }, "cannot be solved");
 }

@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdio>
+#include <cstdlib>
 #include <ctime>
 #include <fstream>
+#include <functional>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -42,6 +46,32 @@ inline std::optional<LargestLayer> read_largest_layer(Context& context, const st
   found.layer = static_cast<std::uint32_t>(largest - layers.begin());
   found.curve_count = static_cast<std::uint32_t>(largest->curves.size());
   return found;
+}
+
+/// Options of a program, each with a function that reads its value.
+using OptionReaders = std::map<std::string, std::function<void(const char* value)>>;
+
+/// Reads options and measures files in the order of the arguments. Complains of files that cannot
+/// be measured. Returns the exit code.
+inline int measure_files(int argc, char** argv, const OptionReaders& readers,
+                         const std::function<bool(const std::string& path)>& measure,
+                         const char* complaint) {
+  bool is_good = argc > 1;
+  for (int i = 1; i < argc; ++i) {
+    const auto reader = readers.find(argv[i]);
+    if (reader != readers.end() && i + 1 < argc) {
+      reader->second(argv[++i]);
+    } else if (!measure(argv[i])) {
+      std::fprintf(stderr, "%s %s\n", argv[i], complaint);
+      is_good = false;
+    }
+  }
+  return is_good ? 0 : 1;
+}
+
+/// Returns a number from an argument, at least `least`.
+inline int number_of(const char* value, int least) {
+  return std::max(least, std::atoi(value));
 }
 
 }  // namespace sfumato::bench

@@ -95,15 +95,9 @@ bool measure(const std::string& path, int rounds) {
 
 int main(int argc, char** argv) {
   int rounds = 5;
-  bool is_good = argc > 1;
-  for (int i = 1; i < argc; ++i) {
-    const std::string argument = argv[i];
-    if (argument == "--rounds" && i + 1 < argc) {
-      rounds = std::max(1, std::atoi(argv[++i]));
-    } else if (!sfumato::measure(argument, rounds)) {
-      std::fprintf(stderr, "%s cannot be measured\n", argument.c_str());
-      is_good = false;
-    }
-  }
-  return is_good ? 0 : 1;
+  const auto read_rounds = [&](const char* value) { rounds = sfumato::bench::number_of(value, 1); };
+  return sfumato::bench::measure_files(
+      argc, argv, {{"--rounds", read_rounds}},
+      [&](const std::string& path) { return sfumato::measure(path, rounds); },
+      "cannot be measured");
 }

@@ -15,7 +15,7 @@ namespace {
 constexpr double kMostDragged = 1.0 / 16;
 
 /// Prepares the curves for a drag. Errors: bad_input if their layer must be solved first.
-Status take_hold(sfumato_context& context, const LayerCurves& curves, sfumato_picture& handle) {
+Status expect_drag(sfumato_context& context, const LayerCurves& curves, sfumato_picture& handle) {
   if (handle.dragged == curves) return ok_status();
   handle.solution->end_drag();
   handle.dragged.reset();
@@ -48,7 +48,7 @@ void note_shown(const sfumato_document& document, const LayerCurves& changed, bo
 /// Shows the curves at their new places in the picture.
 Status drag(sfumato_context& context, const LayerCurves& moved, const sfumato_document& document,
             double seconds, sfumato_picture& handle) {
-  SFUMATO_TRY(take_hold(context, moved, handle));
+  SFUMATO_TRY(expect_drag(context, moved, handle));
   std::vector<ChangedRows> changed(handle.changed.size());
   std::vector<Curve> curves;
   for (const std::uint32_t curve : moved.curves)
@@ -188,10 +188,6 @@ Status show_changes(sfumato_context& context, const LayerCurves& changed,
     return recolor(context, *change, changed, document, handle);
   }
   return drag(context, changed, document, seconds, handle);
-}
-
-Status expect_drag(sfumato_context& context, const LayerCurves& curves, sfumato_picture& handle) {
-  return take_hold(context, curves, handle);
 }
 
 Status show_more(sfumato_context& context, double seconds, sfumato_picture& handle) {

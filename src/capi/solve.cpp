@@ -159,29 +159,33 @@ Outcome solve_all(Workshop& workshop, const sfumato_document& document, Solve so
   return ok_status();
 }
 
-/// Shows nothing new, gathers nodes that wait, or drags or colours the changed curves. Errors: bad
-/// input if more changed.
-Status solve_changes(sfumato_context& context, const sfumato_document& document, double seconds,
-                     sfumato_picture& handle) {
+/// Gathers nodes that wait, drags the changed curves, or changes the colour of a stop. Returns
+/// false if more changed.
+Result<bool> solve_changes(sfumato_context& context, const sfumato_document& document,
+                           double seconds, sfumato_picture& handle) {
   const auto changed = changed_curves(handle.shown, document.revisions);
   if (changed && changed->empty() && handle.solution->waiting_nodes() == 0) {
     for (ChangedRows& rows : handle.changed) rows = {};
     handle.count({});
-    return ok_status();
+  } else if (changed && changed->empty()) {
+    SFUMATO_TRY(show_more(context, seconds, handle));
+  } else if (changed && changed->size() == 1 &&
+             may_be_dragged(changed->front(), document.document)) {
+    SFUMATO_TRY(show_changes(context, changed->front(), document, seconds, handle));
+  } else {
+    return false;
   }
-  if (changed && changed->empty()) return show_more(context, seconds, handle);
-  if (changed && changed->size() == 1 && may_be_dragged(changed->front(), document.document)) {
-    return show_changes(context, changed->front(), document, seconds, handle);
-  }
-  return make_error(StatusCode::bad_input, "more than a few curves of a layer changed");
+  return true;
 }
 
 Outcome solve_quickly(sfumato_context& context, const sfumato_document& document, double seconds,
                       sfumato_picture& handle) {
-  Status status = solve_changes(context, document, seconds, handle);
+  const Result<bool> is_shown = solve_changes(context, document, seconds, handle);
+  if (is_shown && *is_shown) return {};
   // The tables of a drag may exceed a limit that the layer alone does not exceed.
-  const bool is_refused = status.code == StatusCode::bad_input || status.code == StatusCode::limit;
-  if (!is_refused) return status;
+  const StatusCode code = is_shown.status().code;
+  const bool is_refused = code == StatusCode::bad_input || code == StatusCode::limit;
+  if (!is_shown && !is_refused) return is_shown.status();
   return solve_all(*context.workshop, document, solve_roughly, handle);
 }
 

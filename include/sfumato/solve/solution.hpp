@@ -86,7 +86,7 @@ class Solution {
   /// that this call solves.
   Status solve(Context& context, const DiffuseOptions& options, DiffuseStats* stats = nullptr);
 
-  /// Makes a preview. Use it while more changes than drag() can show. Solves the layers that
+  /// Makes a preview. Use it where drag() cannot show all changes. Solves the layers that
   /// solve() would solve, but roughly: from chords about four times as coarse, without refinement
   /// where a patch misses. Gathered values are exact. The mesh has a third to a half as many
   /// triangles, and pixels differ from the exact picture's by a third of a code value in the mean
@@ -111,9 +111,9 @@ class Solution {
   /// for the meshes, begins all layers on new meshes; so does scarce memory.
   ///
   /// `layers` and `stats`, unless null, are added to. Errors: as solve(). Cost: O(triangles and
-  /// nodes of the layer) for tables, and a gather of the nodes that see the curves that ever moved;
-  /// more in the first frame in which a curve moves. The kept tables take twelve times as much
-  /// memory as the picture.
+  /// nodes of the layer) for tables, and a gather of the nodes that see the curves that ever moved.
+  /// The first frame that moves another curve costs more. The kept tables take twelve times the
+  /// memory of the picture.
   Status solve_next(Context& context, const DiffuseOptions& options, FrameLayers* layers = nullptr,
                     DiffuseStats* stats = nullptr);
 

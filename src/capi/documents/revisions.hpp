@@ -37,7 +37,8 @@ std::size_t bytes_of(const Revisions& revisions);
 /// Reserves memory for note(), which then cannot fail.
 void make_room(const Change& change, Revisions& revisions);
 
-/// Updates the state after a change of a curve, of which this is the inverse.
+/// Updates the state after a curve was replaced, inserted or removed.
+/// inverse   the change that undoes this
 void note(const Change& inverse, Revisions& revisions);
 
 /// Returns the curves that differ between two states, per layer. Returns none if anything else

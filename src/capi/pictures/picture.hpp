@@ -43,9 +43,6 @@ bool may_be_dragged(const LayerCurves& changed, const Document& document);
 Status show_changes(sfumato_context& context, const LayerCurves& changed,
                     const sfumato_document& document, double seconds, sfumato_picture& handle);
 
-/// Prepares a picture that matches its document for moving curves.
-Status expect_drag(sfumato_context& context, const LayerCurves& curves, sfumato_picture& handle);
-
 /// Returns the error for a picture that was read from a file and therefore cannot follow a
 /// document.
 Outcome no_solution();

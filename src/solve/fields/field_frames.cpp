@@ -333,28 +333,29 @@ void FieldSolver::resume(FieldFrame frame) {
 }
 
 Status FieldSolver::locate_all(Context& context) {
+  return locate_free(context, {});
+}
+
+/// known   as Gatherer::locate
+Status FieldSolver::locate_free(Context& context, std::span<const std::uint32_t> known) {
   if (field_.is_thinned) return ok_status();
   TableMemory scratch("patches");
-  std::vector<std::uint32_t> free, place;
+  std::vector<std::uint32_t> free;
   SFUMATO_TRY(list_free_nodes(context, scratch, free));
-  SFUMATO_TRY(scratch.resize(context, place, layout_.node_count(), gather::kUnknownPlace));
-  SFUMATO_TRY_ASSIGN(free_place_, field_.gatherer.locate(context, {layout_.position, free}, place));
+  SFUMATO_TRY_ASSIGN(free_place_, field_.gatherer.locate(context, {layout_.position, free}, known));
   return ok_status();
 }
 
 Status FieldSolver::locate_nodes(Context& context, const RefinedField& known,
                                  std::span<const std::uint8_t> is_same) {
-  if (field_.is_thinned) return ok_status();
   TableMemory scratch("patches");
-  std::vector<std::uint32_t> free, place;
-  SFUMATO_TRY(list_free_nodes(context, scratch, free));
+  std::vector<std::uint32_t> place;
   SFUMATO_TRY(scratch.append(context, known.node_place, place));
   for (std::uint32_t& triangle : place)
     if (triangle < is_same.size() && !is_same[triangle]) triangle = gather::kUnknownPlace;
   for (const std::uint32_t node : history_.met)
     if (node < place.size()) place[node] = gather::kUnknownPlace;
-  SFUMATO_TRY_ASSIGN(free_place_, field_.gatherer.locate(context, {layout_.position, free}, place));
-  return ok_status();
+  return locate_free(context, place);
 }
 
 }  // namespace sfumato::solve

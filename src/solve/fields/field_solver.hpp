@@ -308,6 +308,7 @@ class FieldSolver {
   /// Lists in to_gather_ the free nodes of `old` that the update met and that have another position
   /// now. Nodes with the same position then count as not met.
   Status list_moved(const Context& context, const NodeLayout& old);
+  Status locate_free(Context& context, std::span<const std::uint32_t> known);
   /// Locates the free nodes in the visibility mesh. Uses their known places, except where the node
   /// moved or its triangle changed.
   Status locate_nodes(Context& context, const RefinedField& known,

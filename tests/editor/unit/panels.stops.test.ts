@@ -78,7 +78,7 @@ describe("a list of stops", () => {
   });
 });
 
-describe("stops with another colour", () => {
+describe("tinted()", () => {
   const grey = (k: number, alpha = 1) => ({ r: k, g: k, b: k, alpha });
   const tints = (gradient: object | null): Tints =>
     ({
@@ -87,17 +87,17 @@ describe("stops with another colour", () => {
     }) as unknown as Tints;
   const red = { r: 1, g: 0, b: 0 };
 
-  it("are those that were selected", () => {
+  it("recolours the selected stops", () => {
     const { stops } = tinted(tints(null), [0, 2], red);
     expect(stops.map(({ value }) => value.g)).toEqual([0, 0.5, 0]);
     expect(stops.map(({ value }) => value.r)).toEqual([1, 0.5, 1]);
   });
 
-  it("are a single one where the whole side gets it", () => {
+  it("replaces all stops of a side by a single one", () => {
     expect(tinted(tints(null), null, red).stops).toEqual([{ offset: 0, value: { ...red, alpha: 1 } }]);
   });
 
-  it("keep their places and their alpha in a gradient", () => {
+  it("keeps the places and the alpha of a gradient's stops", () => {
     const { stops } = tinted(tints({}), null, red);
     expect(stops.map(({ offset }) => offset)).toEqual([0, 0.5, 1]);
     expect(stops.map(({ value }) => value)).toEqual([0, 0.5, 1].map((alpha) => ({ ...red, alpha })));

@@ -54,7 +54,7 @@ export async function copyByMenu(editor: DrawingEditor, cut: boolean): Promise<v
   }
 }
 
-/** Returns what is on the clipboard, for menus: the browser may ask the user about it, or refuse it. */
+/** Returns the text of the clipboard, for menus. The browser may ask the user for permission, or refuse. */
 export async function clipboardText(): Promise<string> {
   try {
     return (await navigator.clipboard.readText()) || own;

@@ -110,8 +110,7 @@ function align(label: string, axis: 0 | 1, share: number): Command {
 /** Gives the selected stop's side, or all sides of the selected curves, one colour. */
 function giveOneColor(editor: DrawingEditor) {
   const stop = chosenStop(editor);
-  const curve = primaryCurve(editor);
-  const curves = stop && curve ? [curve] : chosenCurves(editor);
+  const curves = chosenCurves(editor);
   const made = oneColor(editor.drawing, curves, stop?.attribute === "color" ? stop : null);
   if (!made) return editor.say(words.noColors);
   editor.run(words.oneColor, made);
@@ -252,7 +251,7 @@ const table: readonly (readonly [string, Command])[] = [
   ),
 ];
 
-/** Returns all commands except those that need the page, which `more` adds or replaces. */
+/** Returns the commands of this table and `more`, the page's commands for files, photos and pasting. */
 export function commandTable(more: readonly (readonly [string, Command])[]): ReadonlyMap<string, Command> {
   return new Map([...table, ...more]);
 }

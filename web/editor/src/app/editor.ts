@@ -43,7 +43,7 @@ import { artboardFromStage, Navigation, seenBox, stageFromArtboard } from "./vie
 const STEP = 1 / 1000;
 /** Hints are looked for when an exact picture has stood for this long, milliseconds. */
 const HINT_REST = 1000;
-/** An edit on its way, whose colours the engine evaluates, delays saving at most this long: milliseconds. */
+/** The longest time that saving waits for edits whose colours the engine still evaluates, milliseconds. */
 const EDIT_WAIT = 2000;
 
 /** The work that the editor leaves to others: the commands that menus and keys name. */
@@ -257,7 +257,7 @@ export class DrawingEditor implements Editor {
   }
 
   /**
-   * Puts the draft of a tool into the drawing, and waits for all edits on their way. Call it before the
+   * Adds the draft of a tool to the drawing, and waits until all edits are complete. Call it before the
    * text is saved, or another drawing is opened.
    * @param most milliseconds
    */

@@ -21,7 +21,7 @@ function dragged(hovered: Handle | null, selection: Selection): readonly Handle[
   return selection.length === 1 ? [selection[0].handle] : whole;
 }
 
-/** Returns curves as those of one layer, or null if there are none or they are in several layers. */
+/** Groups curves of one layer. Returns null without curves, or if they are in several layers. */
 function inOneLayer(places: readonly CurvePlace[]): LayerCurves | null {
   if (places.length === 0 || places.some(({ layer }) => layer !== places[0].layer)) return null;
   const curves = places.map(({ curve }) => curve).sort((a, b) => a - b);

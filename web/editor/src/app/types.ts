@@ -102,7 +102,7 @@ export interface Draft {
   readonly redoLabel: string | null;
   undo(): void;
   redo(): void;
-  /** Ends it, and puts it into the drawing; an edit may be on its way then. */
+  /** Ends the draft and adds it to the drawing. The edit may complete later. */
   finish(): void;
   /** Ends it, and leaves nothing. */
   drop(): void;

@@ -22,7 +22,7 @@ function* within(element: ElementNode): Generator<ElementNode> {
   for (const child of element.children) yield* within(child);
 }
 
-/** Returns whether a text is SVG that shows something and contains nothing of Sfumato but the version. */
+/** Returns whether a text is SVG with visible content and without Sfumato's attributes, except the version. */
 export function isForeign(text: string): boolean {
   let isShowing = false;
   try {

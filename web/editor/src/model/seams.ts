@@ -1,4 +1,4 @@
-// Colours of closed curves, which meet where the curve ends and begins again.
+// Keeps the colours of closed curves free of seams.
 import type { Rgb } from "../geometry/color.js";
 import { isOpen, segmentsOf } from "../geometry/cubic.js";
 import type { CurveItem, SideValue, Stop, StopSpace } from "./types.js";
@@ -18,7 +18,7 @@ export function endOffset({ paths }: CurveItem, space: StopSpace): number {
   return space === "arc" ? 1 : Math.max(...paths.map((path) => segmentsOf(path).length - 1));
 }
 
-/** Returns the colours with the first one at the end, too; a last stop that stands there goes. */
+/** Adds the first colour at the end. It replaces a stop that is already there. */
 export function closedBy(stops: Colors, end: number): Colors {
   const others = lastOf(stops).offset < end ? stops : stops.slice(0, -1);
   return [...others, { offset: end, value: stops[0].value }];

@@ -1,4 +1,4 @@
-// Curves that no layer holds, put into a layer of the clipboard.
+// Moves curves outside of layers into a layer, for the clipboard.
 import { composed, IDENTITY } from "../../../geometry/affine.js";
 import type { Affine } from "../../../geometry/affine.js";
 import { declare, isOfSfumato, patchOf, setAttribute, sf, SFUMATO, sfName, valueOf } from "../../../source/attributes.js";
@@ -21,7 +21,7 @@ interface Found {
   readonly frame: Affine;
 }
 
-/** Returns a drawing's text in which the curves that no layer holds stand in a marked layer, too. */
+/** Moves curves outside of layers into a marked layer. Returns the new text. */
 export function adopted(text: string, root: ElementNode): string {
   const shapes = new Shapes(text, root).all();
   if (shapes.length === 0) return text;

@@ -1,4 +1,4 @@
-// Layers of another drawing, put into this one at a place.
+// Inserts the layers of another drawing.
 import { composed, translation, type Affine } from "../../../geometry/affine.js";
 import { applied } from "../../../source/patch.js";
 import { openDrawing } from "../../drawing.js";
