@@ -125,7 +125,7 @@ async function testChanges(tap, tools) {
     }),
   );
   await tap.test("the page comes back when the command is started anew at its port", () =>
-    watched(tools, "anew", { harmless: /ERR_(CONNECTION|EMPTY|INCOMPLETE)/ }, async (page, watch) => {
+    watched(tools, "anew", { harmless: /ERR_(CONNECTION|SOCKET|EMPTY|INCOMPLETE)/ }, async (page, watch) => {
       await shows(tools, page, RED);
       await watch.stop();
       await says(page, "does not answer");

@@ -143,9 +143,9 @@ Result<std::vector<LayerTask>> Solution::State::tasks(const Context& context, co
   return tasks;
 }
 
-Status Solution::State::solve(Context& context, const DiffuseOptions& wanted, SolveGoal goal,
-                              DiffuseStats* stats, FrameLayers* counts) {
-  const SpareRelease release(*this);
+/// Checks the options and the document, and forgets what other options made. Returns the viewport.
+Result<Box> Solution::State::prepare(Context& context, const DiffuseOptions& wanted,
+                                     SolveGoal goal) {
   coloring.reset();
   if (wanted.pixel_grid && goal != SolveGoal::exact) {
     return make_error(StatusCode::bad_input,
@@ -158,18 +158,25 @@ Status Solution::State::solve(Context& context, const DiffuseOptions& wanted, So
     drag.reset();
     forget(wanted);
   }
-  const Box viewport = wanted.viewport.value_or(document.artboard);
+  return wanted.viewport.value_or(document.artboard);
+}
+
+/// Puts the solved layers into the picture, unless `solved` is an error or the picture has them.
+Status Solution::State::show_solved(Context& context, const Box& viewport, Status solved) {
+  const bool is_shown = std::ranges::all_of(
+      layers, [](const LayerState& layer) { return layer.in_picture.has_value(); });
+  if (!solved || (is_shown && !frame_changed)) return solved;
+  return run_with_all_memory([&](bool) { return assemble(context, viewport); });
+}
+
+Status Solution::State::solve(Context& context, const DiffuseOptions& wanted, SolveGoal goal,
+                              DiffuseStats* stats) {
+  const SpareRelease release(*this);
+  SFUMATO_TRY_ASSIGN(const Box viewport, prepare(context, wanted, goal));
   const auto run = [&](bool keeps) { return solve_layers(context, viewport, goal, stats, keeps); };
   const bool keeps =
       goal == SolveGoal::exact && !wanted.pixel_grid && most_kept && &context.budget == budget;
-  FrameLayers uncounted;
-  Status status = goal == SolveGoal::next
-                      ? solve_films(context, viewport, stats, counts ? *counts : uncounted)
-                      : run_with_all_memory(run, keeps);
-  const bool is_shown = std::ranges::all_of(
-      layers, [](const LayerState& layer) { return layer.in_picture.has_value(); });
-  if (!status || (is_shown && !frame_changed)) return status;
-  return run_with_all_memory([&](bool) { return assemble(context, viewport); });
+  return show_solved(context, viewport, run_with_all_memory(run, keeps));
 }
 
 /// Solves the layers that are not solved, and keeps the finished ones. With `keeps`, also keeps the
@@ -361,7 +368,8 @@ Status Solution::solve_roughly(Context& context, const DiffuseOptions& options,
 Status Solution::solve_next(Context& context, const DiffuseOptions& options, FrameLayers* layers,
                             DiffuseStats* stats) {
   return public_verb(context, [&] {
-    return state_->solve(context, options, State::SolveGoal::next, stats, layers);
+    FrameLayers uncounted;
+    return state_->solve_next(context, options, layers ? *layers : uncounted, stats);
   });
 }
 

@@ -66,4 +66,11 @@ Status Solution::State::solve_films(Context& context, const Box& viewport, Diffu
       [&](bool) { return solve_layers(context, viewport, SolveGoal::next, stats, false); });
 }
 
+Status Solution::State::solve_next(Context& context, const DiffuseOptions& wanted,
+                                   FrameLayers& counts, DiffuseStats* stats) {
+  const SpareRelease release(*this);
+  SFUMATO_TRY_ASSIGN(const Box viewport, prepare(context, wanted, SolveGoal::next));
+  return show_solved(context, viewport, solve_films(context, viewport, stats, counts));
+}
+
 }  // namespace sfumato

@@ -61,9 +61,10 @@ struct Solution::State {
   /// Charges the document. Call first.
   Status start(const Context& context) { return hold(context, document); }
   Result<Change> apply(Context& context, Change change);
-  /// counts   for SolveGoal::next, unless null: is added to
-  Status solve(Context& context, const DiffuseOptions& wanted, SolveGoal goal, DiffuseStats* stats,
-               FrameLayers* counts = nullptr);
+  Status solve(Context& context, const DiffuseOptions& wanted, SolveGoal goal, DiffuseStats* stats);
+  /// counts   in, out: is added to
+  Status solve_next(Context& context, const DiffuseOptions& wanted, FrameLayers& counts,
+                    DiffuseStats* stats);
   Status check_is_editable() const;
   Status begin_drag(Context& context, std::uint32_t layer, std::vector<std::uint32_t> curves);
   Status drag_to(Context& context, std::vector<Curve> curves, const solve::FrameTime& time,
@@ -101,6 +102,8 @@ struct Solution::State {
     State& state_;
   };
 
+  Result<Box> prepare(Context& context, const DiffuseOptions& wanted, SolveGoal goal);
+  Status show_solved(Context& context, const Box& viewport, Status solved);
   void follow(const Change& inverse, std::vector<LayerState> next);
   void carry_over(const Document& old, std::vector<LayerState> next);
   std::optional<std::size_t> find_same(const Document& old, std::size_t index) const;
