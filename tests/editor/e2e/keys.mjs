@@ -167,6 +167,7 @@ const shows = {
   reference: (keys, key) => keys.tool("b", "pencil").then(() =>
     keys.toggles(key, () => keys.page.getByRole("button", { name: /^Reference photo/ }).getAttribute("aria-pressed"))),
   keys: (keys, key) => keys.dialog(key, "Keyboard shortcuts"),
+  commands: (keys, key) => keys.dialog(key, "Find a command"),
   hints: (keys, key) => keys.toggles(key, () => keys.isShown(".hints")),
   undo: async (keys, key) => {
     await keys.fresh("low");
@@ -225,6 +226,25 @@ const shows = {
     checkEqual(now.match(/<path /g).length, 3, "curves");
   },
   "close-curve": (keys, key) => keys.fresh("high").then(() => keys.text(key, /id="high" d="[^"]*Z/i)),
+  "cut-curve": async (keys, key) => {
+    await keys.fresh("high");
+    await keys.press("a");
+    await keys.editor.click(300, 100);
+    await keys.text(key, /id="high" d="M100 120 L300 100"[^]*id="high-2" d="M300 100 L500 140"/);
+  },
+  simplify: async (keys, key) => {
+    await keys.fresh("low");
+    await keys.press("a");
+    await changing(keys.editor, "a node", () => keys.editor.click(250, 300, { clickCount: 2 }));
+    await keys.text(key, /id="low" d="M100 300 ?C[^CL"]* 400 300"/);
+  },
+  "copy-style": async (keys, key) => {
+    await keys.fresh("low");
+    await keys.press(key);
+    await keys.editor.click(...places.high);
+    await keys.text("Control+Alt+v", /id="high"[^>]*sf:left="#e33" sf:right="#36c"/);
+  },
+  "paste-style": (keys) => shows["copy-style"](keys, "Control+Alt+c"),
   corner: async (keys, key) => {
     await keys.node("s", /C/);
     await keys.text(key, /.*/);
@@ -243,6 +263,18 @@ const shows = {
     checkEqual(now.match(/<g/g).length, grouped.match(/<g/g).length - 1, "groups");
   },
   "make-instance": (keys, key) => keys.fresh("front").then(() => keys.text(key, /<use [^>]*href="#front"/)),
+  "align-left": (keys, key) => keys.fresh("low", "own").then(() => keys.text(key, /id="own" d="M100 400/)),
+  "align-center": (keys, key) => keys.fresh("low", "own").then(() => keys.text(key, /id="low" d="M120 300/)),
+  "align-right": (keys, key) => keys.fresh("low", "own").then(() => keys.text(key, /id="low" d="M140 300/)),
+  "align-top": (keys, key) => keys.fresh("high", "own").then(() => keys.text(key, /id="own" d="M200 100/)),
+  "align-middle": (keys, key) => keys.fresh("high", "own").then(() => keys.text(key, /id="high" d="M100 260/)),
+  "align-bottom": (keys, key) => keys.fresh("high", "own").then(() => keys.text(key, /id="high" d="M100 400/)),
+  "align-to-artboard": (keys, key) => keys.fresh("low").then(() =>
+    keys.toggles(key, () => keys.page.getByRole("button", { name: /^Align to the artboard/ }).getAttribute("aria-pressed"))),
+  "distribute-horizontally": (keys, key) => keys.fresh("low", "mid", "own").then(() => keys.text(key, /id="own" d="M290 400/)),
+  "distribute-vertically": (keys, key) => keys.fresh("high", "low", "own").then(() => keys.text(key, /id="low" d="M100 270/)),
+  "flip-horizontal": (keys, key) => keys.fresh("own").then(() => keys.text(key, /id="own" d="M440 400/)),
+  "flip-vertical": (keys, key) => keys.fresh("own").then(() => keys.text(key, /id="own" d="M200 420/)),
   new: (keys, key) => keys.dialog(key, "New drawing"),
   open: async (keys, key) => {
     const chooser = keys.page.waitForEvent("filechooser");

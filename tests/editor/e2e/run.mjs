@@ -7,6 +7,7 @@ import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { launch, serve, Tap } from "./harness.mjs";
 import { testAccess } from "./access.mjs";
+import { testCurves } from "./curves.mjs";
 import { testDraw } from "./draw.mjs";
 import { testExact } from "./exact.mjs";
 import { testExporting } from "./exporting.mjs";
@@ -32,6 +33,7 @@ import { testTrial } from "./trial.mjs";
 const themes = [
   testSunset,
   testTools,
+  testCurves,
   testGestures,
   testKeys,
   testAccess,

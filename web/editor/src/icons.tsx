@@ -2,6 +2,11 @@
 import alignCenterVertical from "lucide-static/icons/align-center-vertical.svg?raw";
 import alignEndVertical from "lucide-static/icons/align-end-vertical.svg?raw";
 import alignStartVertical from "lucide-static/icons/align-start-vertical.svg?raw";
+import alignCenterHorizontal from "lucide-static/icons/align-center-horizontal.svg?raw";
+import alignEndHorizontal from "lucide-static/icons/align-end-horizontal.svg?raw";
+import alignStartHorizontal from "lucide-static/icons/align-start-horizontal.svg?raw";
+import alignHorizontalDistributeCenter from "lucide-static/icons/align-horizontal-distribute-center.svg?raw";
+import alignVerticalDistributeCenter from "lucide-static/icons/align-vertical-distribute-center.svg?raw";
 import arrowUpDown from "lucide-static/icons/arrow-up-down.svg?raw";
 import blend from "lucide-static/icons/blend.svg?raw";
 import brush from "lucide-static/icons/brush.svg?raw";
@@ -23,6 +28,7 @@ import focus from "lucide-static/icons/focus.svg?raw";
 import folder from "lucide-static/icons/folder.svg?raw";
 import folderOpen from "lucide-static/icons/folder-open.svg?raw";
 import folderPlus from "lucide-static/icons/folder-plus.svg?raw";
+import frame from "lucide-static/icons/frame.svg?raw";
 import gripVertical from "lucide-static/icons/grip-vertical.svg?raw";
 import hand from "lucide-static/icons/hand.svg?raw";
 import image from "lucide-static/icons/image.svg?raw";
@@ -56,6 +62,11 @@ const lucide = {
   "align-center-vertical": alignCenterVertical,
   "align-end-vertical": alignEndVertical,
   "align-start-vertical": alignStartVertical,
+  "align-center-horizontal": alignCenterHorizontal,
+  "align-end-horizontal": alignEndHorizontal,
+  "align-start-horizontal": alignStartHorizontal,
+  "align-horizontal-distribute-center": alignHorizontalDistributeCenter,
+  "align-vertical-distribute-center": alignVerticalDistributeCenter,
   "arrow-up-down": arrowUpDown,
   blend,
   brush,
@@ -77,6 +88,7 @@ const lucide = {
   folder,
   "folder-open": folderOpen,
   "folder-plus": folderPlus,
+  frame,
   "grip-vertical": gripVertical,
   hand,
   image,

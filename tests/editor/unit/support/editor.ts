@@ -30,6 +30,7 @@ function settings(): Settings {
     surround: signal("mid"),
     smoothing: signal(2),
     exactPixels: signal("auto"),
+    alignToArtboard: signal(false),
     snap: signal(true),
     grid: signal(false),
     colorModel: signal("oklch"),

@@ -1,5 +1,5 @@
 // The commands that menus and keys name.
-import type { Box, Point } from "../geometry/affine.js";
+import type { Point } from "../geometry/affine.js";
 import {
   addLayer,
   curvesOf,
@@ -15,15 +15,15 @@ import {
   setClosed,
   setNodeKind,
   swapSides,
-  together,
-  transform,
   ungroup,
   type NodeKind,
 } from "../model/commands/index.js";
 import { boxOf } from "../model/item-boxes.js";
 import type { Attribute, Drawing, Handle, Outcome } from "../model/types.js";
 import { en } from "../strings/en.js";
+import { arranging } from "./arranging.js";
 import { copyByMenu } from "./clipboard.js";
+import { copyStyle, cutAtNodes, pasteCopiedStyle, simplify } from "./curves.js";
 import type { DrawingEditor } from "./editor.js";
 import { takeInHandle } from "./handles.js";
 import { deleteStop, oneColor } from "./stops.js";
@@ -90,23 +90,6 @@ function deleteWhole(editor: DrawingEditor) {
   if (done) editor.say(en.commands.deleted(handles.length), { label: en.commands.undo, run: () => editor.undo() });
 }
 
-/** Moves each item so that an edge or the middle of its box lies where that of all lies. */
-function align(label: string, axis: 0 | 1, share: number): Command {
-  return (editor) => {
-    const items = chosenItems(editor);
-    const all = boxOf(items);
-    if (!all || items.length < 2) return;
-    const placeOf = (box: Box) => box[axis] + share * (box[axis + 2] - box[axis]);
-    const moved = items.map((item) => {
-      const box = boxOf([item]);
-      const by = box ? placeOf(all) - placeOf(box) : 0;
-      const map = axis === 0 ? [1, 0, 0, 1, by, 0] : [1, 0, 0, 1, 0, by];
-      return by === 0 ? null : transform(editor.drawing, [item.handle], map, editor.step(item));
-    });
-    editor.run(label, together(moved));
-  };
-}
-
 /** Gives the selected stop's side, or all sides of the selected curves, one colour. */
 function giveOneColor(editor: DrawingEditor) {
   const stop = chosenStop(editor);
@@ -116,16 +99,6 @@ function giveOneColor(editor: DrawingEditor) {
   editor.run(words.oneColor, made);
   const whole = { kind: "whole" } as const;
   editor.selection.value = curves.map(({ handle }) => ({ handle, part: whole }));
-}
-
-function flip(label: string, axis: 0 | 1): Command {
-  return edit(label, (drawing, handles, editor) => {
-    const box = boxOf(chosenItems(editor));
-    if (!box) return null;
-    const twice = box[axis] + box[axis + 2];
-    const map = axis === 0 ? [-1, 0, 0, 1, twice, 0] : [1, 0, 0, -1, 0, twice];
-    return transform(drawing, handles, map, editor.step(null));
-  });
 }
 
 function joinChosen(editor: DrawingEditor) {
@@ -213,20 +186,17 @@ const table: readonly (readonly [string, Command])[] = [
   ["one-color", giveOneColor],
   ["reverse", edit(words.reverse, (d, _, editor) => reverseCurves(d, curvesOf(d, editor.selection.value), editor.step(null)))],
   ["close-curve", closeChosen],
+  ["cut-curve", cutAtNodes],
+  ["simplify", simplify],
+  ["copy-style", copyStyle],
+  ["paste-style", pasteCopiedStyle],
   ["join", joinChosen],
   ["make-instance", edit(words.makeInstance, (d, [handle], editor) => makeInstance(d, handle, copyOffset(editor)))],
   ["make-unique", edit(words.makeUnique, (d, [handle]) => makeUnique(d, handle))],
   ["corner", nodeKind(words.nodeKind, "corner")],
   ["smooth", nodeKind(words.nodeKind, "smooth")],
   ["symmetric", nodeKind(words.nodeKind, "symmetric")],
-  ["align-left", align(words.align, 0, 0)],
-  ["align-center", align(words.align, 0, 0.5)],
-  ["align-right", align(words.align, 0, 1)],
-  ["align-top", align(words.align, 1, 0)],
-  ["align-middle", align(words.align, 1, 0.5)],
-  ["align-bottom", align(words.align, 1, 1)],
-  ["flip-horizontal", flip(words.flip, 0)],
-  ["flip-vertical", flip(words.flip, 1)],
+  ...arranging,
   ["zoom-in", (editor) => editor.zoomBy(ZOOM)],
   ["zoom-out", (editor) => editor.zoomBy(1 / ZOOM)],
   ["zoom-fit", ({ navigation }) => navigation.fit()],
@@ -246,7 +216,7 @@ const table: readonly (readonly [string, Command])[] = [
   ["show-blur", showing("blur")],
   ["welcome", (editor) => void (editor.welcome.value = true)],
   ["tour", (editor) => void (editor.tour.value = 0)],
-  ...(["export", "keys", "new", "recover", "about", "document"] as const).map(
+  ...(["commands", "export", "keys", "new", "recover", "about", "document"] as const).map(
     (kind) => [kind, (editor: DrawingEditor) => void (editor.dialog.value = { kind })] as const,
   ),
 ];

@@ -13,6 +13,7 @@ import type {
   Part,
   Selection,
 } from "../model/types.js";
+import type { Style } from "../model/commands/index.js";
 import { faultOf } from "../model/faults.js";
 import { inverse, type Patch } from "../source/patch.js";
 import { en } from "../strings/en.js";
@@ -71,6 +72,7 @@ export class DrawingEditor implements Editor {
   readonly task = signal<Task | null>(null);
   readonly dialog = signal<Dialog>(null);
   readonly picker = signal<PickerTarget | null>(null);
+  readonly copiedStyle = signal<Style | null>(null);
   readonly exactState = signal<ExactState>({ kind: "off" });
   readonly showMesh = signal(false);
   readonly showOutlines = signal(false);

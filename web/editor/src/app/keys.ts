@@ -33,6 +33,7 @@ export const defaultKeys: readonly KeyBinding[] = [
   binding("view", "reference", "R"),
   binding("view", "difference", "D"),
   binding("view", "keys", "?"),
+  binding("view", "commands", "Ctrl+K"),
   binding("view", "hints", "F8"),
   binding("edit", "undo", "Ctrl+Z"),
   binding("edit", "redo", "Ctrl+Shift+Z", "Ctrl+Y"),
@@ -51,6 +52,10 @@ export const defaultKeys: readonly KeyBinding[] = [
   binding("curve", "reverse", "Shift+X"),
   binding("curve", "join", "Ctrl+J"),
   binding("curve", "close-curve", "Ctrl+Shift+J"),
+  binding("curve", "cut-curve", "Shift+B"),
+  binding("curve", "simplify", "Shift+S"),
+  binding("curve", "copy-style", "Ctrl+Alt+C"),
+  binding("curve", "paste-style", "Ctrl+Alt+V"),
   binding("curve", "colors-from-photo", "Shift+I"),
   binding("curve", "blur-from-photo", "Shift+U"),
   binding("curve", "snap-to-photo", "Shift+E"),
@@ -64,6 +69,17 @@ export const defaultKeys: readonly KeyBinding[] = [
   binding("arrange", "group", "Ctrl+G"),
   binding("arrange", "ungroup", "Ctrl+Shift+G"),
   binding("arrange", "make-instance", "Ctrl+Alt+D"),
+  binding("arrange", "align-left", "Alt+A"),
+  binding("arrange", "align-center", "Alt+H"),
+  binding("arrange", "align-right", "Alt+D"),
+  binding("arrange", "align-top", "Alt+W"),
+  binding("arrange", "align-middle", "Alt+V"),
+  binding("arrange", "align-bottom", "Alt+S"),
+  binding("arrange", "align-to-artboard", "Alt+Shift+A"),
+  binding("arrange", "distribute-horizontally", "Alt+Shift+H"),
+  binding("arrange", "distribute-vertically", "Alt+Shift+V"),
+  binding("arrange", "flip-horizontal", "Shift+H"),
+  binding("arrange", "flip-vertical", "Shift+V"),
   binding("file", "new", "Ctrl+Alt+N", "Ctrl+N"),
   binding("file", "open", "Ctrl+O"),
   binding("file", "save", "Ctrl+S"),
@@ -128,10 +144,12 @@ const isMac = typeof navigator !== "undefined" && /Mac|iP(hone|ad|od)/.test(navi
 /** A key as keyBindings() writes it; Cmd of a Mac counts as Ctrl. */
 export function keyName(event: KeyboardEvent): string {
   const key = event.key.length === 1 ? event.key.toUpperCase() : event.key;
+  // With the Option key of a Mac, a letter is another sign.
+  const letter = isMac && event.altKey ? /^Key([A-Z])$/.exec(event.code)?.[1] : undefined;
   // Of "?" and the like Shift is part of the sign; with a digit the sign depends on the keyboard.
   const digit = /^Digit(\d)$/.exec(event.code)?.[1];
-  const isSign = event.key.length === 1 && key === key.toLowerCase() && event.key !== " ";
-  const name = digit && event.shiftKey ? digit : key;
+  const isSign = letter === undefined && event.key.length === 1 && key === key.toLowerCase() && event.key !== " ";
+  const name = letter ?? (digit && event.shiftKey ? digit : key);
   const isCtrl = isMac ? event.metaKey : event.ctrlKey;
   const isShift = event.shiftKey && (!isSign || digit !== undefined);
   return [isCtrl && "Ctrl", event.altKey && "Alt", isShift && "Shift", name].filter(Boolean).join("+");

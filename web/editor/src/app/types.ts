@@ -3,6 +3,7 @@ import type { ReadonlySignal, Signal } from "@preact/signals";
 import type { Affine, Box, Point } from "../geometry/affine.js";
 import type { Rgb } from "../geometry/color.js";
 import type { Engine, EngineStatus, Hint } from "../engine/types.js";
+import type { Style } from "../model/commands/index.js";
 import type { Attribute, Drawing, Handle, Item, Outcome, Selection } from "../model/types.js";
 
 export type ToolName = "select" | "nodes" | "pen" | "pencil" | "stroke" | "sample" | "blur" | "hand";
@@ -26,6 +27,8 @@ export interface Settings {
   /** "auto": unless the graphics driver draws in software. */
   readonly exactPixels: Signal<"auto" | "on" | "off">;
   readonly snap: Signal<boolean>;
+  /** Whether several objects are aligned to the artboard, as a single one always is. */
+  readonly alignToArtboard: Signal<boolean>;
   readonly grid: Signal<boolean>;
   readonly colorModel: Signal<"oklch" | "hsv" | "rgb">;
   /** The last eight. */
@@ -74,7 +77,7 @@ export interface TracedPhoto {
 export type Dialog =
   | { readonly kind: "trace"; readonly photo: TracedPhoto | null }
   | {
-      readonly kind: "export" | "keys" | "new" | "recover" | "about" | "problem" | "document" | "foreign";
+      readonly kind: "commands" | "export" | "keys" | "new" | "recover" | "about" | "problem" | "document" | "foreign";
     }
   | null;
 
@@ -159,6 +162,8 @@ export interface Editor {
   readonly task: Signal<Task | null>;
   readonly dialog: Signal<Dialog>;
   readonly picker: Signal<PickerTarget | null>;
+  /** The look that *Paste style* gives to curves, or null. */
+  readonly copiedStyle: Signal<Style | null>;
   readonly exactState: Signal<ExactState>;
   readonly showMesh: Signal<boolean>;
   readonly showOutlines: Signal<boolean>;

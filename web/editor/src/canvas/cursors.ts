@@ -25,6 +25,7 @@ const FIXED = {
   bend: drawn(`${ARROW}<path d="M15 9c4-6 5 1 7-4"/>`, 5, 3, "default"),
   pen: drawn(NIB, 4, 4, "crosshair"),
   "pen-close": drawn(`${NIB}<circle cx="19" cy="5" r="2.500"/>`, 4, 4, "crosshair"),
+  "pen-continue": drawn(`${NIB}<path d="M16 8l6-6"/>`, 4, 4, "crosshair"),
   "pen-add": drawn(`${NIB}<path d="M19 2v6M16 5h6"/>`, 4, 4, "crosshair"),
   "pen-remove": drawn(`${NIB}<path d="M16 5h6"/>`, 4, 4, "crosshair"),
   draw: drawn(CROSS, 12, 12, "crosshair"),

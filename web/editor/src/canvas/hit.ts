@@ -2,6 +2,7 @@
 import { mapped, composed, type Affine, type Box, type Point } from "../geometry/affine.js";
 import { split, type Cubic, type CubicPath } from "../geometry/cubic.js";
 import { distanceToBox, flatten, nearestOn } from "../geometry/nearest.js";
+import type { PathEnd } from "../model/commands/index.js";
 import type { Handle, Item } from "../model/types.js";
 import type { Mark } from "./marks.js";
 import type { Place } from "./places.js";
@@ -24,6 +25,14 @@ export type PointerKind = keyof typeof REACH;
 
 /** Marks whose distances differ by less are alike: what they are decides. */
 const ALIKE = 4;
+
+/** An end of an open curve, on the stage. */
+export interface EndHit {
+  readonly point: Point;
+  readonly place: Place;
+  readonly path: number;
+  readonly end: PathEnd;
+}
 
 export interface CurveHit {
   readonly place: Place;
@@ -49,7 +58,7 @@ interface Part {
 export class CurveGrid {
   private readonly cells = new Map<number, Part[]>();
   private readonly columns: number;
-  private readonly ends: { readonly point: Point; readonly place: Place }[] = [];
+  private readonly ends: EndHit[] = [];
 
   constructor(
     private readonly places: readonly Place[],
@@ -67,8 +76,9 @@ export class CurveGrid {
   private addPath({ points, closed }: CubicPath, map: Affine, place: number, path: number): void {
     const stage = points.map((point) => mapped(map, point));
     if (!closed) {
-      this.ends.push({ point: stage[0], place: this.places[place] });
-      this.ends.push({ point: stage[stage.length - 1], place: this.places[place] });
+      const of = { place: this.places[place], path };
+      this.ends.push({ ...of, point: stage[0], end: "start" });
+      this.ends.push({ ...of, point: stage[stage.length - 1], end: "end" });
     }
     for (let k = 0; k + 3 < stage.length; k += 3) {
       const cubic: Cubic = [stage[k], stage[k + 1], stage[k + 2], stage[k + 3]];
@@ -172,7 +182,7 @@ export class CurveGrid {
     [x, y]: Point,
     reach: number,
     isWanted: (place: Place) => boolean,
-  ): readonly { readonly point: Point }[] {
+  ): readonly EndHit[] {
     return this.ends.filter(
       ({ point, place }) => Math.hypot(point[0] - x, point[1] - y) <= reach && isWanted(place),
     );

@@ -8,6 +8,8 @@ export interface Edited {
   readonly follow: (place: number) => number;
   /** Places before, at which the speed of `follow` changes. */
   readonly bends: readonly number[];
+  /** Returns where a share of the arc length lies in a path that became longer; absent: shares stay. */
+  readonly shares?: (share: number) => number;
 }
 
 /** Each piece is still where it was. */

@@ -191,7 +191,7 @@ export function editedByNodes<Other>(
     mappedPlace(change.follow(mappedPlace(place, natural.firsts, null)), null, after.firsts);
   const bends = change.bends.map((bend) => mappedPlace(bend, null, natural.firsts));
   const all = [...bends, ...speedChanges(natural.firsts, follow)];
-  return { path: after.path, follow, bends: [...new Set(all)].sort((a, b) => a - b) };
+  return { ...change, path: after.path, follow, bends: [...new Set(all)].sort((a, b) => a - b) };
 }
 
 /** Where an arc that is fewer pieces now meets one that is not, places are followed otherwise. */

@@ -9,6 +9,7 @@ import {
   pieceAt,
   pieceCount,
   pointAt,
+  reversedPath,
   split,
   type Cubic,
   type CubicPath,
@@ -124,7 +125,7 @@ export function splitAt(path: CubicPath, piece: number, t: number): Edited {
 }
 
 /** One piece in the place of several: a line for lines, else fitted to their shape. */
-function merged(cubics: readonly Cubic[]): Cubic {
+export function merged(cubics: readonly Cubic[]): Cubic {
   const [first, last] = [cubics[0], cubics[cubics.length - 1]];
   const [from, to] = [first[0], last[3]];
   if (cubics.length === 1) return first;
@@ -203,6 +204,37 @@ export function closedByEnd(path: CubicPath, node: number): Edited | null {
   const points = [...movedNodes(path, [node], subtract(to, path.points[3 * node])).path.points];
   points[3 * node] = to;
   return { path: { points, closed: true }, ...STAYS };
+}
+
+/** An end of an open path. */
+export type PathEnd = "start" | "end";
+
+/**
+ * Continues an open path at one of its ends.
+ * @param added begins at that end; if it ends within `gap` of the other end, the path is closed
+ * @param share of the arc length that the path has of the whole
+ */
+export function extended(
+  path: CubicPath,
+  end: PathEnd,
+  added: CubicPath,
+  share: number,
+  gap: number,
+): Edited {
+  const isStart = end === "start";
+  const more = isStart ? reversedPath(added).points : added.points;
+  const points = isStart
+    ? [...more.slice(0, -1), ...path.points]
+    : [...path.points, ...more.slice(1)];
+  const closed = distance(points[0], points[points.length - 1]) <= gap;
+  const kept = path.points[isStart ? path.points.length - 1 : 0];
+  if (closed) [points[0], points[points.length - 1]] = [kept, kept];
+  return {
+    path: { points, closed },
+    follow: (place) => (isStart ? place + pieceCount(added) : place),
+    bends: [],
+    shares: (offset) => (isStart ? 1 - (1 - offset) * share : offset * share),
+  };
 }
 
 /** Two open paths as one: `gap` is bridged by a line, or with null the second's beginning moves. */

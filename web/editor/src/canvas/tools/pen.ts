@@ -1,17 +1,20 @@
-// Pen: click for a corner, drag for a curve; the first node closes, Enter ends.
-import { mapped, type Point } from "../../geometry/affine.js";
-import { nodeCount, type CubicPath } from "../../geometry/cubic.js";
+// Pen: click for a corner, drag for a curve; the first node closes, Enter ends. A click on an open end
+// continues that curve.
+import { inverted, mapped, type Point } from "../../geometry/affine.js";
+import { mappedPath, nodeCount, type CubicPath } from "../../geometry/cubic.js";
 import { locate } from "../../geometry/length.js";
 import { nodePath } from "../../geometry/natural.js";
 import { atAngle } from "../../geometry/snap.js";
-import { deleteNodes, splitPiece } from "../../model/commands/index.js";
+import { deleteNodes, extendCurve, splitPiece } from "../../model/commands/index.js";
 import { en } from "../../strings/en.js";
 import { nearestAt } from "../along.js";
 import type { Canvas } from "../canvas.js";
 import type { CursorName } from "../cursors.js";
-import { REACH } from "../hit.js";
+import { REACH, type EndHit } from "../hit.js";
 import { stageFromItem } from "../marks.js";
+import { editedAt } from "../places.js";
 import { NO_SKETCH, type Guide } from "../sketch.js";
+import { SNAP_REACH } from "../snap.js";
 import { Caret } from "./caret.js";
 import { Finished } from "./finished.js";
 import { isBeyond, type Drag, type KeyPress, type Press, type Tool } from "./tool.js";
@@ -51,6 +54,8 @@ export class PenTool implements Tool {
   private nodes: readonly PenNode[] = [];
   /** Nodes that were taken back, the next to come again last. */
   private undone: readonly PenNode[] = [];
+  /** The end of a curve that the nodes continue, or null. */
+  private continued: EndHit | null = null;
   /** The drag of the node that is being set. */
   private drag: PenDrag | null = null;
   private readonly finished: Finished;
@@ -108,11 +113,11 @@ export class PenTool implements Tool {
     if (this.nodes.length === 0) {
       if (p.alt) return this.onSelected(p)?.kind ?? "pen";
       canvas.draw({ guides: this.place(p).guides });
-      return "pen";
+      return this.endAt(p) ? "pen-continue" : "pen";
     }
     const closes = this.closes(p);
     const { at, guides } = this.place(p);
-    const next: PenNode = closes ? this.nodes[0] : { at, into: at, out: at };
+    const next: PenNode = closes ? this.closing()! : { at, into: at, out: at };
     this.show(pathOf([this.nodes[this.nodes.length - 1], next], false), closes, guides);
     return closes ? "pen-close" : "pen";
   }
@@ -127,7 +132,7 @@ export class PenTool implements Tool {
       return null;
     }
     const closes = this.closes(p);
-    const at = closes ? this.nodes[0].at : this.place(p).at;
+    const at = closes ? this.closing()!.at : this.begins(p);
     const drag = new PenDrag(this.canvas, p, at, {
       show: (node) => this.showSet(node, closes),
       set: (node) => {
@@ -164,6 +169,7 @@ export class PenTool implements Tool {
   }
 
   private setAt(at: Point): true {
+    if (this.nodes.length === 0) this.continued = null;
     this.keep([...this.nodes, { at, into: at, out: at }], [], null);
     this.show(null, false, []);
     return true;
@@ -181,8 +187,39 @@ export class PenTool implements Tool {
   }
 
   private closes(p: Press): boolean {
-    const first = this.nodes.length > 1 && this.canvas.toStage(this.nodes[0].at);
-    return first !== false && !isBeyond(first, p.at, REACH[p.kind].mark);
+    const node = this.closing();
+    return node !== null && !isBeyond(this.canvas.toStage(node.at), p.at, REACH[p.kind].mark);
+  }
+
+  /** Returns the node that closes the curve: its first one, or the other end of the continued curve. */
+  private closing(): PenNode | null {
+    if (this.nodes.length === 0) return null;
+    if (!this.continued) return this.nodes.length > 1 ? this.nodes[0] : null;
+    const { place, path, end } = this.continued;
+    const { points } = place.item.paths[path];
+    const at = mapped(place.artboardFromItem, points[end === "start" ? points.length - 1 : 0]);
+    return { at, into: at, out: at };
+  }
+
+  /** Returns where a press sets a node, artboard units. The first one may be an end of a curve. */
+  private begins(p: Press): Point {
+    if (this.nodes.length > 0) return this.place(p).at;
+    this.continued = this.endAt(p);
+    return this.continued ? this.canvas.toArtboard(this.continued.point) : this.place(p).at;
+  }
+
+  /** Returns the open end under the pointer that a click continues, of a selected curve first. */
+  private endAt(p: Press): EndHit | null {
+    const { canvas } = this;
+    if (p.alt || p.ctrl) return null;
+    const selected = new Set(canvas.editor.selection.peek().map(({ handle }) => handle));
+    const ends = canvas
+      .curves()
+      .endsNear(p.at, SNAP_REACH, (place) => editedAt(place) === place.item);
+    const far = ({ point, place }: EndHit) =>
+      Math.hypot(point[0] - p.at[0], point[1] - p.at[1]) +
+      (selected.has(place.item.handle) ? 0 : SNAP_REACH);
+    return ends.reduce<EndHit | null>((best, end) => (best && far(best) < far(end) ? best : end), null);
   }
 
   /** Where a node would be set, artboard units. */
@@ -204,13 +241,12 @@ export class PenTool implements Tool {
   }
 
   private showSet(node: PenNode, closes: boolean): void {
-    const nodes = closes
-      ? [{ ...this.nodes[0], into: node.into }, ...this.nodes.slice(1)]
-      : [...this.nodes, node];
+    const isRing = closes && !this.continued;
+    const nodes = isRing ? this.ringed(node) : [...this.nodes, node];
     const rubber = pathOf([node, { at: node.out, into: node.out, out: node.out }], false);
     this.canvas.draw({
       draft: {
-        path: pathOf(nodes, closes),
+        path: pathOf(nodes, isRing),
         rubber: isSame(node.at, node.out) ? null : rubber,
         closes,
         hasNodes: true,
@@ -219,15 +255,37 @@ export class PenTool implements Tool {
   }
 
   private close(node: PenNode): void {
-    this.finish(true, [{ ...this.nodes[0], into: node.into }, ...this.nodes.slice(1)]);
+    if (this.continued) this.finish(false, [...this.nodes, node]);
+    else this.finish(true, this.ringed(node));
+  }
+
+  /** Returns the nodes of a closed curve; the last handle is the one that closes it. */
+  private ringed({ into }: PenNode): readonly PenNode[] {
+    return [{ ...this.nodes[0], into }, ...this.nodes.slice(1)];
   }
 
   /** Turns the nodes into a curve; a single node makes none. */
   private finish(closed: boolean, nodes = this.nodes): void {
     this.caret.hide();
     this.keep([], [], null);
-    if (nodes.length < 2) this.canvas.sketch.value = NO_SKETCH;
-    else this.finished.add(pathOf(nodes, closed));
+    const path = nodes.length < 2 ? null : pathOf(nodes, closed);
+    if (!path || this.extend(path)) this.canvas.sketch.value = NO_SKETCH;
+    else this.finished.add(path);
+  }
+
+  /** Adds a path to the continued curve. Returns false if there is none, or if it is gone. */
+  private extend(path: CubicPath): boolean {
+    const end = this.continued;
+    this.continued = null;
+    const back = end && inverted(end.place.artboardFromItem);
+    if (!back) return false;
+    const { editor } = this.canvas;
+    const { item } = end.place;
+    const added = mappedPath(back, path);
+    return editor.run(
+      en.tools.undo.penContinued,
+      extendCurve(editor.drawing, item.handle, end.path, end.end, added, editor.step(item)),
+    );
   }
 
   /** With Alt: what a click does to the selected curve. */

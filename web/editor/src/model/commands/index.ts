@@ -7,6 +7,7 @@ export * from "./paint/gradients.js";
 export { movePaint } from "./paint/paint-place.js";
 export * from "./paint/paints.js";
 export * from "./curves/shapes.js";
+export { pasteStyle, styleOf, type Style } from "./style.js";
 export * from "./structure/structure.js";
 export * from "./curves/fitted.js";
 export * from "./curves/traced.js";

@@ -1,6 +1,7 @@
 // The dialog that is open.
 import { useShell } from "../services.js";
 import { AboutDialog } from "./about.js";
+import { CommandsDialog } from "./commands.js";
 import { DocumentDialog } from "./document.js";
 import { ExportDialog } from "./export.js";
 import { ForeignDialog } from "./foreign.js";
@@ -12,6 +13,7 @@ import { TraceDialog } from "./trace.js";
 
 const dialogs = {
   about: AboutDialog,
+  commands: CommandsDialog,
   document: DocumentDialog,
   export: ExportDialog,
   foreign: ForeignDialog,

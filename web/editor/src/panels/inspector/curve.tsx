@@ -8,6 +8,7 @@ import { openMenu } from "../controls/menu.js";
 import { edits } from "../controls/sink.js";
 import { object } from "../menus/main.js";
 import { useShell } from "../services.js";
+import { AngleField, BoxFields } from "./box.js";
 import { numberOf } from "./numbers.js";
 import { BlurSection, RadiusSection } from "./blur.js";
 import { Compositing } from "./container.js";
@@ -84,6 +85,10 @@ export function CurveSections({ item }: { readonly item: CurveItem }) {
       {item.kind === "stroke" ? <BlurSection item={item} /> : <OpacitySection item={item} />}
       <NodeSection />
       <Weight item={item} />
+      <Section title={words.placeAndSize}>
+        <BoxFields items={[item]} />
+        <AngleField item={item} />
+      </Section>
       {item.kind === "stroke" && (
         <Section title={words.onPicture}>
           <Compositing item={item} />

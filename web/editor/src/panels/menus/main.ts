@@ -80,12 +80,39 @@ export function photo(editor: Editor): readonly MenuItem[] {
   ];
 }
 
+/** Returns the menu that aligns, distributes and flips the selection. */
+function aligning(editor: Editor): readonly MenuItem[] {
+  const count = new Set(editor.selection.value.map(({ handle }) => handle)).size;
+  const nothing = count === 0;
+  const few = { disabled: count < 3, reason: words.needsThree };
+  return [
+    { label: words.alignLeft, command: "align-left", disabled: nothing },
+    { label: words.alignCenter, command: "align-center", disabled: nothing },
+    { label: words.alignRight, command: "align-right", disabled: nothing },
+    { label: words.alignTop, command: "align-top", disabled: nothing },
+    { label: words.alignMiddle, command: "align-middle", disabled: nothing },
+    { label: words.alignBottom, command: "align-bottom", disabled: nothing },
+    {
+      label: words.alignToArtboard,
+      command: "align-to-artboard",
+      checked: editor.settings.alignToArtboard.value,
+    },
+    "line",
+    { label: words.distributeHorizontally, command: "distribute-horizontally", ...few },
+    { label: words.distributeVertically, command: "distribute-vertically", ...few },
+    "line",
+    { label: words.flipHorizontal, command: "flip-horizontal", disabled: nothing },
+    { label: words.flipVertical, command: "flip-vertical", disabled: nothing },
+  ];
+}
+
 /** Returns the menu of the selection, by its kind. */
 export function object(editor: Editor): readonly MenuItem[] {
   const chosen = editor.selection.value.map(({ handle }) => editor.drawing.item(handle));
   const has = (...kinds: string[]) => chosen.some((item) => item && kinds.includes(item.kind));
   const nothing = chosen.length === 0;
   const noCurve = !has("curve", "stroke");
+  const hasNode = editor.selection.value.some(({ part }) => part.kind === "node");
   return [
     { label: words.group, command: "group", disabled: nothing },
     { label: words.ungroup, command: "ungroup", disabled: !has("group", "layer") },
@@ -103,9 +130,18 @@ export function object(editor: Editor): readonly MenuItem[] {
       disabled: noCurve,
     },
     { label: words.join, command: "join", disabled: chosen.length !== 2 || noCurve },
+    { label: words.cutCurve, command: "cut-curve", disabled: !hasNode, reason: words.needsNode },
+    { label: words.simplify, command: "simplify", disabled: noCurve },
     "line",
-    { label: words.flipHorizontal, command: "flip-horizontal", disabled: nothing },
-    { label: words.flipVertical, command: "flip-vertical", disabled: nothing },
+    { label: words.copyStyle, command: "copy-style", disabled: noCurve },
+    {
+      label: words.pasteStyle,
+      command: "paste-style",
+      disabled: noCurve || !editor.copiedStyle.value,
+      reason: noCurve ? words.needsCurve : words.needsStyle,
+    },
+    "line",
+    { label: words.align, items: aligning(editor) },
     {
       label: words.makeInstance,
       command: "make-instance",
@@ -146,6 +182,7 @@ const view = (editor: Editor): readonly MenuItem[] => [
 ];
 
 const help = (): readonly MenuItem[] => [
+  { label: words.asks(words.commands), command: "commands" },
   { label: words.keys, command: "keys" },
   { label: words.tour, command: "tour" },
   { label: words.about, command: "about" },

@@ -1,10 +1,12 @@
 // Options of the tool that is held, over the middle of the stage.
 import { setNodeKind, type NodeKind } from "../../model/commands/index.js";
 import { en } from "../../strings/en.js";
+import type { IconName } from "../../icons.js";
 import { IconButton } from "../controls/button.js";
 import { NumberField } from "../controls/field.js";
 import { Segments } from "../controls/segments.js";
 import { setting } from "../controls/sink.js";
+import { nameOfCommand } from "../menus/names.js";
 import { kindOfNodes, selectedNodes } from "../nodes.js";
 import { useShell } from "../services.js";
 
@@ -94,40 +96,39 @@ function Attributes() {
   );
 }
 
+/** Buttons that align, distribute and flip: a command, its icon, and how many objects it needs. */
+const arrangers = [
+  ["align-left", "align-start-vertical", 1],
+  ["align-center", "align-center-vertical", 1],
+  ["align-right", "align-end-vertical", 1],
+  ["align-top", "align-start-horizontal", 1],
+  ["align-middle", "align-center-horizontal", 1],
+  ["align-bottom", "align-end-horizontal", 1],
+  ["distribute-horizontally", "align-horizontal-distribute-center", 3],
+  ["distribute-vertically", "align-vertical-distribute-center", 3],
+  ["flip-horizontal", "flip-vertical-2", 1],
+  ["flip-vertical", "flip-horizontal-2", 1],
+] as const satisfies readonly (readonly [string, IconName, number])[];
+
 function Align() {
   const { editor } = useShell();
-  const chosen = editor.selection.value.length;
+  const chosen = new Set(editor.selection.value.map(({ handle }) => handle)).size;
   return (
     <div class="row align">
+      {arrangers.map(([command, icon, least]) => (
+        <IconButton
+          key={command}
+          icon={icon}
+          label={nameOfCommand(command)}
+          command={command}
+          disabled={chosen < least}
+        />
+      ))}
       <IconButton
-        icon="align-start-vertical"
-        label={words.alignLeft}
-        command="align-left"
-        disabled={chosen < 2}
-      />
-      <IconButton
-        icon="align-center-vertical"
-        label={words.alignCenter}
-        command="align-center"
-        disabled={chosen < 2}
-      />
-      <IconButton
-        icon="align-end-vertical"
-        label={words.alignRight}
-        command="align-right"
-        disabled={chosen < 2}
-      />
-      <IconButton
-        icon="flip-vertical-2"
-        label={words.flipHorizontal}
-        command="flip-horizontal"
-        disabled={chosen < 1}
-      />
-      <IconButton
-        icon="flip-horizontal-2"
-        label={words.flipVertical}
-        command="flip-vertical"
-        disabled={chosen < 1}
+        icon="frame"
+        label={words.alignToArtboard}
+        command="align-to-artboard"
+        pressed={editor.settings.alignToArtboard.value}
       />
     </div>
   );

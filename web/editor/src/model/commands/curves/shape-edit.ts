@@ -24,6 +24,9 @@ export function dataOf(drawing: Drawing, element: ElementNode): string {
   return shapeData(element.local, (name) => valueOf(element, name), viewBox);
 }
 
+/** Nodes by their subpath. */
+export type NodesBySubpath = ReadonlyMap<number, readonly number[]>;
+
 /** Returns the edited subpath, given its nodePath(): "gone", another one, or null if it stays as it is. */
 export type ShapeEdit = (nodes: CubicPath, path: CubicPath) => Edited | "gone" | null;
 

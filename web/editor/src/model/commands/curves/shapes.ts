@@ -1,22 +1,23 @@
 // Edits of curves by their nodes, as patches of the present text.
 import type { Point } from "../../../geometry/affine.js";
 import type { CubicPath } from "../../../geometry/cubic.js";
-import { pieceCount } from "../../../geometry/cubic.js";
+import { mappedPath, pieceCount } from "../../../geometry/cubic.js";
+import { pathLength } from "../../../geometry/length.js";
 import {
   closedByEnd,
+  extended,
   movedNodes,
   withClosed,
   withKind,
   withoutNodes,
   withPoints,
   type NodeKind,
+  type PathEnd,
 } from "../../../geometry/nodes.js";
 import { splitNodes } from "../../../geometry/natural.js";
+import { spareNodes } from "../../../geometry/spare-nodes.js";
 import type { Drawing, Handle, Outcome } from "../../types.js";
-import { editShape, editShapes, type ShapeEdit } from "./shape-edit.js";
-
-/** Nodes by their subpath. */
-export type NodesBySubpath = ReadonlyMap<number, readonly number[]>;
+import { curveOf, editShape, editShapes, type NodesBySubpath, type ShapeEdit } from "./shape-edit.js";
 
 /** The same edit of each subpath, with its nodes. */
 function editNodes(
@@ -32,9 +33,11 @@ function editNodes(
   return editShapes(d, h, step, new Map(edits));
 }
 
+export { cutCurve } from "./cut.js";
 export { joinCurves } from "./join.js";
 export { reverseCurves } from "./reverse.js";
-export type { NodeKind } from "../../../geometry/nodes.js";
+export type { NodesBySubpath } from "./shape-edit.js";
+export type { NodeKind, PathEnd } from "../../../geometry/nodes.js";
 
 /** Replaces one subpath; segments whose points are as before keep how they are written. */
 export function setPath(
@@ -109,6 +112,19 @@ export function deleteNodes(
   );
 }
 
+/**
+ * Takes away nodes that the shape does not need.
+ * @param tolerance largest distance from the shape before, units of the element
+ */
+export function simplifyCurve(d: Drawing, h: Handle, tolerance: number, step: number): Outcome | null {
+  const edit: ShapeEdit = (before) => {
+    const spare = spareNodes(before, tolerance);
+    return spare.length > 0 ? withoutNodes(before, spare) : null;
+  };
+  const paths = curveOf(d, h)?.paths ?? [];
+  return editShapes(d, h, step, new Map([...paths.keys()].map((path) => [path, edit])));
+}
+
 export function setNodeKind(
   d: Drawing,
   h: Handle,
@@ -131,6 +147,30 @@ export function closeByEnd(
   const at = d.item(h)?.element.range.start;
   if (!made || made.select || at === undefined) return made;
   return { ...made, select: [{ at, part: { kind: "node", path, index: 0 } }] };
+}
+
+/**
+ * Continues an open subpath at one of its ends. Its stops stay where they are, and the last colour
+ * continues. If the added path ends at the other end, the subpath is closed.
+ * @param added in coordinates of the element; it begins at that end
+ */
+export function extendCurve(
+  d: Drawing,
+  h: Handle,
+  path: number,
+  end: PathEnd,
+  added: CubicPath,
+  step: number,
+): Outcome | null {
+  const item = curveOf(d, h);
+  if (!item) return null;
+  const lengthOf = (one: CubicPath) => pathLength(mappedPath(item.layerFromItem, one));
+  const made = editShape(d, h, path, step, (nodes, before) => {
+    if (before.closed) return null;
+    const own = lengthOf(before);
+    return extended(nodes, end, added, own / (own + lengthOf(added)), step);
+  });
+  return made && { select: [{ at: item.element.range.start }], ...made };
 }
 
 /**

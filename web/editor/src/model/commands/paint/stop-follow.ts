@@ -87,9 +87,18 @@ function withStopAt<Value>(
   return [...stops.slice(0, behind), { offset, value }, ...stops.slice(behind)];
 }
 
+/** Returns a list by arc length whose stops are at other shares; null: one value has no place. */
+function sharedList<Value, Side extends Extract<SideValue<Value>, { kind: "stops" }>>(
+  side: Side,
+  shares: (share: number) => number,
+): Side | null {
+  if (side.stops.length < 2) return null;
+  return { ...side, stops: side.stops.map((stop) => ({ ...stop, offset: shares(stop.offset) })) };
+}
+
 /**
  * Edits that let lists with "@" follow their places onto another path, so that the same colours
- * stay at the same places. Lists by arc length stay as they are.
+ * stay at the same places. Lists by arc length stay as they are, unless the path became longer.
  * @param after the path as it reads back, with its segments
  */
 export function followedLists(
@@ -97,11 +106,11 @@ export function followedLists(
   element: ElementNode,
   before: CubicPath,
   after: CubicPath,
-  { follow, bends }: Pick<Edited, "follow" | "bends">,
+  { follow, bends, shares }: Pick<Edited, "follow" | "bends" | "shares">,
 ): Edit[] {
   const count = segmentCount(before);
   const texts = editedLists(drawing, element, count, (side, mix) => {
-    if (side.space === "arc") return null;
+    if (side.space === "arc") return shares ? sharedList(side, shares) : null;
     const places = side.stops.map((stop) => ({
       ...stop,
       offset: parameterAtSegment(before, stop.offset),
