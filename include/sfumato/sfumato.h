@@ -127,7 +127,6 @@ enum sfumato_number_type {
   SFUMATO_F32 = 3, /**< float */
   SFUMATO_F64 = 4  /**< double */
 };
-
 /** A table of numbers: borrowed and read-only. */
 typedef struct sfumato_view {
   const void* data; /**< row by row; NULL without rows */
@@ -166,6 +165,12 @@ SFUMATO_API int32_t sfumato_read(sfumato_context* context, const void* bytes, si
 SFUMATO_API int32_t sfumato_import_svg(sfumato_context* context, const void* bytes,
                                        size_t byte_count, const char* name,
                                        const sfumato_loader* loader, sfumato_document** document);
+/** Combines two regions: "unite", "intersect", "subtract" (first without second) or "exclude". They
+ * are path data of SVG, filled by the nonzero rule; so is `path`, whose inside is on the right and
+ * which is empty if nothing is left. `tolerance`: of crossings, in the paths' units, above 0. */
+SFUMATO_API int32_t sfumato_combine_paths(sfumato_context* context, const char* operation,
+                                          const char* first, const char* second, double tolerance,
+                                          sfumato_bytes** path);
 /** Makes a document of one layer without curves, painted once.
  *
  * options: artboard=X,Y,W,H (required), interpolation=srgb|linear|oklab, background=COLOR. */
@@ -193,8 +198,7 @@ enum sfumato_interpolation {
   SFUMATO_LINEAR = 1, /**< linear light, 0 to 1 */
   SFUMATO_OKLAB = 2   /**< OKLab: L, a and b */
 };
-/** Returns the space that a document mixes colours in, a ::sfumato_interpolation.
- * SFUMATO_COLOR_VALUES uses it. */
+/** Returns the ::sfumato_interpolation of a document's colours and of SFUMATO_COLOR_VALUES. */
 SFUMATO_API int32_t sfumato_document_interpolation(const sfumato_document* document);
 /** Returns the number of layers. */
 SFUMATO_API uint32_t sfumato_layer_count(const sfumato_document* document);
@@ -205,7 +209,6 @@ SFUMATO_API const char* sfumato_layer_id(const sfumato_document* document, uint3
 /** Returns the id of a curve, perhaps ""; NULL where there is no such curve. */
 SFUMATO_API const char* sfumato_curve_id(const sfumato_document* document, uint32_t layer,
                                          uint32_t curve);
-
 /** Finds the place of a curve in the text that sfumato_read() read. `byte_offset` counts the bytes
  * before the `<` of its element, a shape, also where a `use` copies it. `subpath` counts the
  * element's subpaths from 0, without movements that draw nothing. Both are 0 where unknown: for
@@ -225,14 +228,12 @@ enum sfumato_side {
   SFUMATO_LEFT = 0, /**< to the left */
   SFUMATO_RIGHT = 1 /**< to the right */
 };
-
 /** The attributes of a side. */
 enum sfumato_attribute {
   SFUMATO_COLOR = 0,   /**< rows of stops are offset, red, green, blue: sRGB code values, 0 to 1 */
   SFUMATO_OPACITY = 1, /**< rows are offset, opacity from 0 to 1 */
   SFUMATO_BLUR = 2     /**< rows are offset, radius in units of the layer */
 };
-
 /** How a side handles one attribute. */
 enum sfumato_kind {
   SFUMATO_OPEN = 0,    /**< lets rays pass; for a blur: no blur */
@@ -240,7 +241,6 @@ enum sfumato_kind {
   SFUMATO_STOPS = 2,   /**< gives the values of its stops */
   SFUMATO_PAINT = 3    /**< gives a gradient or texture; only files can make it */
 };
-
 /** The units of the offsets of stops. */
 enum sfumato_space {
   SFUMATO_ARC_LENGTH = 0, /**< the share of the curve's length, 0 to 1 */

@@ -38,6 +38,7 @@
 #include "sfumato/formats/svg/svg.hpp"
 #include "sfumato/formats/svg/svg_write.hpp"
 #include "sfumato/gpu/render.hpp"
+#include "sfumato/import/combine.hpp"
 #include "sfumato/import/import_svg.hpp"
 #include "sfumato/lint/lint.hpp"
 #include "sfumato/picture/picture.hpp"

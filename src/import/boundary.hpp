@@ -1,21 +1,14 @@
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
 #include "base/table_memory.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
-#include "sfumato/base/vec2.hpp"
+#include "sfumato/import/combine.hpp"
 
 namespace sfumato::svg_import {
 
 /// Chains of cubic Béziers, 3 n + 1 control points each.
-using Contours = std::vector<std::vector<Vec2>>;
-
-/// Ways to combine two regions: the points in either, in both, in the first alone, or in exactly
-/// one.
-enum class RegionOperation : std::uint8_t { unite, intersect, subtract, exclude };
+using Contours = RegionContours;
 
 /// The boundary of the region that contours fill: curves with the inside on their right (a loop
 /// runs clockwise around it, as seen on the screen), which do not cross and meet only at their

@@ -15,6 +15,7 @@
 #include "base/try.hpp"
 #include "codecs/gunzip.hpp"
 #include "document/gaussian.hpp"
+#include "document/rules.hpp"
 #include "formats/svg/read/plain_svg.hpp"
 #include "formats/text/warnings.hpp"
 #include "formats/text/xml_source.hpp"
@@ -55,16 +56,6 @@ constexpr int kIntricateShapes = 4;
 
 SideShader<float> constant_opacity(float value) {
   return {ShaderKind::curve_domain, {StopSpace::parameter, {{0, value}}}, 0};
-}
-
-bool is_in_range(Vec2 point) {
-  return std::abs(point.x) <= limits::kCoordinate && std::abs(point.y) <= limits::kCoordinate;
-}
-
-bool are_in_range(const Contours& contours) {
-  return std::ranges::all_of(contours, [](const std::vector<Vec2>& contour) {
-    return std::ranges::all_of(contour, is_in_range);
-  });
 }
 
 double tolerance_for(const Box& artboard) {
@@ -184,7 +175,7 @@ Result<Contours> Importer::contours_of(const Source& source, double tolerance,
                                       ? stroke_of(context_, shape, tolerance, memory)
                                       : svg_import::copy_of(context_, shape.subpaths, memory));
   if (!source.is_stroke) svg_import::map_points(shape.artboard_from_user, made);
-  if (are_in_range(made)) return std::move(made);
+  if (svg_import::are_in_range(made)) return std::move(made);
   return make_error(StatusCode::bad_input,
                     "it reaches farther than " +
                         std::to_string(static_cast<long>(limits::kCoordinate)) +
@@ -447,7 +438,7 @@ Status Importer::fit_artboard() {
     for (const std::vector<Vec2>& chain : shape.subpaths) {
       for (const Vec2 user_point : chain) {
         const Vec2 point = shape.artboard_from_user(user_point);
-        if (is_in_range(point)) rough.extend(point);
+        if (rules::is_coordinate(point)) rough.extend(point);
       }
     }
     if (context_.cancelled()) return context_.cancel_status();

@@ -1,8 +1,10 @@
 #include "import/placed_contours.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/try.hpp"
+#include "document/rules.hpp"
 #include "import/stroke_outline.hpp"
 
 namespace sfumato::svg_import {
@@ -14,6 +16,13 @@ Result<Contours> copy_of(Context& context, const Contours& from, TableMemory& me
     SFUMATO_TRY(memory.append(context, from[i], to.emplace_back()));
   }
   return to;
+}
+
+bool are_in_range(const Contours& contours) {
+  const auto is_in_range = [](Vec2 point) { return rules::is_coordinate(point); };
+  return std::ranges::all_of(contours, [&](const std::vector<Vec2>& contour) {
+    return std::ranges::all_of(contour, is_in_range);
+  });
 }
 
 void map_points(const Affine& map, Contours& contours) {

@@ -12,6 +12,9 @@ namespace sfumato::svg_import {
 /// Errors: limit (memory), cancelled.
 Result<Contours> copy_of(Context& context, const Contours& from, TableMemory& memory);
 
+/// Returns whether all coordinates are finite and at most limits::kCoordinate.
+bool are_in_range(const Contours& contours);
+
 void map_points(const Affine& map, Contours& contours);
 
 /// Returns the outline of a stroke in the artboard's frame. Errors: as stroke_outline().

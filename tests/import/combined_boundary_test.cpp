@@ -16,7 +16,6 @@ namespace {
 
 using svg_import::Contours;
 using svg_import::FilledContours;
-using svg_import::RegionOperation;
 
 constexpr double kCombineTolerance = 100.0 / 16384;
 

@@ -72,6 +72,24 @@ export class SfumatoContext extends Handle {
     return this.#readBy("sfumato_import_svg", text, from);
   }
 
+  /**
+   * Combines two regions: path data of SVG, filled by the nonzero rule.
+   * @param {"unite" | "intersect" | "subtract" | "exclude"} operation "subtract": the first without the second
+   * @param {string} first
+   * @param {string} second
+   * @param {number} tolerance accuracy of crossings, in the paths' units, above 0
+   * @returns {string} path data, its inside on the right; "" if nothing is left
+   */
+  combinePaths(operation, first, second, tolerance) {
+    const { library } = this;
+    const within = (texts, addresses) => {
+      const [text, ...rest] = texts;
+      if (text !== undefined) return library.withString(text, (at) => within(rest, [...addresses, at]));
+      return library.takeBytes(this.make("sfumato_combine_paths", ...addresses, tolerance));
+    };
+    return new TextDecoder().decode(within([operation, first, second].map(String), []));
+  }
+
   #readBy(reader, text, { name = "", load = null }) {
     const { library } = this;
     const bytes = typeof text === "string" ? new TextEncoder().encode(text) : expectBytes(text);

@@ -192,6 +192,17 @@ export class SfumatoContext implements Handle {
   read(text: string | Uint8Array, from?: { name?: string; load?: Loader | null }): SfumatoDocument;
   /** Converts an ordinary SVG to a drawing. `warnings` then names the content that was left out. */
   importSvg(text: string | Uint8Array, from?: { name?: string; load?: Loader | null }): SfumatoDocument;
+  /**
+   * Combines two regions: path data of SVG, filled by the nonzero rule. "subtract" takes the second from the first.
+   * @param tolerance accuracy of crossings, in the paths' units, above 0
+   * @returns path data, its inside on the right; "" if nothing is left
+   */
+  combinePaths(
+    operation: "unite" | "intersect" | "subtract" | "exclude",
+    first: string,
+    second: string,
+    tolerance: number,
+  ): string;
   newDocument(options: Options): SfumatoDocument;
   /** Adds the pixels of an image file that a document names or contains; null removes them. */
   addImage(file: Uint8Array, image: Pixels | null): void;

@@ -81,6 +81,14 @@ async function testDrawing(tap, { read, importSvg, create, load, Side, Attribute
     const { data } = drawing.solve().raster({ width: 30, background: "#fff", dither: false });
     checkEqual([...data.subarray(4 * (10 * 30 + 15), 4 * (10 * 30 + 15) + 3)], [0xc0, 0x40, 0x30], "the inside");
   });
+  await tap.test("npm: regions are combined", async () => {
+    const context = (await load()).context();
+    const [square, other] = ["M0 0H10V10H0Z", "M5 5H15V15H5Z"];
+    const cut = context.combinePaths("subtract", square, other, 0.01);
+    check(/^M.*5 5.*Z$/.test(cut) && !cut.includes("15"), cut);
+    checkEqual(context.combinePaths("intersect", square, "M20 20H30V30Z", 0.01), "", "nothing");
+    checkEqual(thrown(() => context.combinePaths("union", square, other, 0.01)).code, Status.badUsage, "the error");
+  });
   await tap.test("npm: a pattern of shapes is drawn where it is imported", async () => {
     const text = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 30 20"><pattern id="p" width="4" height="4"
       patternUnits="userSpaceOnUse"><rect width="2" height="4" fill="#08f"/></pattern><rect width="24" height="16"

@@ -11,7 +11,7 @@ See docs/python.md for the guide.
 
 from ._colors import convert_colors
 from ._curves import Curve, Curves, Layer, Side
-from ._document import Document, ImportedSvg, import_svg, open, read
+from ._document import Document, ImportedSvg, combine_paths, import_svg, open, read
 from ._errors import (
     Cancelled,
     DrawingWarning,
@@ -50,6 +50,7 @@ __all__ = [
     "UnavailableError",
     "UsageError",
     "Weights",
+    "combine_paths",
     "convert_colors",
     "import_svg",
     "load_picture",

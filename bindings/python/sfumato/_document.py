@@ -261,6 +261,25 @@ def import_svg(
     return ImportedSvg(document, chosen.last_warnings())
 
 
+def combine_paths(
+    operation: str,
+    first: str,
+    second: str,
+    tolerance: float,
+    *,
+    session: Optional[Session] = None,
+) -> str:
+    """Combines two regions and returns the path data of the result, with the inside on its right;
+    "" if nothing is left.
+
+    operation: "unite", "intersect", "subtract" (the first without the second) or "exclude".
+    first, second: path data of SVG, filled by the nonzero rule. tolerance: the accuracy of
+    crossings, in the paths' units, above 0."""
+    words = [text.replace("\0", "").encode() for text in (operation, first, second)]
+    chosen = session_of(session)
+    return chosen.make_bytes("combine_paths", *words, float(tolerance), slow=True).decode()
+
+
 def _loader_of(folder: Optional[Path], load: Optional[Load]) -> Optional[Load]:
     if folder is not None and load is not None:
         raise TypeError("expected a folder or load, not both")

@@ -130,6 +130,19 @@ def test_patterns_of_shapes_are_drawn_where_they_are_imported():
     assert tuple(image[9, 9]) == (0, 0x88, 0xFF) and tuple(image[9, 11]) == (255, 255, 255)
 
 
+def test_regions_are_combined():
+    square, other = "M0 0H10V10H0Z", "M5 5H15V15H5Z"
+    cut = sfumato.combine_paths("subtract", square, other, 0.01)
+    assert cut.startswith("M") and cut.endswith("Z") and "5 5" in cut and "15" not in cut
+    assert sfumato.combine_paths("intersect", square, "M20 20H30V30Z", 0.01) == ""
+    with pytest.raises(sfumato.UsageError, match="no operation"):
+        sfumato.combine_paths("union", square, other, 0.01)
+    with pytest.raises(sfumato.InputError):
+        sfumato.combine_paths("unite", "M0 0L", other, 0.01)
+    with pytest.raises(sfumato.InputError):
+        sfumato.combine_paths("unite", square, other, 0)
+
+
 @pytest.mark.parametrize("data", ["", "<svg", b"\x1f\x8b broken"])
 def test_an_import_of_broken_text_is_an_input_error(data):
     with pytest.raises(sfumato.InputError):

@@ -1,7 +1,7 @@
 // Continuing and cutting curves, their style and their place, and the list of commands: by pointer and keys.
 import { check, checkEqual, EditorPage } from "./harness.mjs";
 import { changing, count } from "./draw.mjs";
-import { shows } from "./words.mjs";
+import { said, shows } from "./words.mjs";
 
 const text = `<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1" viewBox="0 0 640 480" sf:background="#fff">
   <g id="layer" sf:diffuse="true">
@@ -135,6 +135,24 @@ async function testCommands({ page, editor }, tools) {
   await dialog.waitFor({ state: "detached" });
 }
 
+async function testCombine({ page, editor }, tools) {
+  const circle = (id, x) => `<g sf:diffuse="true"><circle id="${id}" cx="${x}" cy="240" r="100" sf:right="#fd3" sf:left="#fd3" sf:left-opacity="0"/></g>`;
+  await editor.load(text.replace(/<g[^]*<\/g>/, circle("moon", 300) + circle("shade", 340)));
+  await page.locator(".canvas-stage").focus();
+  await page.keyboard.press("Control+A");
+  const crescent = await tools.press("Alt+Shift+S");
+  checkEqual(count(crescent, /<(circle|path) /g), 1, "shapes");
+  check(/<path id="moon" d="[^"]*Z" sf:right="#fd3" sf:left="#fd3" sf:left-opacity="0"/.test(crescent), crescent);
+  checkEqual(count(crescent, /<g /g), 1, "layers");
+  await page.keyboard.press("Alt+Shift+U");
+  await said(page, /Select two or more closed curves/);
+  await tools.fresh("v");
+  await page.keyboard.press("Control+A");
+  await page.keyboard.press("Alt+Shift+U");
+  await said(page, /Select two or more closed curves/);
+  checkEqual(await editor.text, text, "the text of open curves");
+}
+
 export async function testCurves(tap, { browser, address }) {
   const tests = {
     "the pen continues an open end": testPen,
@@ -142,6 +160,7 @@ export async function testCurves(tap, { browser, address }) {
     "a curve is cut at a node": testCut,
     "a single curve has a place and is aligned to the artboard": testPlace,
     "a command is found by its name": testCommands,
+    "two circles become a crescent": testCombine,
   };
   for (const [name, test] of Object.entries(tests)) {
     await tap.test(`curves: ${name}`, async () => {

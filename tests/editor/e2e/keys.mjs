@@ -125,6 +125,17 @@ class Keys {
 
 const order = (now) => [...now.matchAll(/id="(\w+)"/g)].map(([, id]) => id).join(" ");
 
+/** Combines two squares. @param count of curves afterwards */
+const combines = (pattern, count) => async (keys, key) => {
+  const square = (id, from, to) =>
+    `<g sf:diffuse="true"><path id="${id}" d="M${from} ${from}H${to}V${to}H${from}Z" sf:right="#e33" sf:left-opacity="0"/></g>`;
+  await keys.editor.load(`${head}${square("p", 100, 150)}${square("q", 120, 200)}</svg>`);
+  await keys.page.locator(".canvas-stage").focus();
+  await keys.press("Control+a");
+  const now = await keys.text(key, pattern);
+  checkEqual(now.match(/<path /g).length, count, "curves");
+};
+
 /** Keys for photos; tests/editor/e2e/photo.mjs tests them with a photo. */
 async function wantsPhoto(keys, key) {
   await keys.fresh("low");
@@ -263,6 +274,10 @@ const shows = {
     checkEqual(now.match(/<g/g).length, grouped.match(/<g/g).length - 1, "groups");
   },
   "make-instance": (keys, key) => keys.fresh("front").then(() => keys.text(key, /<use [^>]*href="#front"/)),
+  "shapes-unite": combines(/id="p" d="[^"]*200/, 1),
+  "shapes-subtract": combines(/id="p" d="[^"]*150/, 1),
+  "shapes-intersect": combines(/id="p" d="(?![^"]*200)[^"]*Z"/, 1),
+  "shapes-exclude": combines(/id="p" d="[^"]*200/, 1),
   "align-left": (keys, key) => keys.fresh("low", "own").then(() => keys.text(key, /id="own" d="M100 400/)),
   "align-center": (keys, key) => keys.fresh("low", "own").then(() => keys.text(key, /id="low" d="M120 300/)),
   "align-right": (keys, key) => keys.fresh("low", "own").then(() => keys.text(key, /id="low" d="M140 300/)),

@@ -19,9 +19,10 @@ import {
   type NodeKind,
 } from "../model/commands/index.js";
 import { boxOf } from "../model/item-boxes.js";
-import type { Attribute, Drawing, Handle, Outcome } from "../model/types.js";
+import type { Attribute, Drawing, Handle, Item, Outcome } from "../model/types.js";
 import { en } from "../strings/en.js";
 import { arranging } from "./arranging.js";
+import { combining } from "./combining.js";
 import { copyByMenu } from "./clipboard.js";
 import { copyStyle, cutAtNodes, pasteCopiedStyle, simplify } from "./curves.js";
 import type { DrawingEditor } from "./editor.js";
@@ -119,9 +120,13 @@ function closeChosen(editor: DrawingEditor) {
 
 function selectAll(editor: DrawingEditor) {
   const layer = editor.activeLayer;
-  const within = layer && editor.selection.value.length > 0 ? layer.children : editor.drawing.items;
+  const isFree = (item: Item) => !item.locked && !item.hidden;
+  const inLayer = layer?.children.filter(isFree) ?? [];
+  const handles = new Set(chosen(editor));
+  // Once all of the layer is selected, the next step is the whole drawing.
+  const isMore = handles.size > 0 && inLayer.some(({ handle }) => !handles.has(handle));
+  const within = isMore ? inLayer : editor.drawing.items.filter(isFree);
   editor.selection.value = within
-    .filter((item) => !item.locked && !item.hidden)
     .map(({ handle }) => ({ handle, part: { kind: "whole" } }));
 }
 
@@ -197,6 +202,7 @@ const table: readonly (readonly [string, Command])[] = [
   ["smooth", nodeKind(words.nodeKind, "smooth")],
   ["symmetric", nodeKind(words.nodeKind, "symmetric")],
   ...arranging,
+  ...combining,
   ["zoom-in", (editor) => editor.zoomBy(ZOOM)],
   ["zoom-out", (editor) => editor.zoomBy(1 / ZOOM)],
   ["zoom-fit", ({ navigation }) => navigation.fit()],

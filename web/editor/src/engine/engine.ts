@@ -24,6 +24,7 @@ import type {
   PictureUpdate,
   QuickChange,
   RasterWish,
+  RegionOperation,
 } from "./types.js";
 
 /** The time for gathering in a frame, seconds. */
@@ -497,6 +498,12 @@ export class WorkerEngine implements Engine {
     const seat = this.#front;
     await seat.ready;
     return seat.link.call("convert", text);
+  }
+
+  async combinePaths(operation: RegionOperation, paths: readonly string[], tolerance: number): Promise<string> {
+    const seat = this.#front;
+    await seat.ready;
+    return seat.link.call("combinePaths", operation, paths, tolerance);
   }
 
   async importSvg(text: string): Promise<ImportedSvg> {

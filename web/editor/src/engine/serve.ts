@@ -3,7 +3,7 @@ import { answer, Handed, type MessageEndpoint, type Note } from "./rpc.js";
 import { Session, type SolveWish } from "./session.js";
 import { buffersOf } from "./tables.js";
 import { snapped } from "./snap.js";
-import type { FitWish, GivenImage, LayerCurves, QuickChange, RasterWish, SnapWish, TraceWish } from "./types.js";
+import type { FitWish, GivenImage, LayerCurves, QuickChange, RasterWish, SnapWish, TraceWish, RegionOperation } from "./types.js";
 
 export function serve(scope: MessageEndpoint): void {
   let session: Session;
@@ -32,6 +32,8 @@ export function serve(scope: MessageEndpoint): void {
     payload: () => session.payload(),
     lint: () => session.lint(),
     convert: (text: string) => session.convert(text),
+    combinePaths: (operation: RegionOperation, paths: readonly string[], tolerance: number) =>
+      session.combinePaths(operation, paths, tolerance),
     importSvg: (text: string) => session.importSvg(text),
     fit: (wish: FitWish) => session.fit(wish),
     snap: (wish: SnapWish) => snapped(wish),

@@ -35,6 +35,7 @@ import type {
   RasterWish,
   TraceRound,
   TraceWish,
+  RegionOperation,
 } from "./types.js";
 
 /** Drags begin at once in the layers that were dragged last, up to this many triangles in all: 1 kB each. */
@@ -312,6 +313,13 @@ export class Session {
     } finally {
       document.free();
     }
+  }
+
+  /** See Engine.combinePaths. @throws SfumatoError */
+  combinePaths(operation: RegionOperation, [first, ...rest]: readonly string[], tolerance: number): string {
+    const add = (whole: string, path: string) =>
+      this.#context.combinePaths(operation, whole, path, tolerance) as string;
+    return rest.reduce(add, first);
   }
 
   /** The shapes of an ordinary SVG as curves (docs/import.md). @throws SfumatoError */

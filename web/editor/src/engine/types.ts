@@ -201,12 +201,22 @@ export interface Engine {
   lint(): Promise<readonly Hint[] | null>;
   /** Orzan's XML as SVG. @throws Error with line and column in words */
   convert(text: string): Promise<string>;
+  /**
+   * The combination of the first region with each of the others, as path data; "" if nothing is left.
+   * @param paths path data, filled by the nonzero rule
+   * @param tolerance accuracy of crossings, in the paths' units
+   * @throws EngineError
+   */
+  combinePaths(operation: RegionOperation, paths: readonly string[], tolerance: number): Promise<string>;
   /** The shapes of an ordinary SVG as curves. @throws EngineError */
   importSvg(text: string): Promise<ImportedSvg>;
   onPicture: (update: PictureUpdate) => void;
   onStatus: (status: EngineStatus) => void;
   free(): void;
 }
+
+/** Ways to combine regions; "subtract": the first one without the others. */
+export type RegionOperation = "unite" | "subtract" | "intersect" | "exclude";
 
 /** Rows of a table that are new: ranges from, and up to, ascending. */
 export type RowRanges = readonly (readonly [number, number])[];

@@ -50,6 +50,8 @@ export const panels = {
   closeOrOpen: "Close or open curve",
   join: shared.joinEnds,
   cutCurve: shared.cutCurve,
+  combine: shared.combine,
+  combineShapes: "Combine shapes",
   needsNode: "Select a node of a curve first",
   simplify: shared.simplify,
   copyStyle: shared.copyStyle,

@@ -22,6 +22,7 @@ export const shared = {
   color: "Colour",
   colorBothSides: "Colour both sides",
   colorStops: "Colour stops",
+  combine: { unite: "Unite", subtract: "Subtract from the lowest", intersect: "Intersect", exclude: "Exclude" },
   commands: "Find a command",
   copyStyle: "Copy style",
   curve: "Curve",

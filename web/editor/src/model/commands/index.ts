@@ -2,6 +2,7 @@
 export * from "./attributes.js";
 export * from "./structure/clipboard.js";
 export * from "./curves/create.js";
+export * from "./curves/combine.js";
 export * from "./document.js";
 export * from "./paint/gradients.js";
 export { movePaint } from "./paint/paint-place.js";

@@ -80,6 +80,10 @@ export function photo(editor: Editor): readonly MenuItem[] {
   ];
 }
 
+const combinations: readonly MenuItem[] = (["unite", "subtract", "intersect", "exclude"] as const).map(
+  (operation) => ({ label: words.combine[operation], command: `shapes-${operation}` }),
+);
+
 /** Returns the menu that aligns, distributes and flips the selection. */
 function aligning(editor: Editor): readonly MenuItem[] {
   const count = new Set(editor.selection.value.map(({ handle }) => handle)).size;
@@ -141,6 +145,7 @@ export function object(editor: Editor): readonly MenuItem[] {
       reason: noCurve ? words.needsCurve : words.needsStyle,
     },
     "line",
+    { label: words.combineShapes, items: combinations },
     { label: words.align, items: aligning(editor) },
     {
       label: words.makeInstance,
