@@ -356,3 +356,20 @@ describe("a photo to trace over", () => {
     expect(photosOf(new FakeDrawing([item]), false)).toEqual([item]);
   });
 });
+
+describe("a box that is moved", () => {
+  test("is_aligned_with_the_edges_and_the_middle_of_others", () => {
+    const low = curve("low", [line([100, 200], [180, 230])]);
+    editor = fakeEditor([layer("layer", [a, low])]);
+    canvas = canvasOf(editor);
+    tool = new SelectTool(canvas);
+    editor.selection.value = whole(low);
+    // Its left edge comes to 205, beside the other one's right edge at 200.
+    const drag = begun(tool, [[140, 215], [245, 215]]);
+    expect(canvas.sketch.value.guides).toContainEqual({ from: [200, 100], to: [200, 230] });
+    expect(startOf(low)[0]).toBeCloseTo(200, 6);
+    // With Ctrl it goes where the pointer is.
+    drag.move(press([245, 215], { ctrl: true }));
+    expect(startOf(low)[0]).toBeCloseTo(205, 6);
+  });
+});

@@ -8,7 +8,7 @@ import { Grips } from "./grips.js";
 import { CurveGrid, markAt, REACH, type CurveHit, type PointerKind } from "./hit.js";
 import { chosenParts, nodeMarks, stageFromItem, stopMarks, type Mark } from "./marks.js";
 import { paintMarks } from "./paint-marks.js";
-import { isCurve, isHidden, isLocked, placesOf, type Place } from "./places.js";
+import { isCurve, isHidden, isLocked, isWithin, placesOf, type Place } from "./places.js";
 import { NO_SKETCH, type Sketch } from "./sketch.js";
 import { snapped, type Snapped } from "./snap.js";
 import { keyOf } from "./walk.js";
@@ -180,8 +180,4 @@ export class Canvas {
       also,
     });
   }
-}
-
-function isWithin(item: Item | null, handles: ReadonlySet<Handle>): boolean {
-  return item !== null && (handles.has(item.handle) || isWithin(item.parent, handles));
 }

@@ -1,7 +1,7 @@
 // Lines above the picture: of curves, of what is being drawn, and the aids of a gesture.
 import type { Affine, Point } from "../geometry/affine.js";
 import { pathData } from "./outline.js";
-import type { Draft, Sketch } from "./sketch.js";
+import type { Draft, Guide, Sketch } from "./sketch.js";
 
 export const matrix = (map: Affine): string => `matrix(${map.join(" ")})`;
 
@@ -52,16 +52,31 @@ export function Aids({ sketch }: { readonly sketch: Sketch }) {
   const { marquee, guides, brush } = sketch;
   return (
     <>
-      {guides.map(({ to }, k) => (
-        <g key={k} class="mark" style={`--x:${to[0]}px;--y:${to[1]}px`}>
-          <circle class="guide-rim" r={8} />
-          <circle class="guide" r={8} />
-        </g>
+      {guides.map((guide, k) => (
+        <GuideMark key={k} guide={guide} />
       ))}
       {marquee && <Marquee from={marquee[0]} to={marquee[1]} />}
       {brush && <circle class="brush-rim" cx={brush.at[0]} cy={brush.at[1]} r={brush.radius} />}
       {brush && <circle class="brush" cx={brush.at[0]} cy={brush.at[1]} r={brush.radius} />}
     </>
+  );
+}
+
+function GuideMark({ guide: { from, to } }: { readonly guide: Guide }) {
+  if (from[0] !== to[0] || from[1] !== to[1]) {
+    const ends = { x1: from[0], y1: from[1], x2: to[0], y2: to[1] };
+    return (
+      <>
+        <line class="guide-line-rim" {...ends} />
+        <line class="guide-line" {...ends} />
+      </>
+    );
+  }
+  return (
+    <g class="mark" style={`--x:${to[0]}px;--y:${to[1]}px`}>
+      <circle class="guide-rim" r={8} />
+      <circle class="guide" r={8} />
+    </g>
   );
 }
 

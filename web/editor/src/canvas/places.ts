@@ -1,7 +1,7 @@
 // Where the curves of a drawing are seen: each in its place, and through every <use> once more.
 import { composed, inverted, type Affine } from "../geometry/affine.js";
 import { shiftOf } from "../model/commands/structure/items.js";
-import type { CurveItem, Drawing, Item } from "../model/types.js";
+import type { CurveItem, Drawing, Handle, Item } from "../model/types.js";
 
 export interface Place {
   readonly item: CurveItem;
@@ -37,6 +37,11 @@ export function isLocked(item: Item): boolean {
 
 export function isHidden(item: Item): boolean {
   return item.hidden || (item.parent !== null && isHidden(item.parent));
+}
+
+/** Whether an item, or something around it, is one of these. */
+export function isWithin(item: Item | null, handles: ReadonlySet<Handle>): boolean {
+  return item !== null && (handles.has(item.handle) || isWithin(item.parent, handles));
 }
 
 const kept = new WeakMap<Drawing, { revision: number; places: readonly Place[] }>();

@@ -20,7 +20,9 @@ import { shown } from "../format.js";
 import { layerAt } from "../hit.js";
 import type { BoxMark } from "../marks.js";
 import { loosePhotoAt } from "../photo.js";
-import { placesOf } from "../places.js";
+import { isWithin, placesOf } from "../places.js";
+import type { Guide } from "../sketch.js";
+import { AlignedMove } from "./aligned.js";
 import {
   EditDrag,
   MarqueeDrag,
@@ -164,6 +166,7 @@ export class SelectTool implements Tool {
     const box = selectionBox(editor.drawing, editor.selection.peek());
     const handles = this.movedItems().map(({ handle }) => handle);
     const ends = this.endsOf(new Set(handles));
+    const aligned = new AlignedMove(canvas, new Set(handles));
     const step = editor.step(null);
     let by: Point = [0, 0];
     return new EditDrag(canvas, start, {
@@ -174,7 +177,7 @@ export class SelectTool implements Tool {
         const snap =
           p.ctrl || p.shift
             ? { by: raw, guides: [] }
-            : snapEnds(canvas, grid, ends, raw, new Set(handles));
+            : (snapEnds(canvas, grid, ends, raw, new Set(handles)) ?? aligned.snap(raw));
         canvas.draw({ guides: snap.guides });
         const { zoom } = editor.view.peek();
         by = [snap.by[0] / zoom, snap.by[1] / zoom];
@@ -191,10 +194,8 @@ export class SelectTool implements Tool {
   /** Ends of the open curves that are moved, on the stage: what snaps to others. */
   private endsOf(handles: ReadonlySet<Handle>): Point[] {
     const { canvas } = this;
-    const isMoved = (item: Item | null): boolean =>
-      item !== null && (handles.has(item.handle) || isMoved(item.parent));
     const ends = placesOf(canvas.editor.drawing)
-      .filter(({ owner }) => isMoved(owner))
+      .filter(({ owner }) => isWithin(owner, handles))
       .flatMap(({ item, artboardFromItem }) =>
         item.paths
           .filter(({ closed }) => !closed)
@@ -255,14 +256,14 @@ export class SelectTool implements Tool {
 /** With more ends than this a move snaps by none: it is a whole picture that is moved. */
 const MOST_ENDS = 64;
 
-/** Returns the vector that moves one of several ends to its snap target, if one of them snaps. */
+/** Returns the vector that moves one of several ends to its snap target; null: none of them snaps. */
 function snapEnds(
   canvas: Canvas,
   grid: ReturnType<Canvas["curves"]>,
   ends: readonly Point[],
   by: Point,
   moved: ReadonlySet<Handle>,
-): { by: Point; guides: readonly { from: Point; to: Point }[] } {
+): { by: Point; guides: readonly Guide[] } | null {
   for (const [x, y] of ends) {
     const at: Point = [x + by[0], y + by[1]];
     const found = canvas.snap(at, grid, moved);
@@ -273,7 +274,7 @@ function snapEnds(
       };
     }
   }
-  return { by, guides: [] };
+  return null;
 }
 
 export function say(canvas: Canvas, [x, y]: Point): void {

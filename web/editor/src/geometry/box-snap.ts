@@ -1,0 +1,63 @@
+// Boxes that snap to the edges and middles of other boxes while they are moved.
+import type { Box, Point } from "./affine.js";
+
+/** A line between boxes that are aligned; it spans both. */
+export interface AlignedLine {
+  readonly from: Point;
+  readonly to: Point;
+}
+
+export interface BoxSnap {
+  /** What is left to move, to be aligned. */
+  readonly by: Point;
+  readonly lines: readonly AlignedLine[];
+}
+
+/** Edges and middle of a box along an axis. */
+const marksOf = (box: Box, axis: 0 | 1): readonly number[] => [
+  box[axis],
+  (box[axis] + box[axis + 2]) / 2,
+  box[axis + 2],
+];
+
+interface Fit {
+  readonly by: number;
+  readonly at: number;
+  readonly other: Box;
+}
+
+/** Returns the nearest mark of other boxes to a mark of a box; null: none is within reach. */
+function nearest(box: Box, others: readonly Box[], axis: 0 | 1, reach: number): Fit | null {
+  let best: Fit | null = null;
+  let least = reach;
+  for (const other of others) {
+    for (const at of marksOf(other, axis)) {
+      for (const own of marksOf(box, axis)) {
+        const by = at - own;
+        if (Math.abs(by) > least || (best && Math.abs(by) === least)) continue;
+        [best, least] = [{ by, at, other }, Math.abs(by)];
+      }
+    }
+  }
+  return best;
+}
+
+/**
+ * Aligns a box with others: its edges and its middle with theirs, in each direction with the nearest one.
+ * @param reach the largest distance over which it snaps
+ */
+export function snappedBox(box: Box, others: readonly Box[], reach: number): BoxSnap {
+  const [x, y] = [nearest(box, others, 0, reach), nearest(box, others, 1, reach)];
+  const by: Point = [x?.by ?? 0, y?.by ?? 0];
+  const [x0, y0, x1, y1] = [box[0] + by[0], box[1] + by[1], box[2] + by[0], box[3] + by[1]];
+  const lines: AlignedLine[] = [];
+  if (x) {
+    const [low, high] = [Math.min(y0, x.other[1]), Math.max(y1, x.other[3])];
+    lines.push({ from: [x.at, low], to: [x.at, high] });
+  }
+  if (y) {
+    const [low, high] = [Math.min(x0, y.other[0]), Math.max(x1, y.other[2])];
+    lines.push({ from: [low, y.at], to: [high, y.at] });
+  }
+  return { by, lines };
+}
