@@ -8,7 +8,7 @@ import { SmallPictures } from "../../../viewer/small.js";
 import type { Editor } from "../app/types.js";
 import type { PictureUpdate } from "../engine/types.js";
 import { ExactStage } from "./exact.js";
-import { photosOf } from "./photo.js";
+import { isSeenThrough } from "./photo.js";
 import { Scene, type SceneChange } from "./scene.js";
 import type { StackItem } from "./stack-parts.js";
 import { keepStill } from "./still.js";
@@ -62,10 +62,8 @@ export class PictureCanvas {
     this.#exact = new ExactStage(editor, this, () => this.#schedule());
   }
 
-  /** Whether photos show where the picture is clear. */
-  readonly #isClear = computed(
-    () => this.#editor.showReference.value && photosOf(this.#editor.drawing, true).length > 0,
-  );
+  /** Whether chequers or photos show where the picture is clear. */
+  readonly #isClear = computed(() => isSeenThrough(this.#editor));
 
   /** The canvas to draw into, or none any more. */
   attach(canvas: HTMLCanvasElement | null): void {
@@ -83,7 +81,7 @@ export class PictureCanvas {
   }
 
   #open(canvas: HTMLCanvasElement) {
-    // Clear where there is a photo below.
+    // Clear where the drawing is transparent or a photo lies below.
     const wish = { alpha: true, antialias: false, depth: false, stencil: false } as const;
     this.#gl = canvas.getContext("webgl2", wish) as WebGL2RenderingContext | null;
     if (!this.#gl) return this.#editor.say(this.#words.missing);
