@@ -15,7 +15,7 @@ namespace {
 using options::OutputKind;
 
 Result<FileBytes> make_image(Context& context, const sfumato_picture& handle, OutputKind kind,
-                         const options::Settings& settings) {
+                             const options::Settings& settings) {
   const Picture& picture = handle.picture();
   const std::optional<Rgb> background = background_of(settings, kind, picture);
   const Box viewport = settings.diffuse.viewport.value_or(picture.viewport);
