@@ -1,6 +1,6 @@
 // Draws the picture into the stage's canvas: at once where something has changed, then finer, then
 // not at all until something changes.
-import { computed, effect } from "@preact/signals";
+import { computed, effect, untracked } from "@preact/signals";
 import { MovedFrame } from "../../../viewer/moved_frame.js";
 import { makeTexels } from "../../../viewer/paints.js";
 import { Renderer } from "../../../viewer/renderer.js";
@@ -273,6 +273,16 @@ export class PictureCanvas {
     if (!this.#renderer || !this.stack) return null;
     this.#small ??= new SmallPictures(this.#renderer);
     return this.#small.draw(items, size, pixelFromArtboard);
+  }
+
+  /** Draws the artboard small, on nothing; null while nothing can be drawn, or only a part of it was made. */
+  whole(size: number[]): Uint8ClampedArray<ArrayBuffer> | null {
+    const { stack, viewport } = this;
+    const [x0, y0, x1, y1] = untracked(() => this.#editor.drawing).artboard;
+    const isMade = viewport[0] <= x0 && viewport[1] <= y0 && viewport[2] >= x1 && viewport[3] >= y1;
+    if (!stack || !isMade) return null;
+    const [across, along] = [size[0] / (x1 - x0), size[1] / (y1 - y0)];
+    return this.small([...stack], size, [across, 0, 0, along, -x0 * across, -y0 * along]);
   }
 
   /** When the last picture that was taken is drawn as fine as it gets. */

@@ -14,6 +14,14 @@ export interface Place {
   readonly name: string;
   readonly form: TextForm;
   readonly target: Target;
+  /** A drawing of the gallery: the editor has the pictures that it names. */
+  readonly isExample?: true;
+}
+
+/** Returns whether a stored value is a place; a damaged one is not. */
+export function isPlace(value: unknown): value is Place {
+  const { name, form, target } = (value ?? {}) as Partial<Place>;
+  return typeof name === "string" && typeof form?.encoding === "string" && typeof target?.kind === "string";
 }
 
 /** The result of saving. */

@@ -24,6 +24,8 @@ export interface RecentFile {
   readonly name: string;
   /** Milliseconds since 1970. */
   readonly time: number;
+  /** null: none is stored. */
+  readonly picture: Blob | null;
   open(): void;
 }
 
@@ -33,6 +35,7 @@ export interface Autosave {
   readonly name: string;
   readonly time: number;
   readonly curves: number;
+  readonly picture: Blob | null;
 }
 
 /** Why a file could not be opened, and the text around the place. */
