@@ -2,7 +2,7 @@
 import { check, checkEqual, EditorPage, newContext, packageOf, until } from "./harness.mjs";
 import { isKept } from "./recover.mjs";
 import { small } from "./texts.mjs";
-import { edit, goHome, shows } from "./words.mjs";
+import { edit, goHome, said, shows } from "./words.mjs";
 
 const { decode } = packageOf("fast-png");
 const size = [900, 600];
@@ -241,6 +241,30 @@ async function testNew(browser, address) {
   await editor.close();
 }
 
+/** A tap of two fingers undoes, one of three redoes; neither leaves a stroke. */
+async function testTaps(browser, address) {
+  const editor = await EditorPage.open(browser, address, { size, hasTouch: true });
+  const { page } = editor;
+  await editor.load(small, "mine.svg");
+  const edited = await edit(editor);
+  await editor.key("b");
+  const session = await editor.context.newCDPSession(page);
+  const [x, y] = await editor.at(50, 60);
+  const tap = async (count) => {
+    const touchPoints = Array.from({ length: count }, (_, id) => ({ x: x + 50 * id, y, id }));
+    await session.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints });
+    await session.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
+  };
+  await tap(2);
+  await shows(page, small);
+  await said(page, /^Undone: /);
+  await tap(3);
+  await shows(page, edited);
+  await said(page, /^Redone: /);
+  editor.checkQuiet();
+  await editor.close();
+}
+
 export async function testReturns(tap, { browser, address }) {
   await tap.test("returns: a reload shows the drawing, a new tab and Home the first page", () => testReload(browser, address));
   await tap.test("returns: an unchanged drawing of the gallery, with its pictures", () => testUnchanged(browser, address));
@@ -248,5 +272,6 @@ export async function testReturns(tap, { browser, address }) {
   await tap.test("returns: without storage the first page", () => testRefused(browser, address));
   await tap.test("returns: recent drawings have pictures", () => testPictures(browser, address));
   await tap.test("returns: chequers show where a drawing is transparent", () => testChequers(browser, address));
+  await tap.test("returns: two fingers undo, three redo", () => testTaps(browser, address));
   await tap.test("returns: a new drawing can be transparent", () => testNew(browser, address));
 }

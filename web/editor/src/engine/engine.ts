@@ -17,6 +17,7 @@ import type {
   Engine,
   EngineCurve,
   EngineStatus,
+  FileWish,
   GivenImage,
   Hint,
   ImportedSvg,
@@ -24,6 +25,7 @@ import type {
   PictureUpdate,
   QuickChange,
   RasterWish,
+  WrittenFile,
 } from "./types.js";
 
 /** The time for gathering in a frame, seconds. */
@@ -475,6 +477,10 @@ export class WorkerEngine implements Engine {
 
   payload(): Promise<Uint8Array> {
     return this.#ask("payload");
+  }
+
+  write(wish: FileWish): Promise<WrittenFile> {
+    return this.#ask("write", wish);
   }
 
   /** Runs in the idle back worker, so that frames do not wait. */

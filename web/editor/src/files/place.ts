@@ -41,5 +41,5 @@ export const newPlace = (name: string): Place => ({ name, form: plainForm, targe
 
 /** A name with an extension in the place of its own: "a.xml", "svg" → "a.svg". */
 export function withExtension(name: string, extension: string): string {
-  return `${name.replace(/(?<=[^/\\])\.(svgz?|xml|png|html?)$/i, "")}.${extension}`;
+  return `${name.replace(/(?<=[^/\\])\.(svgz?|xml|png|html?|pdf)$/i, "")}.${extension}`;
 }

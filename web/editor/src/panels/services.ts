@@ -107,8 +107,15 @@ export interface Services {
   readonly problem: ReadonlySignal<Problem | null>;
   /** The file that the dialog "foreign" asks about. */
   readonly foreign: ReadonlySignal<Foreign | null>;
-  /** @throws Error, in words; AbortError: the person left it */
-  exportTo(wish: ExportWish, watch: ExportWatch): Promise<void>;
+  /**
+   * Writes a file for each wish; several wishes are sizes of one PNG. @param natural its size at 1×
+   * @throws Error, in words; AbortError: the person left it
+   */
+  exportTo(
+    wishes: readonly ExportWish[],
+    natural: { readonly width: number; readonly height: number },
+    watch: ExportWatch,
+  ): Promise<void>;
   /** The picture to the clipboard. @throws Error, in words; AbortError: the person left it */
   copyPicture(wish: ExportWish, watch: ExportWatch): Promise<void>;
   /** Approximate bytes; null: unknown. */
