@@ -24,7 +24,7 @@ export const dialogs = {
     pdf: "Page for print",
     plain: "For other programs",
   },
-  alsoSizes: "Other sizes, as more files",
+  alsoSizes: "Other sizes",
   sizeSuffix: (scale: number) => `@${scale}x`,
   content: "Content",
   contents: { vectors: "Triangles", pixels: "Image" },
