@@ -4,7 +4,7 @@ import { copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "no
 import { createRequire } from "node:module";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
-import { inEachModule, licenceOfLibrary } from "../../web/wasm/licences.mjs";
+import { libraries, licenceOfLibrary } from "../../web/wasm/licences.mjs";
 
 const { build } = createRequire(new URL("tests/package.json", import.meta.url))("esbuild");
 const path = (relative) => fileURLToPath(new URL(relative, import.meta.url));
@@ -32,7 +32,7 @@ const bundle = (entry, options = {}) =>
 
 /** Returns the licence texts of the code that the modules contain besides the library. */
 function licences() {
-  const parts = [...inEachModule, "zlib"].map((name) => `=== ${name} ===\n\n${licenceOfLibrary(modules, name)}\n`);
+  const parts = libraries.map((name) => `=== ${name} ===\n\n${licenceOfLibrary(modules, name)}\n`);
   return `The modules of this package hold parts of these libraries.\n\n${parts.join("\n")}`;
 }
 

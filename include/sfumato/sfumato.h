@@ -450,7 +450,7 @@ SFUMATO_API int32_t sfumato_raster(sfumato_context* context, const sfumato_pictu
                                    const sfumato_image* image, const char* options);
 /** Makes a file of a picture: png, jpg, webp, html, pdf, eps, svg, glb, npz, ply or json, with the
  * bytes that the command writes. Warns of content that the format cannot show (sfumato_warning()).
- * Returns SFUMATO_UNAVAILABLE in WebAssembly.
+ * In WebAssembly returns SFUMATO_UNAVAILABLE for formats that the module lacks (docs/wasm.md).
  *
  * options: width, height, scale, background; for pixels also viewport, window, depth, dither,
  * no-dither, no-antialias, mesh-overlay, quality, lossless; for others dpi, svg, force,

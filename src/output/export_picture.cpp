@@ -5,13 +5,12 @@
 #include <utility>
 
 #include "base/try.hpp"
+#include "output/export_vector.hpp"
 #include "sfumato/codecs/jpeg_encode.hpp"
 #include "sfumato/codecs/png.hpp"
 #include "sfumato/export/eps/eps.hpp"
 #include "sfumato/export/glb/glb.hpp"
 #include "sfumato/export/html/html.hpp"
-#include "sfumato/export/pdf/pdf.hpp"
-#include "sfumato/export/svg/svg.hpp"
 #include "sfumato/export/tables/tables.hpp"
 #include "sfumato/raster/rasterize.hpp"
 
@@ -61,35 +60,18 @@ Result<Bytes> make_html(Context& context, const Picture& picture, const std::str
       {.title = title, .fallback = std::move(fallback), .fallback_type = kFallbackType}, notes);
 }
 
-Result<Bytes> make_svg(Context& context, const Picture& picture, const DrawingOptions& drawing,
-                       ExportNotes* notes) {
-  SvgOptions options{.mode = drawing.output.svg.value_or(SvgMode::image),
-                     .force = drawing.output.force};
-  options.scale = drawing.scale;
-  options.dpi = drawing.output.dpi.value_or(options.dpi);
-  options.max_error = std::max(options.max_error, drawing.max_error);
-  return export_svg(context, picture, options, notes);
-}
-
 }  // namespace
 
 Result<Bytes> export_picture(Context& context, const Picture& picture,
                              const DrawingOptions& drawing, ExportNotes* notes) {
   const options::OutputOptions& output = drawing.output;
-  const double page_width_pt = 0.75 * drawing.scale * picture.viewport.width();
   switch (drawing.kind) {
     case OutputKind::html:
       return make_html(context, picture, output.title, notes);
-    case OutputKind::pdf: {
-      PdfOptions options{.title = output.title, .flatten = output.pdf_flatten};
-      options.dpi = output.dpi.value_or(options.dpi);
-      options.page_width_pt = page_width_pt;
-      return export_pdf(context, picture, options, notes);
-    }
     case OutputKind::eps: {
       EpsOptions options{.title = output.title};
       options.dpi = output.dpi.value_or(options.dpi);
-      options.page_width_pt = page_width_pt;
+      options.page_width_pt = page_width_pt(picture, drawing);
       return export_eps(context, picture, options, notes);
     }
     case OutputKind::glb: {
@@ -106,7 +88,7 @@ Result<Bytes> export_picture(Context& context, const Picture& picture,
     case OutputKind::json:
       return export_json(context, picture, notes);
     default:
-      return make_svg(context, picture, drawing, notes);
+      return export_vector(context, picture, drawing, notes);
   }
 }
 

@@ -42,6 +42,10 @@ const CASES = [
   ["exact", scene("lady_bug"), "width=700"],
   ["file", EVENING, ""],
   ["file", CONTROLS, "max-error=off"],
+  ["pdf", EVENING, "detail=2"],
+  ["pdf", CONTROLS, "detail=2"],
+  ["image", CONTROLS, "detail=2"],
+  ["vector", CONTROLS, ""],
   ["lint", CONTROLS, "verbose"],
   ["lint", "examples/fish.svg", "verbose"],
 ];
@@ -88,6 +92,11 @@ const ANSWERS = {
     return context.writePicture(context.readPicture(bytes));
   },
   stack: (context, document, options) => context.pictureStack(context.solve(document, options)),
+  pdf: (context, document, options) =>
+    context.export(context.solve(document, options), "pdf", { title: "A" }),
+  image: (context, document, options) => context.export(context.solve(document, options), "svg"),
+  vector: (context, document, options) =>
+    context.export(context.solve(document, options), "svg", { svg: "vector" }),
   exact: (context, document, options) => context.exactLayer(context.solve(document, options), 0),
 };
 

@@ -113,6 +113,13 @@ bool put_traced(Work& work) {
   return put_and_free(bytes);
 }
 
+/// Writes the file that a picture is exported as.
+bool put_exported(Work& work, const char* format, const char* options) {
+  sfumato_bytes* bytes = nullptr;
+  if (solve(work)) sfumato_export(work.context, work.picture, format, options, &bytes);
+  return put_and_free(bytes);
+}
+
 bool answer(const std::string& question, Work& work) {
   sfumato_bytes* bytes = nullptr;  // stays null if a call fails
   if (question == "tables") return solve(work) && put_tables(work.picture);
@@ -120,6 +127,9 @@ bool answer(const std::string& question, Work& work) {
   if (question == "rough") return put_moved(work, 2);
   if (question == "colors") return put_colors(work);
   if (question == "pixels") return put_pixels(work);
+  if (question == "pdf") return put_exported(work, "pdf", "title=A");
+  if (question == "image") return put_exported(work, "svg", "");
+  if (question == "vector") return put_exported(work, "svg", "svg=vector");
   if (question == "traced") return put_traced(work);
   if (question == "lint") {
     sfumato_lint(work.context, work.document, work.options.c_str(), &bytes);
@@ -146,7 +156,7 @@ int main(int argc, char** argv) {
   if (argc < 3) {
     std::fputs(
         "usage: native_answers tables|dragged|colors|pixels|traced|svg|payload|stack|"
-        "exact|file|lint IN [OPTIONS]\n",
+        "exact|file|lint|pdf|image|vector IN [OPTIONS]\n",
         stderr);
     return 2;
   }

@@ -298,8 +298,8 @@ export class SfumatoContext extends Handle {
   }
 
   /**
-   * Returns a picture as a file. Only modules with exporters have this (docs/npm.md); the others throw
-   * Status.unavailable.
+   * Returns a picture as a file. The editor's module makes PDF and SVG, the package's module all formats below
+   * (docs/npm.md). Other formats throw Status.unavailable.
    * @param {SfumatoPicture} picture
    * @param {string} format png, svg, pdf, eps, glb, html, npz, ply or json
    * @param {Options} options of sfumato_export

@@ -13,8 +13,8 @@ const texts = {
   "libc++": () => debian("libc++-19-dev-wasm32"),
 };
 
-/** The libraries in every module. Modules that write files also contain zlib. */
-export const inEachModule = ["pugixml", "wasi-libc", "libc++"];
+/** The libraries in modules that write files. */
+export const libraries = ["pugixml", "zlib", "wasi-libc", "libc++"];
 
 /** @param folder the output folder of `scripts/build-wasm` */
 export const licenceOfLibrary = (folder, name) => texts[name](folder);

@@ -1,4 +1,5 @@
 // Exports and copies: the engine's pixels, the text, a page; and pasting into another page.
+import { execFileSync } from "node:child_process";
 import { mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -10,6 +11,7 @@ import { example, small } from "./texts.mjs";
 import { closeDialog, said, shows, textAfter } from "./words.mjs";
 
 const { decode } = packageOf("fast-png");
+const command = process.env.SFUMATO ?? pathOf("build/sfumato");
 
 /** Returns a context of the site's own module, in this process. */
 async function contextOf(folder) {
@@ -30,7 +32,7 @@ function rasterOf(context, text, { width, height, format, background }) {
 async function exported({ page }, format, { checks = [], scale = null } = {}) {
   await page.keyboard.press("Control+e");
   const dialog = page.locator("dialog.export");
-  await dialog.getByRole("radio", { name: format }).check();
+  await dialog.getByRole("radio", { name: new RegExp(`^${format}`) }).check();
   if (scale) await dialog.getByText(scale, { exact: true }).click();
   for (const name of checks) await dialog.getByRole("checkbox", { name }).check();
   const file = await downloaded(page, () => dialog.getByRole("button", { name: `Export ${format}` }).click());
@@ -77,6 +79,78 @@ async function testUndrawable(editor) {
   await page.getByRole("button", { name: "Export PNG" }).click();
   await said(page, /^Line \d+, column \d+: .*wood\.png/, "dialog [role=alert]");
   await closeDialog(page);
+}
+
+/** Returns the file that the command writes of a text. */
+function written(text, name, options) {
+  const folder = mkdtempSync(join(tmpdir(), "sfumato-export-"));
+  try {
+    const drawing = join(folder, "drawing.svg");
+    writeFileSync(drawing, text);
+    execFileSync(command, ["render", drawing, "-o", join(folder, name), "--quiet", ...options]);
+    return readFileSync(join(folder, name));
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+}
+
+/** PDF and plain SVG have the bytes of the command. */
+async function testVectors(editor) {
+  const { page } = editor;
+  await editor.load(small, "small.svg");
+  const pdf = await exported(editor, "PDF");
+  checkEqual([pdf.name, String(pdf.bytes.subarray(0, 5))], ["small.pdf", "%PDF-"], "the PDF");
+  check(pdf.bytes.equals(written(small, "a.pdf", ["--title", "small"])), "the PDF is not the command's");
+  const plain = await exported(editor, "Plain SVG");
+  checkEqual(plain.name, "small-plain.svg", "the name of the plain SVG");
+  check(plain.bytes.equals(written(small, "a.svg", ["--svg", "vector"])), "the plain SVG is not the command's");
+  check(/^<svg [^]*<\/svg>\s*$/.test(String(plain.bytes)), "the plain SVG is not complete");
+  await page.keyboard.press("Control+e");
+  await page.locator("dialog.export").getByRole("radio", { name: "Image", exact: true }).click();
+  const image = await downloaded(page, () => page.getByRole("button", { name: "Export Plain SVG" }).click());
+  check(image.bytes.equals(written(small, "a.svg", ["--svg", "image"])), "the SVG of pixels is not the command's");
+}
+
+/** An empty drawing is exported too; one of too many triangles says what to do. */
+async function testVectorsOfLittleAndMuch(editor) {
+  const { page } = editor;
+  const empty = small.replace(/<path[^]*?\/>/, "");
+  await editor.load(empty, "empty.svg");
+  const { bytes } = await exported(editor, "PDF");
+  check(bytes.equals(written(empty, "a.pdf", ["--title", "empty"])), "the empty PDF is not the command's");
+  await editor.load(example("fish.svg"), "fish.svg");
+  await page.keyboard.press("Control+e");
+  await page.locator("dialog.export").getByRole("radio", { name: /^Plain SVG/ }).check();
+  await page.getByRole("button", { name: "Export Plain SVG" }).click();
+  await said(page, /40000 triangles/, "dialog [role=alert]");
+  await closeDialog(page);
+}
+
+/** Two sizes are two files, with the suffixes of their scales. */
+async function testSizes(browser, address) {
+  const context = await newContext(browser, { size: [1000, 700] });
+  await context.addInitScript(() => delete window.showOpenFilePicker);
+  const editor = await EditorPage.within(context, address);
+  const { page } = editor;
+  await editor.load(small, "small.svg");
+  await page.keyboard.press("Control+e");
+  const dialog = page.locator("dialog.export");
+  await dialog.getByRole("checkbox", { name: "@1x" }).check();
+  await dialog.getByRole("checkbox", { name: "@3x" }).check();
+  const files = [];
+  page.on("download", (download) => files.push(download));
+  await dialog.getByRole("button", { name: "Export 3 PNG files" }).click();
+  await until("three files are downloaded", () => files.length === 3);
+  const sizes = [];
+  for (const file of files) {
+    const { width, height } = decode(readFileSync(await file.path()));
+    sizes.push([file.suggestedFilename(), width, height]);
+  }
+  const wanted = [["small.png", 100, 80], ["small@2x.png", 200, 160], ["small@3x.png", 300, 240]];
+  checkEqual(sizes, wanted, "the files");
+  await page.waitForFunction(() => !document.querySelector("dialog[open]"));
+  editor.checkQuiet();
+  await editor.close();
 }
 
 async function testSvg(editor) {
@@ -183,6 +257,9 @@ export async function testExporting(tap, { browser, address, folder }) {
   await tap.test("exporting: an SVG leaves the photo out", () => testSvg(editor));
   await tap.test("exporting: the HTML shows the picture by itself", () => testHtml(editor, browser));
   await tap.test("exporting: the message about a faulty drawing has its line", () => testUndrawable(editor));
+  await tap.test("exporting: PDF and plain SVG are the command's", () => testVectors(editor));
+  await tap.test("exporting: PDF of nothing, and too much for plain SVG", () => testVectorsOfLittleAndMuch(editor));
+  await tap.test("exporting: several sizes are several files", () => testSizes(browser, address));
   await tap.test("exporting: nothing was complained of", () => editor.checkQuiet());
   await editor.close();
   await tap.test("exporting: the dialog shows failures", () => testFailure(browser, address));

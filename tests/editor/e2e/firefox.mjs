@@ -232,7 +232,6 @@ async function testReload(editor) {
   const edited = await editor.changing("an arrow", () => editor.key("ArrowRight"));
   await isKept(page, edited);
   await page.reload();
-  await editor.press(/kept\.svg/, ".recent-list button");
   const isShown = (text) => window.sfumatoEditor?.text === text;
   await editor.until("the edited text is there", isShown, edited);
   await focusStage(editor);

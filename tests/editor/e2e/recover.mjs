@@ -1,7 +1,7 @@
 // Drawings in the browser's storage: after a crash of the page, with another tab, and without storage.
 import { check, checkEqual, EditorPage, newContext, until } from "./harness.mjs";
 import { small } from "./texts.mjs";
-import { edit, said, shows } from "./words.mjs";
+import { edit, goHome, said, shows } from "./words.mjs";
 
 const size = [900, 600];
 
@@ -62,6 +62,7 @@ async function testSwitched(browser, address) {
   await editor.load(other, "second.svg");
   await editor.key("Control+n");
   await page.getByRole("button", { name: "Create" }).click();
+  await goHome(page);
   await page.reload();
   await page.locator(".recent-list button", { hasText: "first.svg" }).click();
   await shows(page, edited);
@@ -147,9 +148,11 @@ async function testPruned(browser, address) {
     await page.evaluate(() => dispatchEvent(new Event("pagehide")));
   }
   await isKept(page, "22.svg");
-  await page.reload();
-  await page.waitForFunction(() => document.querySelectorAll(".recent-list b").length > 0);
-  const names = await page.locator(".recent-list b").allTextContents();
+  await goHome(page);
+  checkEqual(await page.locator(".recent-list li").count(), 6, "drawings on the first page");
+  await page.getByRole("button", { name: "All 20 drawings" }).click();
+  await page.locator(".kept-list li").first().waitFor();
+  const names = await page.locator(".kept-list b").allTextContents();
   checkEqual(names, Array.from({ length: 20 }, (_, i) => `${22 - i}.svg`), "what is kept");
   editor.checkQuiet();
   await editor.close();

@@ -22,6 +22,7 @@ import { testLayers } from "./layers.mjs";
 import { testPanels } from "./panels.mjs";
 import { testPhoto } from "./photo.mjs";
 import { testRecover } from "./recover.mjs";
+import { testReturns } from "./returns.mjs";
 import { testRobust } from "./robust.mjs";
 import { testSaving } from "./saving.mjs";
 import { testServedDrawing } from "./served.mjs";
@@ -50,6 +51,7 @@ const themes = [
   testPhoto,
   testRobust,
   testRecover,
+  testReturns,
   testDraw,
   testExact,
   testServedDrawing,

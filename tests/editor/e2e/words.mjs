@@ -26,6 +26,14 @@ export async function shows(page, text) {
   await page.waitForFunction(isThere, text).catch(() => check(false, "the text is not shown"));
 }
 
+/** Goes to the first page. */
+export async function goHome(page) {
+  await page.evaluate(() => document.querySelector("[aria-label=Menu]").click());
+  await page.getByRole("menuitem", { name: "File" }).click();
+  await page.getByRole("menuitem", { name: "Home" }).click();
+  await page.locator(".welcome").waitFor();
+}
+
 /** Closes the open dialog. */
 export async function closeDialog(page) {
   await page.keyboard.press("Escape");

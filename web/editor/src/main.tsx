@@ -6,6 +6,7 @@ import { listenToKeys } from "./app/keyboard.js";
 import { WorkerEngine } from "./engine/engine.js";
 import { createWorker, getModule } from "./engine/host.js";
 import { keepOffline } from "./files/offline.js";
+import { drawingOfTab } from "./files/session.js";
 import { blankText } from "./model/drawing.js";
 import { listenToDrops } from "./page/drops.js";
 import { examplesOf } from "./page/examples.js";
@@ -19,6 +20,8 @@ import type { Work } from "./work.js";
 const engine = new WorkerEngine({ module: getModule, worker: createWorker });
 const editor = new DrawingEditor(engine, null, blankText(800, 600, null));
 const later = signal<Work | null>(null);
+/** Whether the drawing that this tab had open is on its way: the first page would only flash up. */
+const isReturning = signal(drawingOfTab() !== null);
 
 /** Keys, buttons, and what is dropped or pasted before it wait. */
 async function fetchWork(): Promise<Work> {
@@ -27,7 +30,7 @@ async function fetchWork(): Promise<Work> {
   later.value = work;
   // An early request is separate from this: if it fails, the rest still works.
   queueMicrotask(() => editor.learn(commandsOf(work.documents)));
-  void work.documents.openServed();
+  void work.documents.openFirst().finally(() => (isReturning.value = false));
   return work;
 }
 
@@ -36,12 +39,16 @@ const missing = () => editor.say(en.panels.partsMissing);
 const work = fetchWork();
 const documents = work.then((there) => there.documents);
 // A request for a file that does not arrive gets a message.
-documents.catch(() => editor.learn({ get: () => missing }));
+documents.catch(() => {
+  isReturning.value = false;
+  editor.learn({ get: () => missing });
+});
 const parts = fetchParts(work);
 const recent = computed(() =>
-  (later.value?.documents.kept.value ?? []).map(({ id, name, time }) => ({
+  (later.value?.documents.kept.value ?? []).map(({ id, name, time, picture }) => ({
     name,
     time,
+    picture,
     open: () => void later.value?.documents.recover(id),
   })),
 );
@@ -54,7 +61,13 @@ listenToPastes((pasted) => {
   work.then((there) => there.paste(pasted), missing);
 });
 render(
-  <App editor={editor} later={later} examples={examplesOf(documents)} recent={recent} />,
+  <App
+    editor={editor}
+    later={later}
+    isReturning={isReturning}
+    examples={examplesOf(documents)}
+    recent={recent}
+  />,
   document.getElementById("app")!,
 );
 // A script that drives the page finds all of it there.

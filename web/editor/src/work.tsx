@@ -13,6 +13,7 @@ import { watchDifference } from "./page/difference.js";
 import { Documents } from "./page/documents.js";
 import { takePasted } from "./page/pasted.js";
 import type { Pasted } from "./page/pastes.js";
+import { KeptPictures } from "./page/kept-pictures.js";
 import { Pictures } from "./page/pictures.js";
 import { servicesOf } from "./page/services.js";
 import type { Later } from "./panels/app.js";
@@ -37,6 +38,7 @@ export function begin(editor: DrawingEditor, engine: WorkerEngine): Work {
   listenToCopying(editor);
   prepareTour(editor);
   watchDifference(editor);
+  new KeptPictures(editor, documents, picture);
   return {
     documents,
     services: servicesOf(editor, documents, picture, thumbs),

@@ -2,7 +2,7 @@
 import { existsSync, readdirSync, readFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
-import { inEachModule, licenceOfLibrary } from "../../wasm/licences.mjs";
+import { libraries, licenceOfLibrary } from "../../wasm/licences.mjs";
 
 const here = (path) => fileURLToPath(new URL(path, import.meta.url));
 const packages = here("../node_modules");
@@ -39,7 +39,7 @@ function licencesOf(module) {
   const names = [...dependencies(), ...Object.values(helpers)].sort();
   const ofPackages = names.map((name) => ({ name, licence: said(join(packages, name)).license, text: textOf(name) }));
   const folder = dirname(module);
-  const ofLibraries = inEachModule.map((name) => ({ name, licence: null, text: licenceOfLibrary(folder, name).trim() }));
+  const ofLibraries = libraries.map((name) => ({ name, licence: null, text: licenceOfLibrary(folder, name).trim() }));
   const own = { name: "Sfumato", licence: "MIT", text: readFileSync(here("../../../LICENSE"), "utf8").trim() };
   return [own, ...ofPackages, ...ofLibraries];
 }

@@ -1,3 +1,4 @@
+import { signal } from "@preact/signals";
 import { beforeEach, describe, expect, test, vi } from "vitest";
 import { pressKey, releaseKey } from "../../../../web/editor/src/canvas/keyboard.js";
 import { Pointers } from "../../../../web/editor/src/canvas/pointers.js";
@@ -310,4 +311,81 @@ test("whatever_comes_in_whatever_order_each_press_ends_once", () => {
     expect(tool.open).toBe(0);
     expect(pointers.isDragging).toBe(false);
   }
+});
+
+describe("a tap of several fingers", () => {
+  const fingers = (count: number) => Array.from({ length: count }, (_, i) => new Hand(pointers, "touch", 21 + i));
+  const history = { undo: vi.fn(), redo: vi.fn(), say: vi.fn() };
+  const labels = { undoLabel: signal<string | null>(null), redoLabel: signal<string | null>(null) };
+  const said = () => history.say.mock.calls.map(([text]) => text as string);
+  const calls = () => [history.undo.mock.calls.length, history.redo.mock.calls.length];
+
+  beforeEach(() => {
+    vi.clearAllMocks();
+    labels.undoLabel.value = labels.redoLabel.value = null;
+    Object.assign(editor, history, labels);
+  });
+
+  function tapBy(count: number, between: (all: Hand[]) => void = () => {}) {
+    labels.undoLabel.value = "draw curve";
+    labels.redoLabel.value = "move";
+    const all = fingers(count);
+    all.forEach((finger, i) => finger.down([40 * i, 50]));
+    between(all);
+    all.forEach((finger, i) => finger.up([40 * i, 50]));
+  }
+
+  test.each([
+    [1, [0, 0], []],
+    [2, [1, 0], ["Undone: draw curve"]],
+    [3, [0, 1], ["Redone: move"]],
+    [4, [0, 0], []],
+  ] as const)("%d: undoes or redoes", (count, wanted, words) => {
+    tapBy(count);
+    expect(calls()).toEqual(wanted);
+    expect(said()).toEqual(words);
+    expect(tool.open).toBe(0);
+    if (count > 1) expect(tool.heard).not.toContain("end");
+  });
+
+  test("that shakes a little is one, and does not move the picture", () => {
+    const view = editor.view.value;
+    tapBy(2, ([a, b]) => (a.move([4, 53]), b.move([44, 47])));
+    expect(calls()).toEqual([1, 0]);
+    expect(editor.view.value).toEqual(view);
+  });
+
+  test("that moves the picture is none", () => {
+    tapBy(2, ([a]) => a.move([30, 50]));
+    expect(calls()).toEqual([0, 0]);
+  });
+
+  test("that lasts is none", () => {
+    tapBy(2, (all) => all.forEach((finger) => (finger.time += 400)));
+    expect(calls()).toEqual([0, 0]);
+  });
+
+  test("that the system takes away is none", () => {
+    tapBy(2, ([a]) => pointers.lost(a.id));
+    expect(calls()).toEqual([0, 0]);
+  });
+
+  test("after a line was drawn is none", () => {
+    const [a, b] = fingers(2);
+    a.down([0, 0]);
+    a.move([60, 0]);
+    b.down([90, 0]);
+    a.up([60, 0]);
+    b.up([90, 0]);
+    expect(calls()).toEqual([0, 0]);
+  });
+
+  test("says nothing where there is nothing to undo", () => {
+    const [a, b] = fingers(2);
+    a.down([0, 0]);
+    b.down([90, 0]);
+    a.up([0, 0]);
+    b.up([90, 0]);
+    expect([calls(), said()]).toEqual([[0, 0], []]);
+  });
 });

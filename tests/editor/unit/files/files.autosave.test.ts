@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
 import type { KeptWhere } from "../../../../web/editor/src/files/autosave.js";
-import { Autosave, forgetDrawings, keptDrawings, mostKept, pauseBeforeKeeping, recoverDrawing } from "../../../../web/editor/src/files/autosave.js";
+import { Autosave, forgetDrawings, keepPicture, keptDrawings, mostKept, mostSafe, pauseBeforeKeeping, recoverDrawing, safeTime } from "../../../../web/editor/src/files/autosave.js";
 import { claim } from "../../../../web/editor/src/files/tabs.js";
 
 
@@ -94,6 +94,125 @@ describe("a drawing", () => {
   });
 });
 
+describe("a drawing without changes", () => {
+  test("is stored for a reload, and not listed", async () => {
+    const { told, save } = autosave();
+    save.safe(state("x"));
+    await vi.advanceTimersByTimeAsync(pauseBeforeKeeping);
+    expect(await recoverDrawing(save.id)).toMatchObject({ text: "x", isSafe: true });
+    expect(await keptDrawings()).toEqual([]);
+    expect(told).toEqual([]);
+  });
+
+  test("is listed from its first edit on, and no longer once a file has it", async () => {
+    const { save } = autosave();
+    save.safe(state("x"));
+    await save.flush();
+    save.edited(state("y"));
+    await save.flush();
+    expect((await keptDrawings()).map(({ id }) => id)).toEqual([save.id]);
+    save.safe(state("y"));
+    await save.flush();
+    expect(await keptDrawings()).toEqual([]);
+    expect((await recoverDrawing(save.id))?.text).toBe("y");
+  });
+
+  test("is removed when another is opened, but not with an edit that waits", async () => {
+    const { save } = autosave();
+    save.safe(state("unchanged"));
+    await save.flush();
+    save.begin("second");
+    save.safe(state("second"));
+    await save.flush();
+    expect([...base.rows.keys()]).toEqual(["head:second", "body:second"]);
+    save.edited(state("edited"));
+    save.begin("third");
+    await save.flush();
+    expect((await recoverDrawing("second"))?.text).toBe("edited");
+  });
+
+  test("is not stored where its text is large, and a refusal is not reported", async () => {
+    const { told, save } = autosave();
+    save.safe(state("x".repeat(5e6)));
+    await save.flush();
+    expect(base.rows.size).toBe(0);
+    base.state.error = new DOMException("", "SecurityError");
+    save.safe(state("x"));
+    await save.flush();
+    expect(told).toEqual([]);
+  });
+
+  test("stays for a day, and does not displace changed ones", async () => {
+    vi.setSystemTime(1e12);
+    for (let i = 0; i < mostSafe + 3; ++i) {
+      const { save } = autosave();
+      save.begin(`safe${i}`);
+      save.safe(state("x"));
+      await save.flush();
+    }
+    const heads = () => [...base.rows.keys()].filter((key) => key.startsWith("head:"));
+    expect(heads()).toHaveLength(mostSafe + 1);
+    vi.setSystemTime(1e12 + safeTime + 1);
+    const { save } = autosave();
+    save.begin("changed");
+    save.edited(state("y"));
+    await save.flush();
+    expect(heads()).toEqual(["head:changed"]);
+  });
+});
+
+describe("a picture", () => {
+  const picture = new Blob(["picture"], { type: "image/webp" });
+
+  test("is listed with its drawing, and removed with it", async () => {
+    const { save } = autosave();
+    save.edited(state("x"));
+    await save.flush();
+    await keepPicture(save.id, picture);
+    expect(await keptDrawings()).toMatchObject([{ id: save.id, picture: { size: picture.size } }]);
+    await forgetDrawings([save.id]);
+    expect(base.rows.size).toBe(0);
+  });
+
+  test("without a drawing is not stored, and a refusal is no error", async () => {
+    await keepPicture("gone", picture);
+    expect(base.rows.size).toBe(0);
+    const { save } = autosave();
+    save.edited(state("x"));
+    await save.flush();
+    base.state.error = new DOMException("", "QuotaExceededError");
+    await keepPicture(save.id, picture);
+    base.state.error = null;
+    expect(await keptDrawings()).toMatchObject([{ picture: null }]);
+  });
+});
+
+describe("a damaged record", () => {
+  test.each([
+    ["head", "head:a", { id: "a", name: 3 }],
+    ["head that is no object", "head:a", "x"],
+    ["text", "body:a", { text: 7 }],
+    ["body that is missing", "body:a", undefined],
+  ])("with a bad %s is not recovered", async (_, key, value) => {
+    const { save } = autosave();
+    save.begin("a");
+    save.edited(state("x"));
+    await save.flush();
+    base.rows.set(key, value);
+    expect(await recoverDrawing("a")).toBeNull();
+    expect((await keptDrawings()).length).toBe(key.startsWith("head") ? 0 : 1);
+  });
+
+  test("with a bad picture is listed without one", async () => {
+    const { save } = autosave();
+    save.begin("a");
+    save.edited(state("x"));
+    await save.flush();
+    base.rows.set("picture:a", "no picture");
+    expect(await keptDrawings()).toMatchObject([{ id: "a", picture: null }]);
+  });
+});
+
 describe("the list", () => {
   test(`has the newest ${mostKept}, without their texts`, async () => {
     for (let i = 0; i < mostKept + 5; ++i) {
@@ -105,7 +224,7 @@ describe("the list", () => {
     }
     const kept = await keptDrawings();
     expect(kept.map(({ id }) => id)).toEqual(Array.from({ length: mostKept }, (_, i) => `d${mostKept + 4 - i}`));
-    expect(kept[0]).toEqual({ id: `d${mostKept + 4}`, name: "a.svg", curves: 3, time: 1000 * (mostKept + 4) + 1 });
+    expect(kept[0]).toEqual({ id: `d${mostKept + 4}`, name: "a.svg", curves: 3, time: 1000 * (mostKept + 4) + 1, picture: null });
     expect(base.rows.size).toBe(2 * mostKept);
   });
 

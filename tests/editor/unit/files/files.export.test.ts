@@ -4,7 +4,7 @@ import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
 import { packPng } from "../../../../web/editor/src/engine/pack-png.js";
 import type { PngPixels } from "../../../../web/editor/src/engine/png.js";
 import type { ExportSource, ExportWish } from "../../../../web/editor/src/files/export.js";
-import { complaintAboutSize, copyPng, estimateSize, exportDrawing, mostSide, withoutReference } from "../../../../web/editor/src/files/export.js";
+import { complaintAboutSize, copyPng, estimateSize, exportDrawing, exportName, mostSide, nameOfSize, withoutReference } from "../../../../web/editor/src/files/export.js";
 import { pageOf } from "../../../../web/editor/src/files/page.js";
 import { en } from "../../../../web/editor/src/strings/en.js";
 
@@ -63,7 +63,11 @@ function source(alpha = 255): ExportSource & { asked: object[] } {
       : Uint8ClampedArray.from({ length: count }, (_, i) => value(i));
   };
   const payload = async () => new Uint8Array([1, 2, 3]);
-  const engine = { raster, payload } as ExportSource["engine"];
+  const write = async (asks: object) => {
+    asked.push(asks);
+    return { bytes: new Uint8Array([37, 80]), warnings: ["a note"] };
+  };
+  const engine = { raster, payload, write } as ExportSource["engine"];
   return { engine, text: "<svg/>", name: "a <b>.svg", artboard: [0, 0, 30, 20], asked };
 }
 
@@ -213,4 +217,51 @@ describe("the clipboard", () => {
     await expect(copyPng(wish, source())).rejects.toThrow(words.clipboardRefused);
     await expect(copyPng({ ...wish, width: 0 }, source())).rejects.toThrow(words.badSize);
   });
+});
+
+describe("PDF and plain SVG", () => {
+  const asks = async (part: Partial<ExportWish>) => {
+    const from = source();
+    const notes: string[] = [];
+    const file = await exportDrawing({ ...wish, ...part }, from, { onNotes: (found) => notes.push(...found) });
+    expect([...(await bytesOf(file))]).toEqual([37, 80]);
+    expect(notes).toEqual(["a note"]);
+    return { type: file.type, ...from.asked[0] };
+  };
+
+  test("have the command's options", async () => {
+    const viewport = wish.viewport;
+    expect(await asks({ format: "pdf" })).toEqual({ type: "application/pdf", format: "pdf", viewport, options: { title: "a <b>" }, detail: 2 });
+    const plain = { type: "image/svg+xml", format: "svg", viewport };
+    expect(await asks({ format: "plain" })).toEqual({ ...plain, options: { svg: "vector" }, detail: 1 });
+    expect(await asks({ format: "plain", plain: "pixels", transparent: true })).toEqual({
+      ...plain,
+      options: { svg: "image", background: "none" },
+      detail: 2,
+    });
+  });
+
+  test("that are cancelled end at once", async () => {
+    const engine = { ...source().engine, write: () => new Promise<never>(() => undefined) };
+    const cancel = new AbortController();
+    const exported = exportDrawing({ ...wish, format: "pdf" }, { ...source(), engine }, { signal: cancel.signal });
+    cancel.abort();
+    await expect(exported).rejects.toThrow("abort");
+  });
+
+  test("have names of their own", () => {
+    expect(exportName({ format: "pdf" }, "a.svg")).toBe("a.pdf");
+    expect(exportName({ format: "plain" }, "a.svgz")).toBe("a-plain.svg");
+    expect(exportName({ format: "svg" }, "a.xml")).toBe("a.svg");
+  });
+});
+
+test.each([
+  [30, 20, "a.png"],
+  [60, 40, "a@2x.png"],
+  [90, 60, "a@3x.png"],
+  [45, 30, "a-45x30.png"],
+  [60, 20, "a-60x20.png"],
+])("a size of %d by %d is part of the name", (width, height, name) => {
+  expect(nameOfSize("a.svg", { width, height }, { width: 30, height: 20 })).toBe(name);
 });

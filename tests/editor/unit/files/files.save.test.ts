@@ -93,12 +93,12 @@ describe("saving under a name", () => {
   test("that is left changes nothing", async () => {
     fileSave.mockRejectedValue(new DOMException("", "AbortError"));
     expect(await saveAs("<svg/>", newPlace("b"))).toEqual({ kind: "cancelled" });
-    expect(await saveExport(Promise.resolve(new Blob()), "a.svg", "image/png", "png")).toBe(false);
+    expect(await saveExport(Promise.resolve(new Blob()), "a.png", "image/png")).toBe(false);
   });
 
   test("of what could not be made says why", async () => {
     fileSave.mockImplementation((blob: Promise<Blob>) => blob);
-    const failed = saveExport(fails("too large"), "a.svg", "image/png", "png");
+    const failed = saveExport(fails("too large"), "a.png", "image/png");
     await expect(failed).rejects.toThrow("too large");
   });
 });

@@ -21,6 +21,21 @@ export interface HistoryLog {
   readonly undone: readonly Step[];
 }
 
+const hasFields = (value: unknown, fields: Readonly<Record<string, (field: unknown) => boolean>>): boolean =>
+  typeof value === "object" && value !== null &&
+  Object.entries(fields).every(([name, isGood]) => isGood((value as Record<string, unknown>)[name]));
+const isText = (value: unknown) => typeof value === "string";
+const isNumber = (value: unknown) => typeof value === "number";
+const isListOf = (isGood: (value: unknown) => boolean) => (value: unknown) => Array.isArray(value) && value.every(isGood);
+const isEdit = (value: unknown) => hasFields(value, { at: isNumber, removed: isText, inserted: isText });
+const isPlace = (value: unknown) => hasFields(value, { at: isNumber });
+const isStep = (value: unknown) =>
+  hasFields(value, { label: isText, patch: isListOf(isEdit), before: isListOf(isPlace), after: isListOf(isPlace), group: isNumber });
+
+/** Returns whether a stored value is a history; a damaged one is not. */
+export const isHistoryLog = (value: unknown): value is HistoryLog =>
+  hasFields(value, { done: isListOf(isStep), undone: isListOf(isStep) });
+
 /** The most characters of all patches. The oldest steps are dropped first. */
 const MOST_CHARACTERS = 20e6;
 /** A step of the same kind joins the last one within this time, milliseconds. */

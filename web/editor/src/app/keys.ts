@@ -106,9 +106,7 @@ function storedKeys(): Record<string, readonly string[]> {
 }
 
 /** Keys that somebody chose in the place of ours, by command. */
-const chosen = signal<Record<string, readonly string[]>>(
-  typeof localStorage === "undefined" ? {} : storedKeys(),
-);
+const chosen = signal(storedKeys());
 
 /** All keys as they are; reading it within components and effects subscribes to changes. */
 export function keyBindings(): readonly KeyBinding[] {

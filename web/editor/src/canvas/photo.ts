@@ -47,6 +47,11 @@ export function photosOf(drawing: Drawing, below: boolean): ReferenceItem[] {
   );
 }
 
+/** Whether the stage shows through the picture: it has no background, or a photo lies below it. */
+export function isSeenThrough({ drawing, showReference }: Editor): boolean {
+  return drawing.background === null || (showReference.value && photosOf(drawing, true).length > 0);
+}
+
 /** The topmost photo that may be moved, at a point of the artboard. */
 export function loosePhotoAt(drawing: Drawing, point: Point): ReferenceItem | null {
   const loose = [...photosOf(drawing, true), ...photosOf(drawing, false)].filter(

@@ -1,6 +1,7 @@
 // Which pointer does what: draws, moves the picture, or is not heard.
 import { signal, type Signal } from "@preact/signals";
 import type { Point } from "../geometry/affine.js";
+import { en } from "../strings/en.js";
 import type { Canvas } from "./canvas.js";
 import type { CursorName } from "./cursors.js";
 import type { PointerKind } from "./hit.js";
@@ -35,6 +36,19 @@ const PALM_TIME = 500;
 const DOUBLE_TIME = 400;
 const DOUBLE_REACH = { mouse: 4, pen: 8, touch: 24 } as const;
 const MIDDLE = 1;
+/** Fingers that tap together: for at most this long, milliseconds, and moving at most so far, CSS pixels. */
+const TAP_TIME = 300;
+const TAP_REACH = 12;
+
+/** Fingers that came down together, and may be a tap. */
+interface Tap {
+  readonly began: number;
+  readonly places: Map<number, Point>;
+  /** How many were down at once. */
+  count: number;
+  /** A finger has moved, or drawn something. */
+  isOver: boolean;
+}
 
 interface Held {
   readonly id: number;
@@ -48,6 +62,7 @@ export class Pointers {
   readonly cursor: Signal<CursorName> = signal("default");
   private held: Held | null = null;
   private readonly fingers = new Map<number, Point>();
+  private tap: Tap | null = null;
   /** Fingers that move the picture: until all are lifted none of them draws. */
   private isPinching = false;
   private isSpace = false;
@@ -89,6 +104,7 @@ export class Pointers {
     if (this.isPalm(e)) return false;
     if (e.kind === "touch") {
       this.fingers.set(e.id, e.at);
+      this.tapDown(e);
       if (this.fingers.size >= 2) {
         this.cancel();
         this.isPinching = true;
@@ -107,6 +123,8 @@ export class Pointers {
 
   move(e: StagePointer): void {
     if (this.isPalm(e)) return;
+    this.tapMove(e);
+    if (this.tap && this.isPinching && !this.tap.isOver) return;
     this.canvas.editor.pointer.value = this.canvas.toArtboard(e.at);
     if (this.fingers.has(e.id) && this.isPinching) {
       this.pinch(e);
@@ -149,11 +167,44 @@ export class Pointers {
   up(e: StagePointer): void {
     if (this.isPalm(e) && !this.fingers.has(e.id)) return;
     this.lift(e.id);
+    this.tapUp(e);
     const { held } = this;
     if (held?.id !== e.id) return;
     this.held = null;
     held.drag?.end(this.press(e, held.clicks));
     if (e.kind !== "touch") this.hover(e);
+  }
+
+  // Taps of several fingers: two undo, three redo.
+
+  private tapDown(e: StagePointer): void {
+    // The first finger begins a tap; a finger that comes while others move the picture does not.
+    if (this.fingers.size === 1) this.tap = { began: e.time, places: new Map(), count: 0, isOver: false };
+    const { tap } = this;
+    if (!tap) return;
+    tap.places.set(e.id, e.at);
+    tap.count = Math.max(tap.count, this.fingers.size);
+    tap.isOver ||= e.time - tap.began > TAP_TIME;
+  }
+
+  private tapMove({ id, at: [x, y], time }: StagePointer): void {
+    const { tap } = this;
+    const from = tap?.places.get(id);
+    if (!tap || !from) return;
+    tap.isOver ||= time - tap.began > TAP_TIME || Math.hypot(x - from[0], y - from[1]) > TAP_REACH;
+  }
+
+  private tapUp(e: StagePointer): void {
+    const { tap } = this;
+    if (!tap || this.fingers.size > 0) return;
+    this.tap = null;
+    if (tap.isOver || e.time - tap.began > TAP_TIME || (tap.count !== 2 && tap.count !== 3)) return;
+    const { editor } = this.canvas;
+    const label = tap.count === 2 ? editor.undoLabel.peek() : editor.redoLabel.peek();
+    if (label === null) return;
+    if (tap.count === 2) editor.undo();
+    else editor.redo();
+    editor.say(tap.count === 2 ? en.canvas.undone(label) : en.canvas.redone(label));
   }
 
   private lift(id: number): void {
@@ -162,6 +213,8 @@ export class Pointers {
 
   /** Undoes the press, because the pointer was taken away. */
   lost(id: number): void {
+    // A finger that is lifted is lost afterwards, too.
+    if (this.fingers.has(id)) this.tap = null;
     this.lift(id);
     if (this.held?.id === id) this.cancel();
   }

@@ -1,6 +1,6 @@
 // Draws the picture into the stage's canvas: at once where something has changed, then finer, then
 // not at all until something changes.
-import { computed, effect } from "@preact/signals";
+import { computed, effect, untracked } from "@preact/signals";
 import { MovedFrame } from "../../../viewer/moved_frame.js";
 import { makeTexels } from "../../../viewer/paints.js";
 import { Renderer } from "../../../viewer/renderer.js";
@@ -8,7 +8,7 @@ import { SmallPictures } from "../../../viewer/small.js";
 import type { Editor } from "../app/types.js";
 import type { PictureUpdate } from "../engine/types.js";
 import { ExactStage } from "./exact.js";
-import { photosOf } from "./photo.js";
+import { isSeenThrough } from "./photo.js";
 import { Scene, type SceneChange } from "./scene.js";
 import type { StackItem } from "./stack-parts.js";
 import { keepStill } from "./still.js";
@@ -62,10 +62,8 @@ export class PictureCanvas {
     this.#exact = new ExactStage(editor, this, () => this.#schedule());
   }
 
-  /** Whether photos show where the picture is clear. */
-  readonly #isClear = computed(
-    () => this.#editor.showReference.value && photosOf(this.#editor.drawing, true).length > 0,
-  );
+  /** Whether chequers or photos show where the picture is clear. */
+  readonly #isClear = computed(() => isSeenThrough(this.#editor));
 
   /** The canvas to draw into, or none any more. */
   attach(canvas: HTMLCanvasElement | null): void {
@@ -83,7 +81,7 @@ export class PictureCanvas {
   }
 
   #open(canvas: HTMLCanvasElement) {
-    // Clear where there is a photo below.
+    // Clear where the drawing is transparent or a photo lies below.
     const wish = { alpha: true, antialias: false, depth: false, stencil: false } as const;
     this.#gl = canvas.getContext("webgl2", wish) as WebGL2RenderingContext | null;
     if (!this.#gl) return this.#editor.say(this.#words.missing);
@@ -275,6 +273,16 @@ export class PictureCanvas {
     if (!this.#renderer || !this.stack) return null;
     this.#small ??= new SmallPictures(this.#renderer);
     return this.#small.draw(items, size, pixelFromArtboard);
+  }
+
+  /** Draws the artboard small, on nothing; null while nothing can be drawn, or only a part of it was made. */
+  whole(size: number[]): Uint8ClampedArray<ArrayBuffer> | null {
+    const { stack, viewport } = this;
+    const [x0, y0, x1, y1] = untracked(() => this.#editor.drawing).artboard;
+    const isMade = viewport[0] <= x0 && viewport[1] <= y0 && viewport[2] >= x1 && viewport[3] >= y1;
+    if (!stack || !isMade) return null;
+    const [across, along] = [size[0] / (x1 - x0), size[1] / (y1 - y0)];
+    return this.small([...stack], size, [across, 0, 0, along, -x0 * across, -y0 * along]);
   }
 
   /** When the last picture that was taken is drawn as fine as it gets. */

@@ -17,6 +17,7 @@ import type {
   Engine,
   EngineCurve,
   EngineStatus,
+  FileWish,
   GivenImage,
   Hint,
   ImportedSvg,
@@ -25,6 +26,7 @@ import type {
   QuickChange,
   RasterWish,
   RegionOperation,
+  WrittenFile,
 } from "./types.js";
 
 /** The time for gathering in a frame, seconds. */
@@ -476,6 +478,10 @@ export class WorkerEngine implements Engine {
 
   payload(): Promise<Uint8Array> {
     return this.#ask("payload");
+  }
+
+  write(wish: FileWish): Promise<WrittenFile> {
+    return this.#ask("write", wish);
   }
 
   /** Runs in the idle back worker, so that frames do not wait. */

@@ -3,7 +3,17 @@ import { answer, Handed, type MessageEndpoint, type Note } from "./rpc.js";
 import { Session, type SolveWish } from "./session.js";
 import { buffersOf } from "./tables.js";
 import { snapped } from "./snap.js";
-import type { FitWish, GivenImage, LayerCurves, QuickChange, RasterWish, SnapWish, TraceWish, RegionOperation } from "./types.js";
+import type {
+  FileWish,
+  FitWish,
+  GivenImage,
+  LayerCurves,
+  QuickChange,
+  RasterWish,
+  RegionOperation,
+  SnapWish,
+  TraceWish,
+} from "./types.js";
 
 export function serve(scope: MessageEndpoint): void {
   let session: Session;
@@ -30,6 +40,7 @@ export function serve(scope: MessageEndpoint): void {
     },
     exactLayer: (layer: number) => session.exactLayer(layer),
     payload: () => session.payload(),
+    write: (wish: FileWish) => session.write(wish),
     lint: () => session.lint(),
     convert: (text: string) => session.convert(text),
     combinePaths: (operation: RegionOperation, paths: readonly string[], tolerance: number) =>

@@ -24,6 +24,7 @@ import {
 import { fittedCurves } from "./fit.js";
 import type {
   EngineCurve,
+  FileWish,
   FittedCurve,
   FitWish,
   GivenImage,
@@ -36,6 +37,7 @@ import type {
   TraceRound,
   TraceWish,
   RegionOperation,
+  WrittenFile,
 } from "./types.js";
 
 /** Drags begin at once in the layers that were dragged last, up to this many triangles in all: 1 kB each. */
@@ -301,6 +303,22 @@ export class Session {
     }
   }
 
+  /** Returns the bytes that the command writes. @throws SfumatoError */
+  write({ format, viewport, options, detail }: FileWish): WrittenFile {
+    const [x0, y0, x1, y1] = viewport;
+    const document = this.#read();
+    const picture = this.#context.solve(document, {
+      ...(isSameBox(viewport, document.artboard) ? {} : { viewport: [x0, y0, x1 - x0, y1 - y0].join(",") }),
+      ...(detail === 1 ? {} : { detail }),
+    });
+    try {
+      const bytes = this.#context.export(picture, format, options) as Uint8Array<ArrayBuffer>;
+      return { bytes, warnings: this.#context.warnings };
+    } finally {
+      picture.free();
+    }
+  }
+
   lint(): LintReport {
     return this.#context.lint(this.#read()) as LintReport;
   }
@@ -368,6 +386,10 @@ export class Session {
     this.#fields.clear();
   }
 }
+
+/** Whether a box is that of a position and a size. */
+const isSameBox = ([x0, y0, x1, y1]: readonly number[], [x, y, width, height]: Iterable<number>) =>
+  x0 === x && y0 === y && x1 === x + width && y1 === y + height;
 
 function joined(parts: readonly Uint8Array[]): Uint8Array {
   const all = new Uint8Array(parts.reduce((sum, { length }) => sum + length, 0));

@@ -86,6 +86,23 @@ export interface RasterWish {
   readonly isDraft?: boolean;
 }
 
+/** A file without a size in pixels, as `sfumato render` writes it. */
+export interface FileWish {
+  readonly format: "pdf" | "svg";
+  /** Part of the artboard. */
+  readonly viewport: Box;
+  /** Options of `sfumato_export` (docs/c-api.md). */
+  readonly options: Readonly<Record<string, string>>;
+  /** How fine curves are relative to their size on the page: the command's default is 1 for vectors in SVG, else 2. */
+  readonly detail: 1 | 2;
+}
+
+export interface WrittenFile {
+  readonly bytes: Uint8Array<ArrayBuffer>;
+  /** What the file shows differently from the drawing, in words. */
+  readonly warnings: readonly string[];
+}
+
 /** The result of importing an ordinary SVG. */
 export interface ImportedSvg {
   readonly text: string;
@@ -197,6 +214,8 @@ export interface Engine {
   exactLayer(layer: number): Promise<ExactLayer | null | "busy">;
   /** The bytes of the HTML viewer's payload. */
   payload(): Promise<Uint8Array>;
+  /** The drawing as PDF or plain SVG. @throws EngineError */
+  write(wish: FileWish): Promise<WrittenFile>;
   /** null: the text has changed, or is not exact yet. */
   lint(): Promise<readonly Hint[] | null>;
   /** Orzan's XML as SVG. @throws Error with line and column in words */

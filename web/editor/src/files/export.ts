@@ -1,4 +1,4 @@
-// Exports of a drawing: PNG, SVG, and the HTML of the viewer.
+// Exports of a drawing: PNG, SVG, PDF, and the HTML of the viewer.
 import type { Box } from "../geometry/affine.js";
 import type { Engine } from "../engine/types.js";
 import { encodePng } from "../engine/png.js";
@@ -6,28 +6,32 @@ import { parse } from "../source/parse.js";
 import type { ElementNode } from "../source/tree.js";
 import { en } from "../strings/en.js";
 import { deflated, jpegUri, pageOf } from "./page.js";
+import { withExtension } from "./place.js";
 
 const words = en.files;
 
 /** The export to write. */
 export interface ExportWish {
-  readonly format: "svg" | "png" | "html";
+  /** "plain": SVG for programs that know no diffusion curves. */
+  readonly format: "svg" | "png" | "html" | "pdf" | "plain";
   /** Pixels; of PNG alone. */
   readonly width: number;
   readonly height: number;
-  /** The part of the artboard's plane that is written, artboard units; of PNG alone. */
+  /** The part of the artboard's plane that is written, artboard units; of PNG, PDF and plain SVG. */
   readonly viewport: Box;
-  /** Without the document's background; of PNG alone. */
+  /** Without the document's background; of PNG, PDF and plain SVG. */
   readonly transparent: boolean;
   /** Whether SVG keeps the photo that is traced over. */
   readonly keepReference: boolean;
   /** Bits of a channel; of PNG alone. */
   readonly depth?: 8 | 16;
+  /** Whether plain SVG holds triangles, or an image. */
+  readonly plain?: "vectors" | "pixels";
 }
 
 /** The drawing that is exported. */
 export interface ExportSource {
-  readonly engine: Pick<Engine, "raster" | "payload">;
+  readonly engine: Pick<Engine, "raster" | "payload" | "write">;
   readonly text: string;
   /** Name of the drawing's file, or its title. */
   readonly name: string;
@@ -38,10 +42,23 @@ export interface ExportSource {
 export interface ExportWatch {
   /** "draw": the engine works, "pack": the file is made. */
   readonly onStage?: (stage: "draw" | "pack") => void;
+  /** What the file shows differently from the drawing. */
+  readonly onNotes?: (notes: readonly string[]) => void;
   readonly signal?: AbortSignal;
 }
 
-export const exportTypes = { svg: "image/svg+xml", png: "image/png", html: "text/html" } as const;
+export const exportTypes = {
+  svg: "image/svg+xml",
+  png: "image/png",
+  html: "text/html",
+  pdf: "application/pdf",
+  plain: "image/svg+xml",
+} as const;
+
+/** Returns the name of an export's file. A plain SVG must not replace the drawing's own file. */
+export function exportName({ format }: Pick<ExportWish, "format">, name: string): string {
+  return format === "plain" ? withExtension(name, "svg").replace(/\.svg$/, "-plain.svg") : withExtension(name, format);
+}
 
 /** Limits of a PNG: the command's limit of a side, and bytes of pixels, which are in memory thrice. */
 export const mostSide = 16384;
@@ -120,21 +137,36 @@ async function fallbackOf(source: ExportSource): Promise<string | null> {
   return data instanceof Uint16Array ? null : jpegUri({ width, height, data });
 }
 
+const titleOf = ({ name }: ExportSource) => name.replace(/\.(svgz?|xml)$/i, "");
+
 async function exportHtml(source: ExportSource, watch: ExportWatch): Promise<Blob> {
   watch.onStage?.("draw");
   const { default: template } = await import("../../../viewer/dist/page.html?raw");
   const payload = new Uint8Array(await unlessAborted(source.engine.payload(), watch.signal));
   const fallback = await unlessAborted(fallbackOf(source), watch.signal);
   watch.onStage?.("pack");
-  const title = source.name.replace(/\.(svgz?|xml)$/i, "");
-  const page = await unlessAborted(pageOf(template, { title, fallback, payload }), watch.signal);
+  const page = await unlessAborted(pageOf(template, { title: titleOf(source), fallback, payload }), watch.signal);
   return new Blob([page], { type: exportTypes.html });
+}
+
+async function exportFile(wish: ExportWish, source: ExportSource, watch: ExportWatch): Promise<Blob> {
+  const isPdf = wish.format === "pdf";
+  const isVectors = !isPdf && wish.plain !== "pixels";
+  const own: Record<string, string> = isPdf ? { title: titleOf(source) } : { svg: isVectors ? "vector" : "image" };
+  const options = wish.transparent ? { ...own, background: "none" } : own;
+  watch.onStage?.("draw");
+  const format = isPdf ? "pdf" : "svg";
+  const writing = source.engine.write({ format, viewport: wish.viewport, options, detail: isVectors ? 1 : 2 });
+  const { bytes, warnings } = await unlessAborted(writing, watch.signal);
+  watch.onNotes?.(warnings);
+  return new Blob([bytes], { type: exportTypes[wish.format] });
 }
 
 /** Returns the file that a wish describes. @throws Error in words; the signal's reason */
 export function exportDrawing(wish: ExportWish, source: ExportSource, watch: ExportWatch = {}): Promise<Blob> {
   if (wish.format === "png") return exportPng(wish, source, watch);
   if (wish.format === "html") return exportHtml(source, watch);
+  if (wish.format === "pdf" || wish.format === "plain") return exportFile(wish, source, watch);
   return svgOf(wish, source).then((text) => new Blob([text], { type: exportTypes.svg }));
 }
 
@@ -156,6 +188,7 @@ async function estimatePng(wish: ExportWish, source: ExportSource): Promise<numb
 export async function estimateSize(wish: ExportWish, source: ExportSource): Promise<number | null> {
   try {
     if (wish.format === "svg") return new Blob([await svgOf(wish, source)]).size;
+    if (wish.format === "pdf" || wish.format === "plain") return null;
     if (wish.format === "png") return complaintAboutSize(wish) === null ? await estimatePng(wish, source) : null;
     const { default: template } = await import("../../../viewer/dist/page.html?raw");
     const payload = await deflated(new Uint8Array(await source.engine.payload()));
@@ -164,6 +197,16 @@ export async function estimateSize(wish: ExportWish, source: ExportSource): Prom
   } catch {
     return null;
   }
+}
+
+type Size = Pick<ExportWish, "width" | "height">;
+
+/** Returns the name of one of several sizes of a picture: "a.png", "a@2x.png", or "a-300x200.png" for other sizes. */
+export function nameOfSize(name: string, { width, height }: Size, natural: Size): string {
+  const scale = width / natural.width;
+  const isWhole = Number.isInteger(scale) && height === natural.height * scale;
+  const suffix = !isWhole ? `-${width}x${height}` : scale === 1 ? "" : `@${scale}x`;
+  return withExtension(name, "png").replace(/\.png$/, `${suffix}.png`);
 }
 
 /** The picture to the clipboard; to be called while a click is handled. @throws Error in words */

@@ -14,6 +14,14 @@ export interface Place {
   readonly name: string;
   readonly form: TextForm;
   readonly target: Target;
+  /** A drawing of the gallery: the editor has the pictures that it names. */
+  readonly isExample?: true;
+}
+
+/** Returns whether a stored value is a place; a damaged one is not. */
+export function isPlace(value: unknown): value is Place {
+  const { name, form, target } = (value ?? {}) as Partial<Place>;
+  return typeof name === "string" && typeof form?.encoding === "string" && typeof target?.kind === "string";
 }
 
 /** The result of saving. */
@@ -33,5 +41,5 @@ export const newPlace = (name: string): Place => ({ name, form: plainForm, targe
 
 /** A name with an extension in the place of its own: "a.xml", "svg" → "a.svg". */
 export function withExtension(name: string, extension: string): string {
-  return `${name.replace(/(?<=[^/\\])\.(svgz?|xml|png|html?)$/i, "")}.${extension}`;
+  return `${name.replace(/(?<=[^/\\])\.(svgz?|xml|png|html?|pdf)$/i, "")}.${extension}`;
 }

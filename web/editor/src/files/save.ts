@@ -93,14 +93,14 @@ async function removeEmpty(handle: (FileSystemFileHandle & { remove?(): Promise<
 }
 
 /** A file that was made of a drawing, to where the person says. false: they left the dialog. @throws Error in words */
-export async function saveExport(blob: Promise<Blob>, name: string, type: string, extension: string): Promise<boolean> {
+export async function saveExport(blob: Promise<Blob>, name: string, type: string): Promise<boolean> {
   let chosen: FileSystemFileHandle | null = null;
   const choose = (handle: FileSystemFileHandle | null): null => {
     chosen = handle;
     return null;
   };
   try {
-    const options = { fileName: withExtension(name, extension), extensions: [`.${extension}`], mimeTypes: [type] };
+    const options = { fileName: name, extensions: [name.slice(name.lastIndexOf("."))], mimeTypes: [type] };
     await fileSave(blob, { ...options, id: "sfumato-export" }, null, false, choose);
     return true;
   } catch (error) {
@@ -110,3 +110,54 @@ export async function saveExport(blob: Promise<Blob>, name: string, type: string
   }
 }
 
+
+type FolderPicker = (options: { id: string; mode: "readwrite" }) => Promise<FileSystemDirectoryHandle>;
+
+/** Asks for a folder; null: this browser has no such dialog. */
+async function chosenFolder(): Promise<FileSystemDirectoryHandle | null> {
+  const { showDirectoryPicker } = globalThis as { showDirectoryPicker?: FolderPicker };
+  return canChoosePlace && showDirectoryPicker ? showDirectoryPicker({ id: "sfumato-export", mode: "readwrite" }) : null;
+}
+
+/** Milliseconds until a browser has begun a download. */
+const downloadTime = 60_000;
+
+function download(blob: Blob, name: string): void {
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(blob);
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), downloadTime);
+}
+
+async function writeInto(folder: FileSystemDirectoryHandle, blob: Blob, name: string): Promise<void> {
+  const handle = await folder.getFileHandle(name, { create: true });
+  try {
+    const stream = await handle.createWritable();
+    await stream.write(blob);
+    await stream.close();
+  } catch (error) {
+    await removeEmpty(handle);
+    throw error;
+  }
+}
+
+/**
+ * Several files to a folder that the person chooses, or as downloads. false: they left the dialog.
+ * @param make makes the files one after another, so that only one is in memory
+ * @throws Error in words
+ */
+export async function saveExports(names: readonly string[], make: (index: number) => Promise<Blob>): Promise<boolean> {
+  try {
+    const folder = await chosenFolder();
+    for (const [index, name] of names.entries()) {
+      const blob = await make(index);
+      if (folder) await writeInto(folder, blob, name);
+      else download(blob, name);
+    }
+    return true;
+  } catch (error) {
+    if (isAbort(error)) return false;
+    throw error instanceof DOMException ? new Error(reasonOf(error)) : error;
+  }
+}

@@ -1,17 +1,27 @@
 // The drawing that is open: where it came from, where it is saved to, and what the browser keeps of it.
 import { effect, signal, type Signal } from "@preact/signals";
 import type { DrawingEditor } from "../app/editor.js";
-import type { HistoryLog } from "../app/history.js";
+import { isHistoryLog, type HistoryLog } from "../app/history.js";
 import { complaintOf } from "../engine/complaint.js";
-import { Autosave, forgetDrawings, keptDrawings, recoverDrawing, type KeptHead, type KeptWhere } from "../files/autosave.js";
+import {
+  Autosave,
+  forgetDrawings,
+  keepPicture,
+  keptDrawings,
+  recoverDrawing,
+  type Kept,
+  type KeptEntry,
+  type KeptWhere,
+} from "../files/autosave.js";
 import { openPieces } from "../files/drop.js";
 import { isForeign } from "../files/foreign.js";
 import { chooseFolder } from "../files/folder.js";
 import { besideFiles, nothingBeside, type Beside } from "../files/images.js";
 import { openFile, pickFile, type Opened, type OpenedDrawing, type Photo } from "../files/open.js";
 import type { Piece } from "../files/pieces.js";
-import { newPlace, withExtension, type Place, type Saved } from "../files/place.js";
+import { isPlace, newPlace, withExtension, type Place, type Saved } from "../files/place.js";
 import { save, saveAs } from "../files/save.js";
+import { drawingOfTab, rememberInTab } from "../files/session.js";
 import { besideServed, openServed, servedName } from "../files/served.js";
 import { answerOtherTabs, claim, isOpenElsewhere, type Claim } from "../files/tabs.js";
 import { addReference, insertCentred } from "../model/commands/index.js";
@@ -21,6 +31,7 @@ import { SourceError } from "../source/tree.js";
 import { en } from "../strings/en.js";
 import { dataUri } from "./files.js";
 import { converted, curvesIn, type Converted } from "./foreign.js";
+import { besideExamples } from "./gallery-pictures.js";
 import type { Lost, Pictures } from "./pictures.js";
 
 const words = en.page;
@@ -39,6 +50,8 @@ interface Origin {
   readonly place: Place;
   /** Id of the stored drawing; absent: nothing is stored. */
   readonly id?: string;
+  /** Whether a file has the stored drawing, or nothing was changed in it. */
+  readonly isSafe?: boolean;
 }
 
 /** The opacity of a photo that is placed: what is drawn below it shows. */
@@ -51,7 +64,9 @@ const shortened = (name: string) => (name.length > LONGEST ? `${name.slice(0, LO
 export class Documents {
   readonly problem: Signal<Problem | null> = signal(null);
   readonly foreign: Signal<Foreign | null> = signal(null);
-  readonly kept: Signal<readonly KeptHead[]> = signal([]);
+  readonly kept: Signal<readonly KeptEntry[]> = signal([]);
+  /** Id of the drawing whose changes were stored last; null: none yet. */
+  readonly stored: Signal<string | null> = signal(null);
   #place: Place = newPlace("");
   #autosave: Autosave;
   #claim: Claim | null = null;
@@ -81,6 +96,7 @@ export class Documents {
       if (editor.dialog.value?.kind !== "problem") this.problem.value = null;
       if (editor.dialog.value?.kind !== "foreign") this.foreign.value = null;
     });
+    this.#forgetAtHome();
     answerOtherTabs(() => (this.#place.target.kind === "handle" ? this.#place.target.handle : null));
     addEventListener("pagehide", () => void this.#autosave.flush());
     document.addEventListener("visibilitychange", () => {
@@ -99,17 +115,33 @@ export class Documents {
     this.kept.value = await keptDrawings();
   }
 
-  /** The drawing that `sfumato edit` serves. @returns whether there is one */
-  async openServed(): Promise<boolean> {
-    const name = servedName();
-    if (name === null) return false;
-    await this.take(await openServed(name, this.#convert), besideServed);
-    return true;
+  /** After the person has gone to the first page, a reload shows it, too. */
+  #forgetAtHome() {
+    let wasOpen = false;
+    effect(() => {
+      const isOpen = !this.editor.welcome.value;
+      if (wasOpen && !isOpen) rememberInTab(null);
+      wasOpen = isOpen;
+    });
   }
 
-  /** A drawing of ours, with the pictures that it names. */
-  async beginExample(text: string, name: string, pictures: readonly File[]): Promise<void> {
-    await this.begin(text, name, besideFiles(pictures));
+  /** Opens the drawing that `sfumato edit` serves, or the drawing that this tab had open before a reload. */
+  async openFirst(): Promise<void> {
+    const name = servedName();
+    if (name !== null) return this.take(await openServed(name, this.#convert), besideServed);
+    const id = drawingOfTab();
+    if (id === null) return;
+    const turn = this.#turn;
+    const found = await recoverDrawing(id);
+    // The person may have opened another one meanwhile.
+    if (turn !== this.#turn) return;
+    if (found) await this.#showKept(found);
+    if (this.editor.welcome.peek()) rememberInTab(null);
+  }
+
+  /** A drawing of the gallery. */
+  async beginExample(text: string, name: string): Promise<void> {
+    await this.#show(text, { place: { ...newPlace(name), isExample: true } }, besideExamples);
   }
 
   /** A drawing without a file. */
@@ -237,21 +269,26 @@ export class Documents {
       this.#arriving = null;
     }
     const { name, target } = origin.place;
-    const isChanged = origin.id !== undefined;
+    const isChanged = origin.id !== undefined && !origin.isSafe;
     this.editor.file.value = { name, isChanged, kept: isChanged || target.kind === "none" ? "browser" : "file" };
     this.editor.dialog.value = null;
     this.#tellLost(lost);
   }
 
   /** The editor opens a drawing; the one before it is still there. */
-  #adopt({ place, id }: Origin) {
+  #adopt({ place, id, isSafe }: Origin) {
     if (!this.#arriving) {
       this.#turn += 1;
       this.pictures.begin(nothingBeside);
     }
-    this.#autosave.begin(id);
+    this.#autosave.begin(id, isSafe);
     this.#place = place;
     this.#isTaken = false;
+    // The command serves its drawing again after a reload.
+    if (place.target.kind !== "served") {
+      rememberInTab(this.#autosave.id);
+      if (id === undefined) this.#autosave.safe(this.#state);
+    }
     void this.#claimTab();
   }
 
@@ -376,7 +413,17 @@ export class Documents {
     const isChanged = editor.drawing.revision !== revision;
     const { kept, isWaiting } = editor.file.value;
     editor.file.value = { name: saved.place.name, ...(isChanged ? { isChanged, kept, isWaiting } : { isChanged, kept: "file" }) };
-    if (saved.kind === "saved" && !isChanged) void this.#autosave.forget().then(() => this.refreshKept());
+    if (saved.kind === "saved" && !isChanged) void this.#isSaved(saved.place);
+  }
+
+  /** A file has the drawing: lists show it no longer. */
+  async #isSaved({ target }: Place): Promise<void> {
+    if (target.kind === "served") await this.#autosave.forget();
+    else {
+      this.#autosave.safe(this.#state);
+      await this.#autosave.flush();
+    }
+    await this.refreshKept();
   }
 
   #withKept(reason: string): string {
@@ -395,14 +442,13 @@ export class Documents {
   #keep() {
     const { editor } = this;
     editor.file.value = { ...editor.file.value, isWaiting: true };
-    this.#autosave.edited(() => ({
-      name: editor.file.value.name,
-      curves: curvesIn(editor.drawing),
-      text: editor.drawing.text,
-      undo: editor.log,
-      place: this.#place,
-    }));
+    this.#autosave.edited(this.#state);
   }
+
+  readonly #state = () => {
+    const { file, drawing, log } = this.editor;
+    return { name: file.value.name, curves: curvesIn(drawing), text: drawing.text, undo: log, place: this.#place };
+  };
 
   async #takePictures(): Promise<void> {
     const lost = await this.pictures.take(this.editor.drawing.text);
@@ -418,17 +464,40 @@ export class Documents {
     if (where.kept === "nowhere" && isNews) {
       this.editor.say(en.files.notKept[where.lost], { label: words.saveElsewhere, run: () => void this.saveAs() });
     }
+    if (where.kept === "browser") this.stored.value = this.#autosave.id;
     void this.refreshKept();
   }
 
   async recover(id: string): Promise<void> {
+    // The drawing itself may have been left with changes that are not stored yet.
+    await this.#autosave.flush();
     const found = await recoverDrawing(id);
     if (!found) return this.editor.say(words.gone);
-    await this.#show(found.text, { place: found.place as Place, id }, nothingBeside, found.undo as HistoryLog);
+    await this.#showKept(found);
+  }
+
+  /** A damaged history is left out; so is a damaged place, without which the drawing has no file. */
+  async #showKept({ id, name, text, undo, place, isSafe }: Kept): Promise<void> {
+    const from = isPlace(place) ? place : newPlace(name);
+    const log = isHistoryLog(undo) ? undo : undefined;
+    await this.#show(text, { place: from, id, isSafe }, from.isExample ? besideExamples : nothingBeside, log);
+  }
+
+  /** Id of the drawing that is open, if its changes are stored; null: they are not, or the first page is shown. */
+  get storedNow(): string | null {
+    const { id } = this.#autosave;
+    return this.stored.peek() === id && !this.editor.welcome.peek() ? id : null;
+  }
+
+  /** Stores a picture of the drawing for lists of stored drawings. */
+  async keepPicture(picture: Blob): Promise<void> {
+    await keepPicture(this.#autosave.id, picture);
+    await this.refreshKept();
   }
 
   async forget(id: string): Promise<void> {
     await forgetDrawings([id]);
+    if (id === this.stored.peek()) this.stored.value = null;
     await this.refreshKept();
   }
 }

@@ -7,7 +7,6 @@ const texts = import.meta.glob<string>("../../../../examples/{sunset,portrait,ap
   query: "?raw",
   import: "default",
 });
-const pictures = import.meta.glob<string>("../../../../examples/*.png", { query: "?url", import: "default" });
 const thumbs = import.meta.glob<string>("../../thumbs/{sunset,portrait,apple,fish,flower,strokes,textures}.webp", { query: "?url", import: "default", eager: true });
 
 /** The gallery; tests check the numbers of curves and strokes against the files. */
@@ -28,17 +27,10 @@ export function textOfExample(id: string): Promise<string> {
   return texts[`../../../../examples/${id}.svg`]();
 }
 
-async function fileOf(path: string): Promise<File> {
-  const answer = await fetch(await pictures[path]());
-  return new File([await answer.blob()], path.split("/").at(-1)!);
-}
-
-/** Opens a copy of an example, with the pictures that lie beside it. */
+/** Opens a copy of an example. */
 async function openExample(documents: Promise<Documents>, id: string): Promise<void> {
   const text = await textOfExample(id);
-  const named = Object.keys(pictures).filter((path) => text.includes(path.split("/").at(-1)!));
-  const files = await Promise.all(named.map(fileOf));
-  await (await documents).beginExample(text, `${id}.svg`, files);
+  await (await documents).beginExample(text, `${id}.svg`);
 }
 
 export function examplesOf(documents: Promise<Documents>): readonly Example[] {

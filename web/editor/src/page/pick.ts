@@ -13,15 +13,15 @@ async function colorAt(editor: DrawingEditor, point: Point): Promise<Rgb | null>
 }
 
 /**
- * Returns the colour that the command draws in the screen pixel at a point of the artboard; null: it cannot
- * be drawn.
+ * Returns the colour that the command draws in the screen pixel at a point of the artboard; null: it is
+ * transparent there, or cannot be drawn.
  */
 async function pictureColor(editor: DrawingEditor, [x, y]: Point): Promise<Rgb | null> {
   const half = 0.5 / editor.view.value.zoom;
   const viewport = [x - half, y - half, x + half, y + half] as const;
   try {
-    const [r, g, b] = await editor.engine.raster({ width: 1, height: 1, viewport, background: null, depth: 8 });
-    return { r: r / 255, g: g / 255, b: b / 255 };
+    const [r, g, b, a] = await editor.engine.raster({ width: 1, height: 1, viewport, background: null, depth: 8 });
+    return a === 0 ? null : { r: r / 255, g: g / 255, b: b / 255 };
   } catch {
     return null;
   }

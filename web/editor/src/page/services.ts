@@ -2,9 +2,18 @@
 import type { DrawingEditor } from "../app/editor.js";
 import type { PictureCanvas } from "../canvas/renderer.js";
 import type { Thumbs } from "../canvas/thumbs.js";
-import { copyPng, estimateSize, exportDrawing, exportTypes, type ExportWatch, type ExportWish } from "../files/export.js";
+import {
+  copyPng,
+  estimateSize,
+  exportDrawing,
+  exportName,
+  exportTypes,
+  nameOfSize,
+  type ExportWatch,
+  type ExportWish,
+} from "../files/export.js";
 import { pickFile } from "../files/open.js";
-import { saveExport } from "../files/save.js";
+import { saveExport, saveExports } from "../files/save.js";
 import type { Services } from "../panels/services.js";
 import { en } from "../strings/en.js";
 import type { Documents } from "./documents.js";
@@ -14,17 +23,33 @@ import { pickColor } from "./pick.js";
 import { previewOf } from "./preview.js";
 import { PhotoTracing } from "./tracing.js";
 
+type Size = Pick<ExportWish, "width" | "height">;
+
 function sourceOf(editor: DrawingEditor) {
   const { drawing, engine, file } = editor;
   return { engine, text: drawing.text, name: file.value.name, artboard: drawing.artboard };
 }
 
-async function exportTo(editor: DrawingEditor, wish: ExportWish, watch: ExportWatch): Promise<void> {
-  const blob = exportDrawing(wish, sourceOf(editor), watch);
-  // A closed dialog must not leave a failure without a report.
-  blob.catch(() => {});
-  const isSaved = await saveExport(blob, editor.file.value.name, exportTypes[wish.format], wish.format);
+async function exportTo(editor: DrawingEditor, wishes: readonly ExportWish[], natural: Size, watch: ExportWatch): Promise<void> {
+  const source = sourceOf(editor);
+  const notes = new Set<string>();
+  const onNotes = (found: readonly string[]) => found.forEach((note) => notes.add(note));
+  const make = (wish: ExportWish) => exportDrawing(wish, source, { ...watch, onNotes });
+  const isSaved = wishes.length > 1 ? await saveSizes(wishes) : await saveOne(wishes[0]);
   if (!isSaved) throw new DOMException("left", "AbortError");
+  if (notes.size > 0) editor.say(en.page.exportNotes([...notes].join("; ")));
+
+  function saveSizes(sizes: readonly ExportWish[]) {
+    const names = sizes.map((wish) => nameOfSize(source.name, wish, natural));
+    return saveExports(names, (index) => make(sizes[index]));
+  }
+
+  function saveOne(wish: ExportWish) {
+    const blob = make(wish);
+    // A closed dialog must not leave a failure without a report.
+    blob.catch(() => {});
+    return saveExport(blob, exportName(wish, source.name), exportTypes[wish.format]);
+  }
 }
 
 async function chooseTexture(editor: DrawingEditor) {
@@ -45,7 +70,7 @@ export function servicesOf(editor: DrawingEditor, documents: Documents, picture:
     },
     problem: documents.problem,
     foreign: documents.foreign,
-    exportTo: (wish, watch) => exportTo(editor, wish, watch),
+    exportTo: (wishes, natural, watch) => exportTo(editor, wishes, natural, watch),
     copyPicture: (wish, watch) => copyPng(wish, sourceOf(editor), watch),
     estimate: (wish) => estimateSize(wish, sourceOf(editor)),
     preview: async (viewport, transparent) => {

@@ -41,9 +41,11 @@ interface AppProps extends Beginnings {
   readonly editor: Editor;
   /** null: it is on its way. */
   readonly later: ReadonlySignal<Later | null>;
+  /** Whether a drawing is about to replace the first page. */
+  readonly isReturning: ReadonlySignal<boolean>;
 }
 
-function Page({ later, ...beginnings }: Omit<AppProps, "editor">) {
+function Page({ later, isReturning, ...beginnings }: Omit<AppProps, "editor">) {
   const { editor } = useShell();
   useAppearance();
   usePartsComplaint();
@@ -51,7 +53,7 @@ function Page({ later, ...beginnings }: Omit<AppProps, "editor">) {
   const { Workplace = Nothing, Menus = Nothing } = later.value ?? {};
   return (
     <>
-      {editor.welcome.value ? <Welcome {...beginnings} /> : <Workplace />}
+      {!editor.welcome.value ? <Workplace /> : !isReturning.value && <Welcome {...beginnings} />}
       <Dialogs />
       <ToastView />
       <Menus />

@@ -1,4 +1,5 @@
-// Numbers as people read them here.
+// Numbers and times as people read them here.
+import { en } from "../strings/en.js";
 
 /** Returns at most `digits` decimals, without trailing zeros. */
 export function decimal(value: number, digits: number): string {
@@ -18,6 +19,23 @@ export function bytes(count: number): string {
     unit += 1;
   }
   return `${decimal(size, unit > 1 ? 1 : 0)} ${units[unit]}`;
+}
+
+const steps = [
+  ["year", 365 * 86400],
+  ["month", 30 * 86400],
+  ["week", 7 * 86400],
+  ["day", 86400],
+  ["hour", 3600],
+  ["minute", 60],
+] as const;
+
+/** Returns how long ago a time was, as "2 minutes ago"; "just now" within a minute. */
+export function ago(time: number, now = Date.now()): string {
+  const seconds = Math.max(0, (now - time) / 1000);
+  const step = steps.find(([, length]) => seconds >= length);
+  if (!step) return en.panels.justNow;
+  return new Intl.RelativeTimeFormat("en").format(-Math.floor(seconds / step[1]), step[0]);
 }
 
 export const date = (time: number) =>

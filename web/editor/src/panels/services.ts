@@ -24,6 +24,8 @@ export interface RecentFile {
   readonly name: string;
   /** Milliseconds since 1970. */
   readonly time: number;
+  /** null: none is stored. */
+  readonly picture: Blob | null;
   open(): void;
 }
 
@@ -33,6 +35,7 @@ export interface Autosave {
   readonly name: string;
   readonly time: number;
   readonly curves: number;
+  readonly picture: Blob | null;
 }
 
 /** Why a file could not be opened, and the text around the place. */
@@ -104,8 +107,15 @@ export interface Services {
   readonly problem: ReadonlySignal<Problem | null>;
   /** The file that the dialog "foreign" asks about. */
   readonly foreign: ReadonlySignal<Foreign | null>;
-  /** @throws Error, in words; AbortError: the person left it */
-  exportTo(wish: ExportWish, watch: ExportWatch): Promise<void>;
+  /**
+   * Writes a file for each wish; several wishes are sizes of one PNG. @param natural its size at 1×
+   * @throws Error, in words; AbortError: the person left it
+   */
+  exportTo(
+    wishes: readonly ExportWish[],
+    natural: { readonly width: number; readonly height: number },
+    watch: ExportWatch,
+  ): Promise<void>;
   /** The picture to the clipboard. @throws Error, in words; AbortError: the person left it */
   copyPicture(wish: ExportWish, watch: ExportWatch): Promise<void>;
   /** Approximate bytes; null: unknown. */

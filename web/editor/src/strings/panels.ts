@@ -317,6 +317,8 @@ export const panels = {
   background: "Background colour",
   backgroundTip: "Off: transparent",
   backgroundTitle: "Background",
+  justNow: "just now",
+  transparent: "Transparent",
   backgroundColor: "Background, hex",
   setBackground: "change background",
   interpolation: "Mix colours in",

@@ -18,6 +18,7 @@ export const page = {
   nothingConverted: "Nothing in this SVG can be converted to curves.",
   nothingPasted: "Nothing was pasted",
   downloaded: (name: string) => `“${name}” downloaded.`,
+  exportNotes: (notes: string) => `Exported. Note: ${notes}.`,
   gone: "This drawing is no longer stored in this browser.",
   graphics: {
     missing: "This browser has no WebGL 2, so the picture is not shown. Use another browser to see it; everything else works.",
@@ -120,6 +121,8 @@ export const canvas = {
   name: shared.canvas,
   describe: "Tab selects the next curve, Enter enters it, Escape leaves it; Shift Enter goes to the handles of the bounding box. Arrow keys move the selection; at a handle they scale or rotate it. With the pen and nothing selected, arrow keys move a point, and Enter sets a node there.",
   caret: shared.pen,
+  undone: (label: string) => `Undone: ${label}`,
+  redone: (label: string) => `Redone: ${label}`,
   handlesOf: (curve: string) => `Handles of curve “${curve}”`,
   boxOf: (name: string) => `Bounding box of “${name}”`,
   boxOfSeveral: (count: number) => `Bounding box of ${objects(count)}`,

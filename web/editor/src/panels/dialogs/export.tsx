@@ -24,6 +24,9 @@ interface Choice {
   readonly transparent: boolean;
   readonly keepReference: boolean;
   readonly depth: 8 | 16;
+  /** Scales of more PNG files. */
+  readonly also: readonly number[];
+  readonly plain: "vectors" | "pixels";
 }
 
 /** The last choice for each file, kept until the page closes. */
@@ -39,7 +42,7 @@ type Change = (to: Partial<Choice>) => void;
 function Formats({ choice, change }: { readonly choice: Choice; readonly change: Change }) {
   return (
     <div class="formats" role="radiogroup" aria-label={words.format}>
-      {(["svg", "png", "html"] as const).map((format) => (
+      {(["svg", "png", "html", "pdf", "plain"] as const).map((format) => (
         <label key={format} class="format">
           <input
             type="radio"
@@ -47,7 +50,7 @@ function Formats({ choice, change }: { readonly choice: Choice; readonly change:
             checked={choice.format === format}
             onChange={() => change({ format })}
           />
-          <b>{format.toUpperCase()}</b>
+          <b>{words.formatNames[format]}</b>
           <span>{words.formats[format]}</span>
         </label>
       ))}
@@ -130,6 +133,86 @@ function SizeRow({
   );
 }
 
+const MORE_SCALES = [1, 2, 3] as const;
+
+/** Sizes of a picture, each as a file; the size that is chosen above is among them anyway. */
+function MoreSizes({
+  choice,
+  change,
+  natural,
+}: {
+  readonly choice: Choice;
+  readonly change: Change;
+  readonly natural: Size;
+}) {
+  const { also, size } = choice;
+  return (
+    <div role="group" aria-label={words.alsoSizes}>
+      <div class="form-label">
+        <span>{words.alsoSizes}</span>
+      </div>
+      <div class="more-sizes">
+        {MORE_SCALES.map((scale) => {
+          const isChosen = isSameSize(size, scaled(natural, scale));
+          return (
+            <Check
+              key={scale}
+              checked={isChosen || also.includes(scale)}
+              disabled={isChosen}
+              label={words.sizeSuffix(scale)}
+              onChange={(isOn) =>
+                change({ also: isOn ? [...also, scale] : also.filter((one) => one !== scale) })
+              }
+            />
+          );
+        })}
+      </div>
+    </div>
+  );
+}
+
+function PlainContent({ choice, change }: { readonly choice: Choice; readonly change: Change }) {
+  return (
+    <div>
+      <div class="form-label">
+        <span>{words.content}</span>
+      </div>
+      <Segments
+        full
+        label={words.content}
+        value={choice.plain}
+        choices={(["vectors", "pixels"] as const).map((value) => ({
+          value,
+          label: words.contents[value],
+        }))}
+        onChange={(plain) => change({ plain })}
+      />
+      <p class="read muted">{words.contentNotes[choice.plain]}</p>
+    </div>
+  );
+}
+
+const scaled = ({ width, height }: Size, scale: number): Size => ({
+  width: width * scale,
+  height: height * scale,
+});
+const isSameSize = (a: Size, b: Size) => a.width === b.width && a.height === b.height;
+
+/** Returns a wish for each size of a picture, the smallest size first. */
+function sizesOf(wish: ExportWish, natural: Size, also: readonly number[]): readonly ExportWish[] {
+  const others = also
+    .map((scale) => scaled(natural, scale))
+    .filter((size) => !isSameSize(size, wish));
+  return [wish, ...others.map((size) => ({ ...wish, ...size }))].sort((a, b) => a.width - b.width);
+}
+
+function firstComplaint(wishes: readonly ExportWish[]): string | null {
+  return wishes.map(complaintAboutSize).find((complaint) => complaint !== null) ?? null;
+}
+
+const exportLabel = (format: ExportWish["format"], count: number) =>
+  count > 1 ? words.exportFiles(count) : words.exportAs(words.formatNames[format]);
+
 export function ExportDialog() {
   const { editor, services } = useShell();
   const name = editor.file.value.name;
@@ -143,11 +226,16 @@ export function ExportDialog() {
       transparent: false,
       keepReference: false,
       depth: 8,
+      also: [],
+      plain: "vectors",
     },
   );
   const { stage, reason, run } = useWork();
   const now = choice.value;
-  const viewport = (now.format === "png" ? viewportOf(editor, now.area) : null) ?? artboard;
+  const isPng = now.format === "png";
+  // The parts of the drawing's text and of the page that zooms are not chosen.
+  const hasArea = isPng || now.format === "pdf" || now.format === "plain";
+  const viewport = (hasArea ? viewportOf(editor, now.area) : null) ?? artboard;
   const natural = sizeAt(viewport, 1);
   const hasBackground = editor.drawing.background !== null;
   const change: Change = (to) => {
@@ -166,13 +254,14 @@ export function ExportDialog() {
     format: now.format,
     ...now.size,
     viewport,
-    transparent: now.transparent || !hasBackground,
+    transparent: (hasArea && now.transparent) || !hasBackground,
     keepReference: now.keepReference,
     depth: now.depth,
+    plain: now.plain,
   };
-  const complaint = now.format === "png" ? complaintAboutSize(wish) : null;
+  const wishes = isPng ? sizesOf(wish, natural, now.also) : [wish];
+  const complaint = isPng ? firstComplaint(wishes) : null;
   const estimate = useEstimate(wish);
-  const format = now.format.toUpperCase();
   const areas: readonly Area[] = viewportOf(editor, "selection")
     ? ["artboard", "selection", "view"]
     : ["artboard", "view"];
@@ -182,7 +271,7 @@ export function ExportDialog() {
         {estimate === null ? words.sizeUnknown : words.about(bytes(estimate))}
       </span>
       <span class="spacer" />
-      {now.format === "png" && (
+      {isPng && (
         <button
           type="button"
           class="button large"
@@ -197,9 +286,9 @@ export function ExportDialog() {
         type="button"
         class="button primary large"
         disabled={stage.value !== null || complaint !== null}
-        onClick={() => void run((watch) => services.exportTo(wish, watch), null)}
+        onClick={() => void run((watch) => services.exportTo(wishes, natural, watch), null)}
       >
-        {stage.value ? words.exporting[stage.value] : words.exportAs(format)}
+        {stage.value ? words.exporting[stage.value] : exportLabel(now.format, wishes.length)}
       </button>
     </>
   );
@@ -209,8 +298,9 @@ export function ExportDialog() {
         <Preview wish={wish} />
         <div class="form export-form">
           <Formats choice={now} change={change} />
-          {now.format === "png" && <SizeRow choice={now} change={change} natural={natural} />}
-          {now.format === "png" && (
+          {isPng && <SizeRow choice={now} change={change} natural={natural} />}
+          {isPng && <MoreSizes choice={now} change={change} natural={natural} />}
+          {hasArea && (
             <div>
               <div class="form-label">
                 <span>{words.area}</span>
@@ -224,8 +314,9 @@ export function ExportDialog() {
               />
             </div>
           )}
+          {now.format === "plain" && <PlainContent choice={now} change={change} />}
           <div class="checks">
-            {now.format === "png" && (
+            {hasArea && (
               <Check
                 checked={wish.transparent}
                 label={words.transparent}
@@ -234,7 +325,7 @@ export function ExportDialog() {
                 onChange={(transparent) => change({ transparent })}
               />
             )}
-            {now.format === "png" && (
+            {isPng && (
               <Check
                 checked={now.depth === 16}
                 label={words.sixteenBits}
@@ -250,6 +341,7 @@ export function ExportDialog() {
               />
             )}
             {now.format === "html" && <p class="read muted">{words.htmlNote}</p>}
+            {now.format === "pdf" && <p class="read muted">{words.pdfNote}</p>}
           </div>
           {(reason.value ?? complaint) && (
             <p class="read failure" role="alert">

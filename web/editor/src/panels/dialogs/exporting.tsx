@@ -14,7 +14,7 @@ const REST = 300;
 export function Preview({ wish }: { readonly wish: ExportWish }) {
   const { services } = useShell();
   const url = useSignal<string | null>(null);
-  const transparent = wish.format === "png" && wish.transparent;
+  const transparent = wish.transparent && wish.format !== "html";
   useEffect(() => {
     let isOver = false;
     void services.preview(wish.viewport, transparent).then((made) => {

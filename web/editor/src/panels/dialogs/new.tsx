@@ -4,8 +4,8 @@ import { blankText } from "../../model/drawing.js";
 import type { Rgb } from "../../geometry/color.js";
 import { hexOf } from "../../geometry/colortext.js";
 import { en } from "../../strings/en.js";
+import { Background } from "../controls/background.js";
 import { NumberField } from "../controls/field.js";
-import { HexField } from "../controls/hex.js";
 import { Segments } from "../controls/segments.js";
 import { setting } from "../controls/sink.js";
 import { useShell } from "../services.js";
@@ -76,28 +76,12 @@ export function NewDialog() {
             sink={setting(height)}
           />
         </div>
-        <div>
-          <label class="check" data-tip={en.panels.backgroundTip}>
-            <input
-              type="checkbox"
-              checked={background.value !== null}
-              onChange={() => {
-                background.value = background.value ? null : WHITE;
-              }}
-            />
-            <span>{en.panels.background}</span>
-          </label>
-          {background.value && (
-            <HexField
-              name={en.panels.backgroundColor}
-              value={background.value}
-              marked
-              onChange={(color) => {
-                background.value = color;
-              }}
-            />
-          )}
-        </div>
+        <Background
+          value={background.value}
+          onChange={(color) => {
+            background.value = color;
+          }}
+        />
       </div>
     </Frame>
   );

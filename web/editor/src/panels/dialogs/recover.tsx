@@ -3,8 +3,9 @@ import { useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { en } from "../../strings/en.js";
 import { IconButton } from "../controls/button.js";
-import { date } from "../format.js";
+import { ago, date } from "../format.js";
 import { useShell, type Autosave } from "../services.js";
+import { StoredPicture } from "../welcome/stored.js";
 import { Frame } from "./frame.js";
 
 const words = en.dialogs;
@@ -41,11 +42,14 @@ export function RecoverDialog() {
         )}
         {list.value?.length === 0 && <p class="empty">{words.nothingKept}</p>}
         <ul class="kept-list">
-          {list.value?.map(({ id, name, time, curves }) => (
+          {list.value?.map(({ id, name, time, curves, picture }) => (
             <li key={id}>
+              <StoredPicture picture={picture} />
               <span class="kept-name">
                 <b>{name}</b>
-                <span class="muted">{words.keptAt(date(time), curves)}</span>
+                <span class="muted" title={date(time)}>
+                  {words.keptAt(ago(time), curves)}
+                </span>
               </span>
               <button type="button" class="button" onClick={() => void open(id)}>
                 {words.openKept}

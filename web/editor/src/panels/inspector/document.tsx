@@ -2,8 +2,8 @@
 import { setArtboard, setBackground, setInterpolation } from "../../model/commands/index.js";
 import type { Drawing } from "../../model/types.js";
 import { en } from "../../strings/en.js";
+import { Background } from "../controls/background.js";
 import { NumberField } from "../controls/field.js";
-import { HexField } from "../controls/hex.js";
 import { Segments } from "../controls/segments.js";
 import { edits } from "../controls/sink.js";
 import { useShell } from "../services.js";
@@ -12,7 +12,6 @@ import { Section } from "./sections.js";
 const words = en.panels;
 /** Artboard units: larger, and a picture cannot be made of it. */
 const MOST = 100000;
-const WHITE = { r: 1, g: 1, b: 1 };
 
 export function ArtboardFields() {
   const { editor } = useShell();
@@ -65,33 +64,13 @@ export function ArtboardFields() {
 
 export function BackgroundField() {
   const { editor } = useShell();
-  const { background } = editor.drawing;
   return (
-    <>
-      <label class="check" data-tip={words.backgroundTip}>
-        <input
-          type="checkbox"
-          checked={background !== null}
-          onChange={() =>
-            void editor.run(
-              words.setBackground,
-              setBackground(editor.drawing, background ? null : WHITE),
-            )
-          }
-        />
-        <span>{words.background}</span>
-      </label>
-      {background && (
-        <HexField
-          name={words.backgroundColor}
-          value={background}
-          marked
-          onChange={(color) =>
-            void editor.run(words.setBackground, setBackground(editor.drawing, color))
-          }
-        />
-      )}
-    </>
+    <Background
+      value={editor.drawing.background}
+      onChange={(color) =>
+        void editor.run(words.setBackground, setBackground(editor.drawing, color))
+      }
+    />
   );
 }
 

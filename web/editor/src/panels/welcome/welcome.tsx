@@ -2,8 +2,9 @@
 import { Icon, type IconName } from "../../icons.js";
 import { en } from "../../strings/en.js";
 import { IconButton } from "../controls/button.js";
-import { date } from "../format.js";
+import { ago, date } from "../format.js";
 import { useShell, type Beginnings, type Example } from "../services.js";
+import { StoredPicture } from "./stored.js";
 import { Teaser } from "./teaser.js";
 import { Wordmark } from "./wordmark.js";
 
@@ -51,17 +52,31 @@ function Gallery({ examples }: { readonly examples: readonly Example[] }) {
   );
 }
 
+/** Drawings that the page shows; Recover lists all. */
+const MOST_RECENT = 6;
+
 function Recent({ recent: { value: recent } }: Pick<Beginnings, "recent">) {
+  const { editor } = useShell();
   if (recent.length === 0) return null;
   return (
     <section>
-      <h2>{words.recent}</h2>
-      <ul class="recent-list">
-        {recent.map(({ name, time, open }) => (
+      <div class="welcome-head">
+        <h2>{words.recent}</h2>
+        {recent.length > MOST_RECENT && (
+          <button type="button" class="button" onClick={() => editor.command("recover")}>
+            {words.allStored(recent.length)}
+          </button>
+        )}
+      </div>
+      <ul class="gallery recent-list">
+        {recent.slice(0, MOST_RECENT).map(({ name, time, picture, open }) => (
           <li key={`${name} ${time}`}>
-            <button type="button" onClick={open}>
-              <b>{name}</b>
-              <span class="muted">{date(time)}</span>
+            <button type="button" onClick={open} title={date(time)}>
+              <StoredPicture picture={picture} />
+              <span class="gallery-name">
+                <b>{name}</b>
+                <small>{words.edited(ago(time))}</small>
+              </span>
             </button>
           </li>
         ))}
@@ -105,10 +120,10 @@ export function Welcome({ examples, recent }: Beginnings) {
             onClick={begin("open")}
           />
         </div>
-        <Gallery examples={examples} />
         <Recent recent={recent} />
+        <Gallery examples={examples} />
         <section>
-          <div class="tour-head">
+          <div class="welcome-head">
             <h2>{words.how}</h2>
             <button type="button" class="button" onClick={begin("tour")}>
               <Icon name="play" small />
