@@ -3,7 +3,14 @@
 /** Returns a text as it stands within a sentence. */
 export const lowered = (text: string) => text.charAt(0).toLowerCase() + text.slice(1);
 
+/** Returns a text as it begins a sentence. */
+export const raised = (text: string) => text.charAt(0).toUpperCase() + text.slice(1);
+
 export const objects = (count: number) => `${count} objects`;
+
+/** Returns a side's name as a noun within a sentence: "left side", "inside". */
+export const sideNoun = (name: string) =>
+  name === shared.sides.left || name === shared.sides.right ? `${lowered(name)} side` : lowered(name);
 
 export const curvesOf = (count: number) => (count === 1 ? "1 curve" : `${count} curves`);
 
@@ -48,6 +55,7 @@ export const shared = {
   open: "Open",
   openCurve: "Open curve",
   oneColor: "One colour",
+  ownShape: "Make a shape of its own",
   paste: "Paste",
   pen: "Pen",
   percent: (value: string) => `${value} %`,
@@ -58,7 +66,7 @@ export const shared = {
   sendBackward: "Send backward",
   sendToBack: "Send to back",
   show: "Show",
-  sides: { left: "Left", right: "Right" },
+  sides: { left: "Left", right: "Right", inside: "Inside", outside: "Outside" },
   softenWithBlur: "Soften with blur",
   swapSides: "Swap sides",
   tools: "Tools",

@@ -7,6 +7,7 @@ import { Segments } from "../controls/segments.js";
 import { setting } from "../controls/sink.js";
 import { kindOfNodes, selectedNodes } from "../nodes.js";
 import { useShell } from "../services.js";
+import { Fill, PolygonOptions } from "./fill.js";
 
 const words = en.panels;
 
@@ -211,6 +212,9 @@ const options = {
   pen: Attributes,
   pencil: Smoothing,
   stroke: StrokeOptions,
+  rectangle: Fill,
+  ellipse: Fill,
+  polygon: PolygonOptions,
   sample: SampleOptions,
   blur: () => null,
   hand: () => null,
