@@ -1,6 +1,7 @@
 // The selected colour stops, or the sides as a whole: colour, hex, and the place of a single stop. A gradient's stops
 // also have an alpha.
 import { useRef } from "preact/hooks";
+import { remember } from "../../app/colors.js";
 import { nameOfSide } from "../../app/side-names.js";
 import { sidesInOrder } from "../../model/sides.js";
 import type { CurveItem, Side } from "../../model/types.js";
@@ -78,8 +79,10 @@ function Swatch({ item, found }: { readonly item: CurveItem; readonly found: Fou
 /** Recolours the stops, as one step of undo. */
 function useRecolor({ side, stops, put, ...tints }: Found) {
   const { editor } = useShell();
-  return (value: Rgb) =>
-    void editor.run(words.setColor, put(editor.drawing, side, tinted({ ...tints, put }, stops, value)));
+  return (value: Rgb) => {
+    editor.run(words.setColor, put(editor.drawing, side, tinted({ ...tints, put }, stops, value)));
+    remember(editor.settings, value);
+  };
 }
 
 /** A colour that becomes the only one of a side. */
