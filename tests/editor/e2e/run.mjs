@@ -24,6 +24,7 @@ import { testRecover } from "./recover.mjs";
 import { testRobust } from "./robust.mjs";
 import { testSaving } from "./saving.mjs";
 import { testServedDrawing } from "./served.mjs";
+import { testShapes } from "./shapes.mjs";
 import { testSunset } from "./sunset.mjs";
 import { testTools } from "./tools.mjs";
 import { testTrace } from "./trace.mjs";
@@ -43,6 +44,7 @@ const themes = [
   testForeign,
   testLayers,
   testGradients,
+  testShapes,
   testPaints,
   testTrace,
   testPhoto,

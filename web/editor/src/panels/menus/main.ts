@@ -159,7 +159,7 @@ const help = (): readonly MenuItem[] => [
 
 /** Tools that have no place in the row of a phone. */
 const hiddenTools = (editor: Editor): readonly MenuItem[] =>
-  (["stroke", "polygon", "hand"] as const).map((tool) => ({
+  (["stroke", "rectangle", "polygon", "hand"] as const).map((tool) => ({
     label: words.tool[tool],
     checked: editor.tool.value === tool,
     run: () => {
