@@ -40,7 +40,7 @@ export interface FilledSides extends Readonly<Record<Side, SideValue<Rgb>>> {
   readonly opacity: Readonly<Record<Side, number>>;
 }
 
-/** Returns the sides of a filled shape: one colour inside, transparent outside, where the colour passes through. */
+/** Returns the sides of a filled shape: a colour inside, transparent outside, where the colour passes through. */
 export function filledSides(inside: Side, color: Rgb): FilledSides {
   const fill: SideValue<Rgb> = { kind: "stops", space: "arc", stops: [{ offset: 0, value: color }] };
   const open: SideValue<Rgb> = { kind: "open" };

@@ -13,7 +13,11 @@ import { newLayer, placeAbove, type Place } from "../structure/places.js";
 import { curvesOf } from "../structure/together.js";
 import { Draft } from "./draft.js";
 
-const constant = (value: number): SideValue<number> => ({ kind: "stops", space: "arc", stops: [{ offset: 0, value }] });
+const constant = (value: number): SideValue<number> => ({
+  kind: "stops",
+  space: "arc",
+  stops: [{ offset: 0, value }],
+});
 
 /** Returns the closed curves of layers among these items and within them, in the order of the text. */
 export function closedCurves(d: Drawing, handles: readonly Handle[]): readonly CurveItem[] {
