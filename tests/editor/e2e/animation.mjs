@@ -126,8 +126,8 @@ async function drawSun(camera, artist) {
 }
 
 async function colourSun(camera, artist) {
-  await camera.step(() => artist.color("Right", 0, "fff3c8"));
-  await camera.step(() => artist.color("Left", 0, "ffb46a"));
+  await camera.step(() => artist.color("Inside", 0, "fff3c8"));
+  await camera.step(() => artist.color("Outside", 0, "ffb46a"));
   await camera.step(() => artist.field(BLUR, 1.5));
 }
 

@@ -139,16 +139,10 @@ export class Artist {
     await this.changed(before);
   }
 
-  /** Returns the colours of a side in the panel. */
+  /** Returns the colours of a side in the panel: Left or Right, of a closed curve Inside or Outside. */
   ribbon(side) {
-    return this.page.getByRole("group", { name: `${side} side` }).first();
-  }
-
-  /** Gives a colour to an open side; the first curve of a layer has none. */
-  async giveColor(side) {
-    const row = this.page.locator(".side-row", { has: this.page.getByText(side, { exact: true }) });
-    await row.getByRole("button", { name: "Add colour to this side" }).click();
-    await this.ribbon(side).waitFor();
+    const name = /^(Left|Right)$/.test(side) ? `${side} side` : side;
+    return this.page.getByRole("group", { name }).first();
   }
 
   stop(side, index) {

@@ -156,7 +156,7 @@ async function testLoupe(t) {
   await page.mouse.move(...(await editor.at(300, 300)));
   await says("Left #ff0000 · Right #0000ff", "over the curve");
   await editor.shot("loupe");
-  await page.keyboard.press("r");
+  await page.keyboard.press("Shift+R");
   await page.mouse.move(...(await editor.at(301, 350)));
   await loupe.filter({ hasText: /^#[0-9a-f]{6}$/ }).waitFor();
   check(!["#ff0000", "#0000ff"].includes(await loupe.textContent()), "over the picture the loupe shows the photo");

@@ -229,6 +229,11 @@ const shows = {
   "blur-from-photo": wantsPhoto,
   "snap-to-photo": wantsPhoto,
   "one-color": (keys, key) => keys.fresh("mid").then(() => keys.text(key, /id="mid"[^>]*sf:left="#fff" sf:right="#000"/)),
+  "own-shape": async (keys, key) => {
+    await keys.fresh("high");
+    await keys.text("Control+Shift+j", /Z/);
+    await keys.text(key, /<g sf:diffuse="true">\s*<path id="high"[^>]*sf:(left|right)-opacity="0"/);
+  },
   "swap-sides": (keys, key) => keys.fresh("low").then(() => keys.text(key, /id="low"(?=[^>]*sf:left="#36c")[^>]*sf:right="#e33"/)),
   reverse: (keys, key) => keys.fresh("low").then(() => keys.text(key, /d="M400 300/)),
   join: async (keys, key) => {

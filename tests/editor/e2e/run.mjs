@@ -26,6 +26,7 @@ import { testReturns } from "./returns.mjs";
 import { testRobust } from "./robust.mjs";
 import { testSaving } from "./saving.mjs";
 import { testServedDrawing } from "./served.mjs";
+import { testShapes } from "./shapes.mjs";
 import { testSunset } from "./sunset.mjs";
 import { testTools } from "./tools.mjs";
 import { testTrace } from "./trace.mjs";
@@ -46,6 +47,7 @@ const themes = [
   testForeign,
   testLayers,
   testGradients,
+  testShapes,
   testPaints,
   testTrace,
   testPhoto,

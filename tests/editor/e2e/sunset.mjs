@@ -104,27 +104,25 @@ async function shades(artist) {
     [641, 151, 0.8], [650, 150, 0.7], [659, 157, 0.1]], { radius: 2.6 });
 }
 
-/** Draws a layer of one circle. */
+/** Draws a layer of one circle: a filled shape, because the layer is empty. */
 async function ball(artist) {
   const { page } = artist;
   await artist.deselect();
   await page.getByRole("button", { name: "New layer" }).click();
   await artist.curve(circle(640, 445, 80, 72), { closes: true });
-  await artist.giveColor("Right");
-  await artist.color("Right", 0, "4a1038");
-  await artist.copyStop("Right", 0, 1);
-  await artist.addStop("Right", 0.45, "ffa868");
-  await artist.addStop("Right", 0.22, "d8353a");
-  await artist.copyStop("Right", 1, 0.68);
-  await artist.field("Opacity, left", 0);
+  await artist.color("Inside", 0, "4a1038");
+  await artist.copyStop("Inside", 0, 1);
+  await artist.addStop("Inside", 0.45, "ffa868");
+  await artist.addStop("Inside", 0.22, "d8353a");
+  await artist.copyStop("Inside", 1, 0.68);
   await artist.field(BLUR, 1);
 }
 
 /** Draws the sun, whose colour the ball's highlight takes; and ball, highlight and shadow again. */
 async function light(artist) {
   await artist.select(330, 170);
-  await artist.color("Left", 0, "ffdc8c");
-  await artist.pick("Right", 0, "fffbe6");
+  await artist.color("Outside", 0, "ffdc8c");
+  await artist.pick("Inside", 0, "fffbe6");
   await artist.field(BLUR, 4);
   await artist.deselect();
   await artist.stroke([[592, 420, 0.2], [600, 402, 0.9], [612, 391, 1],
@@ -145,10 +143,10 @@ const stages = [
   { name: "the clouds", steps: 9, draw: clouds, text: "tests/editor/e2e/sunset/3-clouds.svg" },
   { name: "the horizon", steps: 12, draw: horizon, text: "tests/editor/e2e/sunset/4-horizon.svg" },
   { name: "shadow and gulls", steps: 4, draw: shades, text: "tests/editor/e2e/sunset/5-shades.svg" },
-  { name: "a ball", steps: 12, draw: ball, text: "tests/editor/e2e/sunset/6-ball.svg" },
+  { name: "a ball", steps: 10, draw: ball, text: "tests/editor/e2e/sunset/6-ball.svg" },
   { name: "the sun, and another ball", steps: 8, draw: light, text: "examples/sunset.svg" },
 ];
-const STEPS = 60;
+const STEPS = 58;
 
 const textOf = ({ text }) => readFileSync(pathOf(text), "utf8");
 

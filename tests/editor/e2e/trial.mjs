@@ -156,7 +156,7 @@ async function testClosedRibbon(editor) {
   await loaded(editor, text(`${frame}<path id="ring" d="${ring}" sf:left="#eee" sf:right="#c33"/>`));
   await editor.key("v");
   await editor.click(200, 100);
-  const side = page.getByRole("group", { name: "Right side" }).first();
+  const side = page.getByRole("group", { name: "Inside", exact: true }).first();
   await changing(editor, "a click on the ribbon", () => side.locator(".band").click());
   const field = page.locator(".inspector").getByLabel("Colour, hex", { exact: true }).first();
   const colored = await changing(editor, "a colour", async () => {

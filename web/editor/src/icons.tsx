@@ -14,6 +14,7 @@ import check from "lucide-static/icons/check.svg?raw";
 import chevronDown from "lucide-static/icons/chevron-down.svg?raw";
 import chevronRight from "lucide-static/icons/chevron-right.svg?raw";
 import chevronUp from "lucide-static/icons/chevron-up.svg?raw";
+import circle from "lucide-static/icons/circle.svg?raw";
 import circleAlert from "lucide-static/icons/circle-alert.svg?raw";
 import component from "lucide-static/icons/component.svg?raw";
 import contrast from "lucide-static/icons/contrast.svg?raw";
@@ -31,6 +32,7 @@ import folderPlus from "lucide-static/icons/folder-plus.svg?raw";
 import frame from "lucide-static/icons/frame.svg?raw";
 import gripVertical from "lucide-static/icons/grip-vertical.svg?raw";
 import hand from "lucide-static/icons/hand.svg?raw";
+import hexagon from "lucide-static/icons/hexagon.svg?raw";
 import image from "lucide-static/icons/image.svg?raw";
 import imagePlus from "lucide-static/icons/image-plus.svg?raw";
 import info from "lucide-static/icons/info.svg?raw";
@@ -52,6 +54,7 @@ import redo2 from "lucide-static/icons/redo-2.svg?raw";
 import scanLine from "lucide-static/icons/scan-line.svg?raw";
 import search from "lucide-static/icons/search.svg?raw";
 import spline from "lucide-static/icons/spline.svg?raw";
+import square from "lucide-static/icons/square.svg?raw";
 import trash2 from "lucide-static/icons/trash-2.svg?raw";
 import triangleAlert from "lucide-static/icons/triangle-alert.svg?raw";
 import undo2 from "lucide-static/icons/undo-2.svg?raw";
@@ -74,6 +77,7 @@ const lucide = {
   "chevron-down": chevronDown,
   "chevron-right": chevronRight,
   "chevron-up": chevronUp,
+  circle,
   "circle-alert": circleAlert,
   component,
   contrast,
@@ -91,6 +95,7 @@ const lucide = {
   frame,
   "grip-vertical": gripVertical,
   hand,
+  hexagon,
   image,
   "image-plus": imagePlus,
   info,
@@ -112,6 +117,7 @@ const lucide = {
   "scan-line": scanLine,
   search,
   spline,
+  square,
   "trash-2": trash2,
   "triangle-alert": triangleAlert,
   "undo-2": undo2,

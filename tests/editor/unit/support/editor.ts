@@ -40,6 +40,7 @@ function settings(): Settings {
     sampleTolerance: signal(0.02),
     sampleBlur: signal(false),
     strokeRadius: signal(6),
+    polygonSides: signal(6),
     tourDone: signal(true),
   };
 }

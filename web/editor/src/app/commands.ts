@@ -2,6 +2,7 @@
 import type { Point } from "../geometry/affine.js";
 import {
   addLayer,
+  closedCurves,
   curvesOf,
   deleteItems,
   deleteNodes,
@@ -14,6 +15,7 @@ import {
   reverseCurves,
   setClosed,
   setNodeKind,
+  shapesOfTheirOwn,
   swapSides,
   ungroup,
   type NodeKind,
@@ -25,6 +27,7 @@ import { arranging } from "./arranging.js";
 import { combining } from "./combining.js";
 import { copyByMenu } from "./clipboard.js";
 import { copyStyle, cutAtNodes, pasteCopiedStyle, simplify } from "./curves.js";
+import { fillColor } from "./colors.js";
 import type { DrawingEditor } from "./editor.js";
 import { takeInHandle } from "./handles.js";
 import { deleteStop, oneColor } from "./stops.js";
@@ -102,6 +105,15 @@ function giveOneColor(editor: DrawingEditor) {
   editor.selection.value = curves.map(({ handle }) => ({ handle, part: whole }));
 }
 
+function makeShapes(editor: DrawingEditor) {
+  const { drawing, settings } = editor;
+  const handles = chosen(editor);
+  if (closedCurves(drawing, handles).length === 0) return editor.say(words.needsClosed);
+  const made = shapesOfTheirOwn(drawing, handles, fillColor(settings));
+  if (made) editor.run(words.ownShape, made);
+  else editor.say(words.isShape);
+}
+
 function joinChosen(editor: DrawingEditor) {
   const curves = chosenCurves(editor);
   if (curves.length !== 2) return editor.say(en.commands.joinWantsTwo);
@@ -168,7 +180,7 @@ function cycleTheme({ settings: { theme } }: DrawingEditor) {
 const words = en.commands;
 const ZOOM = 1.5;
 
-const tools: readonly ToolName[] = ["select", "nodes", "pen", "pencil", "stroke", "sample", "blur", "hand"];
+const tools: readonly ToolName[] = ["select", "nodes", "pen", "pencil", "stroke", "rectangle", "ellipse", "polygon", "sample", "blur", "hand"];
 
 const table: readonly (readonly [string, Command])[] = [
   ...tools.map((tool) => [`tool-${tool}`, toTool(tool)] as const),
@@ -189,6 +201,7 @@ const table: readonly (readonly [string, Command])[] = [
   ["new-layer", (editor) => void editor.run(words.newLayer, addLayer(editor.drawing, editor.selection.value.at(-1)?.handle ?? null, ""))],
   ["swap-sides", edit(words.swapSides, (d, _, editor) => swapSides(d, curvesOf(d, editor.selection.value)))],
   ["one-color", giveOneColor],
+  ["own-shape", makeShapes],
   ["reverse", edit(words.reverse, (d, _, editor) => reverseCurves(d, curvesOf(d, editor.selection.value), editor.step(null)))],
   ["close-curve", closeChosen],
   ["cut-curve", cutAtNodes],

@@ -3,6 +3,10 @@ import { effect, signal, type Signal } from "@preact/signals";
 import type { Rgb } from "../geometry/color.js";
 import type { Settings, Surround, Theme } from "./types.js";
 
+/** Sides of polygons. */
+export const FEWEST_SIDES = 3;
+export const MOST_SIDES = 12;
+
 const KEY = "sfumato-editor";
 
 function stored(): Record<string, unknown> {
@@ -24,6 +28,9 @@ const between =
   (least: number, most: number) =>
   (value: unknown): value is number =>
     typeof value === "number" && value >= least && value <= most;
+
+const isPolygon = (value: unknown): value is number =>
+  between(FEWEST_SIDES, MOST_SIDES)(value) && Number.isInteger(value);
 
 function isColors(value: unknown): value is readonly Rgb[] {
   const isShare = between(0, 1);
@@ -68,6 +75,7 @@ export function openSettings(): Settings {
     sampleTolerance: setting("sampleTolerance", 0.02, between(0.002, 0.2)),
     sampleBlur: setting("sampleBlur", true, isBoolean),
     strokeRadius: setting("strokeRadius", 12, between(0.01, 1e6)),
+    polygonSides: setting("polygonSides", 6, isPolygon),
     tourDone: setting("tourDone", false, isBoolean),
   };
   effect(() => {

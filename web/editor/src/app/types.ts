@@ -6,7 +6,18 @@ import type { Engine, EngineStatus, Hint } from "../engine/types.js";
 import type { Style } from "../model/commands/index.js";
 import type { Attribute, Drawing, Handle, Item, Outcome, Selection } from "../model/types.js";
 
-export type ToolName = "select" | "nodes" | "pen" | "pencil" | "stroke" | "sample" | "blur" | "hand";
+export type ToolName =
+  | "select"
+  | "nodes"
+  | "pen"
+  | "pencil"
+  | "stroke"
+  | "rectangle"
+  | "ellipse"
+  | "polygon"
+  | "sample"
+  | "blur"
+  | "hand";
 
 /** Artboard point in the middle of the stage, CSS pixels to an artboard unit. */
 export interface ViewState {
@@ -41,6 +52,8 @@ export interface Settings {
   readonly sampleBlur: Signal<boolean>;
   /** Radius of new local strokes, artboard units. */
   readonly strokeRadius: Signal<number>;
+  /** Sides of new polygons, 3 to 12. */
+  readonly polygonSides: Signal<number>;
   readonly tourDone: Signal<boolean>;
 }
 

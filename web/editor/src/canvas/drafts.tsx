@@ -35,6 +35,7 @@ export function DraftView({ draft, map }: { readonly draft: Draft; readonly map:
     <>
       <g transform={matrix(map)}>
         {draft.rubber && <Light data={pathData(draft.rubber)} />}
+        {draft.fill && <path class="draft-fill" style={{ "--c": draft.fill }} d={data} />}
         <Strong data={data} />
       </g>
       {nodes.map((point, k) => (

@@ -1,8 +1,11 @@
 // New curves: what was drawn becomes part of the document, in its layer, with colours.
+import { fillColor } from "../app/colors.js";
 import type { Editor } from "../app/types.js";
 import { IDENTITY, inverted, lengthScale, mapped, type Affine } from "../geometry/affine.js";
 import { mappedPath, type CubicPath } from "../geometry/cubic.js";
 import { addCurves } from "../model/commands/index.js";
+import { isFreeLayer } from "../model/commands/structure/places.js";
+import { filledSides, insideOf, type FilledSides } from "../model/sides.js";
 import type { Drawing, Handle, Item, Outcome, SideValue } from "../model/types.js";
 import type { Rgb } from "../geometry/color.js";
 import { isCurve, placesOf } from "./places.js";
@@ -27,7 +30,7 @@ function one<V>(value: V): SideValue<V> {
 
 /**
  * Adds a diffusion curve to the layer that is at work, with the colours that the picture has beside
- * it, so that the picture stays as it is.
+ * it, so that the picture stays as it is. A closed curve in an empty layer becomes a filled shape.
  * @param path artboard units
  * @returns whether it came into being
  */
@@ -36,7 +39,7 @@ export async function addCurve(editor: Editor, path: CubicPath, label: string): 
   const back = layer ? inverted(layer.artboardFromItem) : IDENTITY;
   if (!back) return false;
   const inLayer = mappedPath(back, path);
-  const sides = (layer && (await takenSides(editor, layer, inLayer))) ?? (isBlank(editor) ? FIRST : OPEN);
+  const sides = shapeSides(editor, layer, inLayer) ?? (await curveSides(editor, layer, inLayer));
   // While its colours were fetched, another drawing may have been opened, and the layer deleted.
   if (editor.drawing !== drawing) return false;
   const into = layer && editor.drawing.item(layer.handle) ? layer.handle : null;
@@ -44,6 +47,18 @@ export async function addCurve(editor: Editor, path: CubicPath, label: string): 
   const endStep = meetsEnd(editor, path) ? step / WELD_FINER : step;
   const curve = { path: into === null ? path : inLayer, endStep, ...sides };
   return editor.run(label, addCurves(editor.drawing, into, [curve], step));
+}
+
+/** Returns the sides of a closed path that is the first one of its layer: a filled shape. null: it is none. */
+function shapeSides(editor: Editor, layer: Item | null, inLayer: CubicPath): FilledSides | null {
+  const inside = insideOf({ paths: [inLayer] });
+  const isFirst = layer ? isFreeLayer(layer) : isBlank(editor);
+  return inside && isFirst ? filledSides(inside, fillColor(editor.settings)) : null;
+}
+
+async function curveSides(editor: Editor, layer: Item | null, inLayer: CubicPath) {
+  const taken = layer && (await takenSides(editor, layer, inLayer));
+  return taken ?? (isBlank(editor) ? FIRST : OPEN);
 }
 
 /** Whether an end of a path lies on an end of a curve: to where it snapped. */

@@ -30,7 +30,7 @@ export function pressKey(canvas: Canvas, pointers: Pointers, tool: Tool, key: St
     pointers.space(true);
     return true;
   }
-  if (pointers.isDragging) return false;
+  if (pointers.isDragging) return pointers.key(key);
   if (tool.key?.(key)) return true;
   return pressPlainKey(canvas, key);
 }

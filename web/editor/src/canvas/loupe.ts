@@ -1,8 +1,11 @@
 // Content of the Sample tool's loupe: the pixels around the pointer, and the colours that are sampled there.
+import { nameOfSide } from "../app/side-names.js";
 import { inverted, mapped, type Point } from "../geometry/affine.js";
 import type { Rgb } from "../geometry/color.js";
 import { hexOf } from "../geometry/colortext.js";
 import type { Photo } from "../geometry/photo.js";
+import { sidesInOrder } from "../model/sides.js";
+import type { CurveItem } from "../model/types.js";
 import { en } from "../strings/en.js";
 import type { Canvas } from "./canvas.js";
 import type { CurveHit, PointerKind } from "./hit.js";
@@ -34,13 +37,19 @@ export interface LoupeWish {
 export function loupeOf(canvas: Canvas, wish: LoupeWish): Loupe | null {
   const { photo, hit } = wish;
   const sides = photo && hit && sidesOf(canvas, photo, hit);
-  return sides ? besideCurve(canvas, wish, photo, sides) : ofPoint(canvas, wish);
+  return sides ? besideCurve(canvas, wish, photo, sides, hit.place.item) : ofPoint(canvas, wish);
 }
 
 type Sides = NonNullable<ReturnType<typeof sampledAt>>;
 
 /** Samples beside a curve. Only the photo counts, also where it has no pixels. */
-function besideCurve(canvas: Canvas, { at, kind }: LoupeWish, photo: PlacedPhoto, sides: Sides): Loupe {
+function besideCurve(
+  canvas: Canvas,
+  { at, kind }: LoupeWish,
+  photo: PlacedPhoto,
+  sides: Sides,
+  item: CurveItem,
+): Loupe {
   const middle = pixelOf(photo, canvas.toArtboard(at));
   const named = (color: Rgb | null) => (color ? hexOf(color) : en.canvas.clear);
   return {
@@ -50,7 +59,7 @@ function besideCurve(canvas: Canvas, { at, kind }: LoupeWish, photo: PlacedPhoto
     ring: [sides.left, sides.right],
     turn: Math.atan2(sides.normal[0], -sides.normal[1]),
     spots: sides.spots.map(([x, y]): Point => [x - middle[0], y - middle[1]]),
-    text: en.canvas.sampled(named(sides.left), named(sides.right)),
+    text: en.canvas.sampled(sidesInOrder(item).map((side) => [nameOfSide(item, side), named(sides[side])])),
   };
 }
 

@@ -1,4 +1,5 @@
 // Everything on the picture that can be taken hold of, in its place on the stage.
+import { nameOfSide } from "../app/side-names.js";
 import { composed, lengthScale, mapped, type Affine, type Point } from "../geometry/affine.js";
 import { nodeCount, pieceCount, type CubicPath } from "../geometry/cubic.js";
 import type { Rgb } from "../geometry/color.js";
@@ -195,7 +196,7 @@ function sideMarks(
       handle: item.handle,
       part,
       isChosen: parts.some((one) => isSamePart(one, part)),
-      label: stopLabel(side, kind, list, index),
+      label: stopLabel(nameOfSide(item, side), kind, list, index),
     };
   });
 }
@@ -206,11 +207,10 @@ function slideOf(list: Stops<Value>, index: number): number {
   return list.stops[index - 1]?.offset === offset ? STOP_APART / 2 : 0;
 }
 
-function stopLabel(side: Side, kind: StopKind, list: Stops<Value>, index: number): string {
+function stopLabel(name: string, kind: StopKind, list: Stops<Value>, index: number): string {
   const { offset, value } = list.stops[index];
   const place =
     list.space === "arc" ? en.canvas.offset(percent(offset)) : en.canvas.segment(shown(offset));
-  const name = en.canvas.sides[side];
   if (kind === "blur" || kind === "radius")
     return en.canvas.bracket(kind, name, shown(Number(value)), place);
   const said = kind === "color" ? hexOf(value as Rgb) : en.canvas.opacity(percent(Number(value)));

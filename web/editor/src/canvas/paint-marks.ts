@@ -1,4 +1,5 @@
 // Grips of the gradients and textures that the chosen curve's sides show, and the lines between them.
+import { nameOfSide } from "../app/side-names.js";
 import { composed, mapped, type Affine, type Point } from "../geometry/affine.js";
 import { distance } from "../geometry/vector.js";
 import { paintFrame, placeInFrame, type PaintFrame } from "../model/paint-frames.js";
@@ -50,7 +51,7 @@ export function paintMarks(
     const mark = (grip: PaintGrip): PaintMark => {
       const part = { kind: "paint", side, attribute, grip } as const;
       const isChosen = parts.some((one) => isSamePart(one, part));
-      const label = en.canvas.paint(kind, grip, en.canvas.sides[side]);
+      const label = en.canvas.paint(kind, grip, nameOfSide(item, side));
       const at = place(grip);
       return { kind: "paint", at, foot: start, handle: item.handle, part, paint: kind, isChosen, label };
     };

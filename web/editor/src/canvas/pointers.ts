@@ -6,7 +6,7 @@ import type { Canvas } from "./canvas.js";
 import type { CursorName } from "./cursors.js";
 import type { PointerKind } from "./hit.js";
 import { PanDrag } from "./tools/hand.js";
-import type { Drag, Press, Tool, TrailPoint } from "./tools/tool.js";
+import type { Drag, KeyPress, Press, Tool, TrailPoint } from "./tools/tool.js";
 
 /** A pointer event, with its place on the stage in CSS pixels. */
 export interface StagePointer {
@@ -233,6 +233,11 @@ export class Pointers {
     if (!held) return;
     held.last = { ...held.last, ...now, trail: [] };
     held.drag?.keys?.(held.last);
+  }
+
+  /** A key that is neither a modifier nor Space. @returns whether the drag took it */
+  key(key: KeyPress): boolean {
+    return this.held?.drag?.key?.(key) ?? false;
   }
 
   space(isDown: boolean): void {

@@ -20,6 +20,8 @@ export interface Draft {
   readonly closes: boolean;
   /** Nodes are shown for the pen alone. */
   readonly hasNodes: boolean;
+  /** A colour of CSS that fills it; absent: it has no fill. */
+  readonly fill?: string;
 }
 
 /** The pixels around the pointer, enlarged, and what is sampled there. */

@@ -126,6 +126,19 @@ export function inGamut(color: Oklch): Rgb {
   return clampedRgb(rgbFromOklch({ l, c: largestChroma(l, color.h), h: color.h }));
 }
 
+/** The difference in lightness between a colour and its partner. */
+const PARTNER_STEP = 0.3;
+const MIDDLE_LIGHTNESS = 0.62;
+
+/** Returns a colour of the same hue for the other end of a gradient: darker than a light one, else lighter. */
+export function partnerOf(color: Rgb): Rgb {
+  const { l, c, h } = oklchFromRgb(color);
+  const by = l > MIDDLE_LIGHTNESS ? -PARTNER_STEP : PARTNER_STEP;
+  const { r, g, b } = inGamut({ l: l + by, c, h });
+  const byte = (channel: number) => Math.round(255 * channel) / 255;
+  return { r: byte(r), g: byte(g), b: byte(b) };
+}
+
 /** Returns HSV. A grey has hue 0, black has saturation 0. */
 export function hsvFromRgb(color: Rgb): Hsv {
   const { h = 0, s, v } = convertRgbToHsv(color);

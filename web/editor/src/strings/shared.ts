@@ -3,7 +3,14 @@
 /** Returns a text as it stands within a sentence. */
 export const lowered = (text: string) => text.charAt(0).toLowerCase() + text.slice(1);
 
+/** Returns a text as it begins a sentence. */
+export const raised = (text: string) => text.charAt(0).toUpperCase() + text.slice(1);
+
 export const objects = (count: number) => `${count} objects`;
+
+/** Returns a side's name as a noun within a sentence: "left side", "inside". */
+export const sideNoun = (name: string) =>
+  name === shared.sides.left || name === shared.sides.right ? `${lowered(name)} side` : lowered(name);
 
 export const curvesOf = (count: number) => (count === 1 ? "1 curve" : `${count} curves`);
 
@@ -52,6 +59,7 @@ export const shared = {
   open: "Open",
   openCurve: "Open curve",
   oneColor: "One colour",
+  ownShape: "Make a shape of its own",
   paste: "Paste",
   pasteStyle: "Paste style",
   pen: "Pen",
@@ -63,7 +71,7 @@ export const shared = {
   sendBackward: "Send backward",
   sendToBack: "Send to back",
   show: "Show",
-  sides: { left: "Left", right: "Right" },
+  sides: { left: "Left", right: "Right", inside: "Inside", outside: "Outside" },
   simplify: "Simplify",
   softenWithBlur: "Soften with blur",
   swapSides: "Swap sides",

@@ -1,5 +1,5 @@
 // Words of the window: messages, commands with their keys, the stage and the tools.
-import { curvesOf, lowered, objects, shared, steps } from "./shared.js";
+import { curvesOf, lowered, objects, shared, sideNoun, steps } from "./shared.js";
 
 /** Messages of the page about files and about itself. */
 export const page = {
@@ -76,11 +76,14 @@ export const commands = {
   makeUnique: shared.unlink,
   newLayer: shared.newLayer,
   nodeKind: "Change node type",
+  isShape: "Nothing was changed: it is already a shape of its own.",
+  needsClosed: "Select a closed curve first. To close a curve, choose Object, Close curve.",
   noColors: "This selection has no side with several colours.",
   nothingLeft: "Nothing is left of these shapes.",
   nothingToSimplify: "These curves have no nodes that they do not need.",
   nothingToPaste: "There is no drawing on the clipboard. Copy curves or an SVG first.",
   oneColor: shared.oneColor,
+  ownShape: shared.ownShape,
   open: shared.openCurve,
   paste: shared.paste,
   pasteStyle: shared.pasteStyle,
@@ -128,11 +131,10 @@ export const canvas = {
   boxOfSeveral: (count: number) => `Bounding box of ${objects(count)}`,
   node: (index: number, curve: string) => `Node ${index} of curve “${curve}”`,
   handle: (node: number, end: "start" | "end") => `Handle of node ${node}, towards the ${end}`,
-  sides: shared.sides,
   stop: (side: string, index: number, count: number, value: string, at: string) =>
     `${side} stop ${index} of ${count}, ${value}, at ${at}`,
   bracket: (kind: "blur" | "radius", side: string, value: string, at: string) =>
-    `${kind === "blur" ? shared.blur : shared.radius} ${value}, ${side.toLowerCase()} side, at ${at}`,
+    `${kind === "blur" ? shared.blur : shared.radius} ${value}, ${sideNoun(side)}, at ${at}`,
   paint: (kind: "linear" | "radial" | "texture", grip: "start" | "end" | "across" | "focus", side: string) => {
     const names = {
       linear: { start: "Start of the gradient", end: "End of the gradient", across: "", focus: "" },
@@ -144,7 +146,7 @@ export const canvas = {
         start: "Corner of the texture", end: "Width of the texture", across: "Height of the texture", focus: "",
       },
     };
-    return `${names[kind][grip]}, ${side.toLowerCase()} side`;
+    return `${names[kind][grip]}, ${sideNoun(side)}`;
   },
   offset: (percent: string) => `${percent} %`,
   segment: (number: string) => `segment ${number}`,
@@ -161,7 +163,8 @@ export const canvas = {
   blurTag: (value: string) => `${shared.blur} ${value}`,
   radiusTag: (value: string) => `${shared.radius} ${value}`,
   clear: "transparent",
-  sampled: (left: string, right: string) => `Left ${left} · Right ${right}`,
+  sampled: (sides: readonly (readonly [name: string, color: string])[]) =>
+    sides.map((pair) => pair.join(" ")).join(" · "),
 } as const;
 
 export const tools = {
@@ -188,9 +191,16 @@ export const tools = {
     penContinued: "continue curve",
     pencil: steps.drawCurve,
     stroke: "draw stroke",
+    shape: { rectangle: "draw rectangle", ellipse: "draw ellipse", polygon: "draw polygon" },
     sample: "sample colours",
     pick: "pick colour",
     close: lowered(shared.closeCurve),
+  },
+  /** The answer to a click, or to a drag without width or height. */
+  dragShape: {
+    rectangle: "Drag from corner to corner to draw a rectangle.",
+    ellipse: "Drag from corner to corner to draw an ellipse.",
+    polygon: "Drag from corner to corner to draw a polygon.",
   },
   noPhoto: "There is no photo to sample. Drop a picture on the canvas first.",
   photoUnread: "The photo cannot be read, so its colours cannot be sampled. Place it again as PNG or JPEG.",

@@ -8,6 +8,7 @@ import { PenTool } from "./pen.js";
 import { PencilTool } from "./pencil.js";
 import { SampleTool } from "./sample.js";
 import { SelectTool } from "./select.js";
+import { ShapeTool } from "./shape.js";
 import { StrokeTool } from "./stroke.js";
 import type { Tool } from "./tool.js";
 
@@ -18,6 +19,9 @@ export function makeTools(canvas: Canvas): Readonly<Record<ToolName, Tool>> {
     pen: new PenTool(canvas),
     pencil: new PencilTool(canvas),
     stroke: new StrokeTool(canvas),
+    rectangle: new ShapeTool(canvas, "rectangle"),
+    ellipse: new ShapeTool(canvas, "ellipse"),
+    polygon: new ShapeTool(canvas, "polygon"),
     sample: new SampleTool(canvas),
     blur: new BlurTool(canvas),
     hand: new HandTool(canvas),

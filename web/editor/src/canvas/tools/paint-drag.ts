@@ -1,4 +1,5 @@
 // Takes hold of where a gradient or a texture lies.
+import { nameOfSide } from "../../app/side-names.js";
 import { inverted, mapped, type Point } from "../../geometry/affine.js";
 import { atAngle } from "../../geometry/snap.js";
 import { subtract } from "../../geometry/vector.js";
@@ -58,6 +59,6 @@ function tell(canvas: Canvas, { handle, part, paint }: PaintMark): void {
   const place = gripPlace(editor.drawing, item, part.side, part.attribute, part.grip);
   if (!place) return;
   const [x, y] = mapped(item.artboardFromItem, place);
-  const label = en.canvas.paint(paint, part.grip, en.canvas.sides[part.side]);
+  const label = en.canvas.paint(paint, part.grip, nameOfSide(item, part.side));
   editor.announcement.value = en.canvas.at(label, shown(x), shown(y));
 }

@@ -43,6 +43,8 @@ export interface Drag {
   keys?(p: Press): void;
   /** Space goes down or up while it lasts; absent: Space moves the picture. */
   space?(isDown: boolean): void;
+  /** Another key goes down while it lasts. @returns whether the key is the drag's */
+  key?(key: KeyPress): boolean;
   readonly cursor?: CursorName;
 }
 

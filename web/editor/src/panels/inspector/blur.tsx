@@ -1,6 +1,8 @@
 // Blur along both sides of a curve, and the radius of a local stroke.
 import { useSignal } from "@preact/signals";
+import { nameOfSide } from "../../app/side-names.js";
 import { setBoth, setNumbers, setRadius } from "../../model/commands/index.js";
+import { sidesInOrder } from "../../model/sides.js";
 import type { CurveItem, Drawing, Outcome, Side, SideValue } from "../../model/types.js";
 import { en } from "../../strings/en.js";
 import { IconButton } from "../controls/button.js";
@@ -74,14 +76,16 @@ const summary = (list: Stops<number>) =>
 function current(
   chosen: ChosenStop | null,
   lists: Readonly<Record<Side, Stops<number>>>,
+  first: Side,
 ): ChosenStop {
   return chosen && chosen.index < lists[chosen.side].stops.length
     ? chosen
-    : { side: "left", index: 0 };
+    : { side: first, index: 0 };
 }
 
 export function BlurSection({ item }: { readonly item: CurveItem }) {
   const { editor } = useShell();
+  const sides = sidesInOrder(item);
   const left = item.left.blur;
   const right = item.right.blur;
   /** Sides that differ cannot be linked; equal ones are, until somebody parts them. */
@@ -100,11 +104,11 @@ export function BlurSection({ item }: { readonly item: CurveItem }) {
       return;
     }
     parted.value = null;
-    const side = chosen?.side ?? "left";
+    const side = chosen?.side ?? sides[0];
     editor.run(words.linkBlur, setBoth(editor.drawing, item.handle, "blur", item[side].blur));
   };
-  const at = current(chosen, lists);
-  const label = linked ? words.blur : `${words.blur}, ${words.sides[at.side]}`;
+  const at = current(chosen, lists, linked ? "left" : sides[0]);
+  const label = linked ? words.blur : `${words.blur}, ${nameOfSide(item, at.side)}`;
   return (
     <Section
       title={words.blur}
@@ -126,7 +130,11 @@ export function BlurSection({ item }: { readonly item: CurveItem }) {
         left={left}
         right={linked ? left : right}
         linked={linked}
-        label={words.blurAlong(summary(lists.left), linked ? null : summary(lists.right))}
+        label={
+          linked
+            ? words.blurAlong(summary(lists.left))
+            : words.blurOfSides(sides.map((side) => [nameOfSide(item, side), summary(lists[side])]))
+        }
         chosen={chosen}
         put={put}
       />
@@ -155,7 +163,7 @@ export function RadiusSection({ item }: { readonly item: CurveItem }) {
       <Fields
         item={item}
         list={list}
-        chosen={current(chosen, { left: list, right: list })}
+        chosen={current(chosen, { left: list, right: list }, "left")}
         label={words.radius}
         least={0}
         put={put}

@@ -1,5 +1,6 @@
 // The fields of a single curve or local stroke: colours, blur or radius, opacity, node, weight.
-import type { CurveItem, Side } from "../../model/types.js";
+import { sidesInOrder } from "../../model/sides.js";
+import type { CurveItem } from "../../model/types.js";
 import { setNumber } from "../../model/commands/index.js";
 import { en } from "../../strings/en.js";
 import { IconButton } from "../controls/button.js";
@@ -67,7 +68,6 @@ const hasOwnName = ({ element }: CurveItem) =>
   element.attributes.some(({ name, local }) => name === "id" || local === "label");
 
 export function CurveSections({ item }: { readonly item: CurveItem }) {
-  const sides: readonly Side[] = ["left", "right"];
   const titled = item.kind === "stroke" ? words.strokeTitle : words.curveTitle;
   return (
     <>
@@ -76,7 +76,7 @@ export function CurveSections({ item }: { readonly item: CurveItem }) {
         badge={item.copies > 1 ? words.changesCopies(item.copies) : undefined}
         actions={<Head item={item} />}
       >
-        {sides.map((side) => (
+        {sidesInOrder(item).map((side) => (
           <ColorSide key={side} item={item} side={side} />
         ))}
         <StopRow item={item} />

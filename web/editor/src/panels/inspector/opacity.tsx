@@ -1,5 +1,7 @@
 // Opacity of both sides: a number each, stops on a ribbon where it varies, or a gradient.
+import { nameOfSide } from "../../app/side-names.js";
 import { setBoth } from "../../model/commands/index.js";
+import { sidesInOrder } from "../../model/sides.js";
 import type { CurveItem, Drawing, Side } from "../../model/types.js";
 import { en } from "../../strings/en.js";
 import { IconButton } from "../controls/button.js";
@@ -26,7 +28,6 @@ import { bandOf, Ribbon } from "./ribbon.js";
 import { Section } from "./sections.js";
 
 const words = en.panels;
-const SIDES: readonly Side[] = ["left", "right"];
 const WHITE = { r: 1, g: 1, b: 1 };
 
 const css = (value: number) => `rgb(128 128 128 / ${decimal(value, 3)})`;
@@ -88,8 +89,8 @@ function sideMenu(shell: Shell, item: CurveItem, side: Side): readonly MenuItem[
 }
 
 function openKinds(shell: Shell, item: CurveItem, anchor: HTMLElement) {
-  const items = SIDES.map((side) => ({
-    label: words.ribbonOf(words.sides[side]),
+  const items = sidesInOrder(item).map((side) => ({
+    label: words.ribbonOf(nameOfSide(item, side)),
     items: sideMenu(shell, item, side),
   }));
   openMenu(words.kindsOfOpacity, items, anchor);
@@ -113,7 +114,7 @@ function OpacityRibbon<Value>({ opacityOf, ...props }: RibbonProps<Value>) {
   }));
   return (
     <div class="side-row">
-      <span class="side-name">{words.sides[side]}</span>
+      <span class="side-name">{nameOfSide(item, side)}</span>
       <Ribbon
         {...props}
         attribute="opacity"
@@ -137,7 +138,7 @@ function GradientOpacity({ item, side, tints }: SideProps & { readonly tints: Gr
       <OpacityRibbon
         item={item}
         side={side}
-        label={words.gradientOf(words.sides[side], name)}
+        label={words.gradientOf(nameOfSide(item, side), name)}
         list={list}
         mix={mix}
         put={put}
@@ -146,7 +147,7 @@ function GradientOpacity({ item, side, tints }: SideProps & { readonly tints: Gr
       <GradientFields
         gradient={gradient}
         alpha={value.alpha}
-        alphaName={words.alphaOfOpacity(words.sides[side], at + 1)}
+        alphaName={words.alphaOfOpacity(nameOfSide(item, side), at + 1)}
         sink={edits(editor, words.setAlpha, (percent: number, before) =>
           put(before, side, withValue(list, at, { ...value, alpha: percent / 100 })),
         )}
@@ -168,7 +169,7 @@ function OtherThanStops({ item, side }: SideProps) {
     );
   return (
     <div class="side-row">
-      <span class="side-name">{words.sides[side]}</span>
+      <span class="side-name">{nameOfSide(item, side)}</span>
       <div class="side-state">
         <span class={opacity.kind === "paint" ? "swatch paint" : "swatch none"} aria-hidden="true" />
         <span class="grow">{text}</span>
@@ -206,8 +207,8 @@ function OpacityField({ item, side }: SideProps) {
   const put = putOpacity(item.handle);
   return (
     <NumberField
-      label={words.sides[side]}
-      name={words.opacityOf(words.sides[side])}
+      label={nameOfSide(item, side)}
+      name={words.opacityOf(nameOfSide(item, side))}
       value={list ? list.stops[index].value * 100 : opacity.kind === "open" ? 100 : null}
       digits={1}
       unit="%"
@@ -226,11 +227,12 @@ const hasNumber = (item: CurveItem, side: Side) =>
 export function OpacitySection({ item }: { readonly item: CurveItem }) {
   const shell = useShell();
   const { editor } = shell;
+  const sides = sidesInOrder(item);
   const varies =
     editor.attribute.value === "opacity" ||
-    SIDES.some((side) => (stopsOf(item, side)?.stops.length ?? 0) > 1);
-  const hasAny = SIDES.some((side) => item[side].opacity.kind !== "open");
-  const numbers = SIDES.filter((side) => hasNumber(item, side));
+    sides.some((side) => (stopsOf(item, side)?.stops.length ?? 0) > 1);
+  const hasAny = sides.some((side) => item[side].opacity.kind !== "open");
+  const numbers = sides.filter((side) => hasNumber(item, side));
   const forget = () =>
     editor.run(
       words.opaqueAgain,
@@ -252,7 +254,7 @@ export function OpacitySection({ item }: { readonly item: CurveItem }) {
         </>
       }
     >
-      {SIDES.map((side) => (
+      {sides.map((side) => (
         <SideOpacity key={side} item={item} side={side} varies={varies} />
       ))}
       {numbers.length > 0 && (

@@ -1,5 +1,7 @@
 // A side's menu of gradients and textures, for its colour or its opacity.
-import { boundsOf } from "../../geometry/cubic.js";
+import type { Box } from "../../geometry/affine.js";
+import { boundsOf, unionOf } from "../../geometry/cubic.js";
+import { distance } from "../../geometry/vector.js";
 import { setPaint, type NewPaint } from "../../model/commands/index.js";
 import type { CurveItem, Drawing, Outcome, PaintAttribute, Side } from "../../model/types.js";
 import { en } from "../../strings/en.js";
@@ -12,31 +14,32 @@ type NewGradient = Extract<NewPaint, { kind: "linear" | "radial" }>;
 export type NewStop = NewGradient["stops"][number];
 type Stops = (before: Drawing, item: CurveItem, side: Side) => readonly NewStop[];
 
-/** Distance of a new gradient's ends from the box, as a share of its width: on the box they would lie on nodes. */
-const INSET = 0.1;
+/** Heights for a new gradient, as shares of the box, best first: an end must not lie on a node. */
+const HEIGHTS = [1 / 2, 3 / 8, 5 / 8, 1 / 4];
+/** Distance from an end to a node, as a share of the box. */
+const APART = 0.05;
 
-/** Across the curve's box. */
+/** Returns the height at which no node of the curve is near the ends of a gradient across its box. */
+function freeHeight({ paths }: CurveItem, [x0, y0, x1, y1]: Box): number {
+  const nodes = paths.flatMap(({ points }) => points.filter((_, k) => k % 3 === 0));
+  const isNear = (height: number) => {
+    const y = y0 + height * (y1 - y0);
+    return nodes.some((node) => [x0, x1].some((x) => distance(node, [x, y]) < APART * (x1 - x0)));
+  };
+  const height = HEIGHTS.find((one) => !isNear(one)) ?? HEIGHTS[0];
+  return y0 + height * (y1 - y0);
+}
+
+/** Returns a gradient across the curve's box: a line from edge to edge, or a circle from the middle. */
 function gradient(
   item: CurveItem,
   kind: "linear" | "radial",
   stops: readonly NewStop[],
 ): NewGradient {
-  const box = item.paths
-    .map(boundsOf)
-    .reduce((a, b) => [
-      Math.min(a[0], b[0]),
-      Math.min(a[1], b[1]),
-      Math.max(a[2], b[2]),
-      Math.max(a[3], b[3]),
-    ]);
-  const middle = (box[1] + box[3]) / 2;
-  const inset = INSET * (box[2] - box[0]);
-  return {
-    kind,
-    stops,
-    from: kind === "linear" ? [box[0] + inset, middle] : [(box[0] + box[2]) / 2, middle],
-    to: [box[2] - inset, middle],
-  };
+  const box = unionOf(item.paths.map(boundsOf)) ?? [0, 0, 1, 1];
+  const [x0, y0, x1, y1] = box;
+  const y = kind === "linear" ? freeHeight(item, box) : (y0 + y1) / 2;
+  return { kind, stops, from: [kind === "linear" ? x0 : (x0 + x1) / 2, y], to: [x1, y] };
 }
 
 /** A new gradient of the stops that are there. */

@@ -1,6 +1,7 @@
 // Radii along the curve, drawn: the left side's above the axis, the right side's below.
 import { useRef } from "preact/hooks";
 import type { TargetedKeyboardEvent, TargetedPointerEvent } from "preact";
+import { nameOfSide } from "../../app/side-names.js";
 import type { Gesture } from "../../app/types.js";
 import type { CurveItem, Drawing, Outcome, Side, SideValue } from "../../model/types.js";
 import { en } from "../../strings/en.js";
@@ -206,7 +207,7 @@ export function Profile(props: ProfileProps) {
               style={{ "--at": at, "--r": height }}
               aria-pressed={isOn}
               aria-label={words.radiusName(
-                linked ? words.bothSides : words.sides[side],
+                linked ? words.bothSides : nameOfSide(item, side),
                 decimal(stop.value, 2),
                 decimal(at * 100, 1),
               )}

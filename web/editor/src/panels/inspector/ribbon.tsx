@@ -1,6 +1,7 @@
 // The values of one side from the curve's start to its end, with its stops.
 import { useLayoutEffect, useRef } from "preact/hooks";
 import type { TargetedKeyboardEvent, TargetedPointerEvent } from "preact";
+import { nameOfSide } from "../../app/side-names.js";
 import type { Gesture } from "../../app/types.js";
 import type { CurveItem, Side } from "../../model/types.js";
 import { en } from "../../strings/en.js";
@@ -225,7 +226,7 @@ export function Ribbon<Value>(props: RibbonProps<Value>) {
       class={`ribbon ${props.attribute}`}
       ref={ribbon}
       role="group"
-      aria-label={props.label ?? words.ribbonOf(words.sides[side])}
+      aria-label={props.label ?? words.ribbonOf(nameOfSide(item, side))}
       aria-description={words.ribbonKeys}
       style={{ "--stops": props.band }}
     >
@@ -245,7 +246,7 @@ export function Ribbon<Value>(props: RibbonProps<Value>) {
               }}
               aria-pressed={chosen.includes(index)}
               aria-label={words.stopName(
-                words.sides[side],
+                nameOfSide(item, side),
                 index + 1,
                 list.stops.length,
                 props.describe(stop.value),

@@ -1,6 +1,7 @@
 // The colours of one side: stops on a ribbon, or open, a barrier, a paint.
+import { nameOfSide } from "../../app/side-names.js";
 import { setColor } from "../../model/commands/index.js";
-import type { Rgb } from "../../geometry/color.js";
+import { partnerOf, type Rgb } from "../../geometry/color.js";
 import type { CurveItem, Drawing, Outcome, Side } from "../../model/types.js";
 import { en } from "../../strings/en.js";
 import { Icon } from "../../icons.js";
@@ -27,7 +28,7 @@ function startColor(item: CurveItem, side: Side): Rgb {
   return other.kind === "stops" ? other.stops[0].value : { r: 0.5, g: 0.5, b: 0.5 };
 }
 
-/** Returns the side's colours as a gradient's stops; a single colour becomes a fade from it to white. */
+/** Returns the side's colours as a gradient's stops; a single colour becomes a fade from it to its partner. */
 function gradientStops(before: Drawing, item: CurveItem, side: Side): readonly NewStop[] {
   const tints = tintsOf(before, item, side);
   const stops = (tints?.list.stops ?? []).map(({ offset, value }) => ({
@@ -39,7 +40,7 @@ function gradientStops(before: Drawing, item: CurveItem, side: Side): readonly N
   const from = stops[0]?.color ?? startColor(item, side);
   return [
     { offset: 0, color: from, opacity: 1 },
-    { offset: 1, color: { r: 1, g: 1, b: 1 }, opacity: 1 },
+    { offset: 1, color: partnerOf(from), opacity: 1 },
   ];
 }
 
@@ -137,7 +138,7 @@ function SideRibbon({ item, side, tints }: SideProps & { readonly tints: Tints }
       attribute="color"
       label={
         gradient
-          ? words.gradientOf(words.sides[side], words.gradientNow[gradient.kind](gradient.id))
+          ? words.gradientOf(nameOfSide(item, side), words.gradientNow[gradient.kind](gradient.id))
           : undefined
       }
       list={list}
@@ -162,16 +163,16 @@ export function ColorSide({ item, side }: SideProps) {
         type="button"
         class="side-name"
         aria-haspopup="menu"
-        aria-label={words.kindOfSide(words.sides[side])}
+        aria-label={words.kindOfSide(nameOfSide(item, side))}
         onClick={(event) =>
           openMenu(
-            words.kindOfSide(words.sides[side]),
+            words.kindOfSide(nameOfSide(item, side)),
             sideMenu(shell, item, side),
             event.currentTarget,
           )
         }
       >
-        {words.sides[side]}
+        {nameOfSide(item, side)}
         <Icon name="chevron-down" small />
       </button>
       {tints ? (

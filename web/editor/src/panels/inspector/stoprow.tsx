@@ -1,6 +1,9 @@
 // The selected colour stops, or the sides as a whole: colour, hex, and the place of a single stop. A gradient's stops
 // also have an alpha.
 import { useRef } from "preact/hooks";
+import { remember } from "../../app/colors.js";
+import { nameOfSide } from "../../app/side-names.js";
+import { sidesInOrder } from "../../model/sides.js";
 import type { CurveItem, Side } from "../../model/types.js";
 import type { Rgb } from "../../geometry/color.js";
 import { en } from "../../strings/en.js";
@@ -45,8 +48,8 @@ function usePicking(setColor: (value: Rgb) => void) {
 }
 
 /** Names what a swatch colours. */
-function nameOf({ side, stops, list }: Found): string {
-  const name = words.sides[side];
+function nameOf(item: CurveItem, { side, stops, list }: Found): string {
+  const name = nameOfSide(item, side);
   const hex = hexOf(list.stops[stops?.[0] ?? 0].value);
   if (!stops) return words.colorOfSide(name, hex);
   return stops.length > 1 ? words.colorOfStops(name, stops.length, hex) : words.colorOfStop(name, stops[0] + 1, hex);
@@ -65,7 +68,7 @@ function Swatch({ item, found }: { readonly item: CurveItem; readonly found: Fou
       style={{ "--c": hexOf(list.stops[stops?.[0] ?? 0].value) }}
       aria-haspopup="dialog"
       aria-pressed={isOpen}
-      aria-label={nameOf(found)}
+      aria-label={nameOf(item, found)}
       onClick={() => {
         editor.picker.value = isOpen ? null : target;
       }}
@@ -76,13 +79,15 @@ function Swatch({ item, found }: { readonly item: CurveItem; readonly found: Fou
 /** Recolours the stops, as one step of undo. */
 function useRecolor({ side, stops, put, ...tints }: Found) {
   const { editor } = useShell();
-  return (value: Rgb) =>
-    void editor.run(words.setColor, put(editor.drawing, side, tinted({ ...tints, put }, stops, value)));
+  return (value: Rgb) => {
+    editor.run(words.setColor, put(editor.drawing, side, tinted({ ...tints, put }, stops, value)));
+    remember(editor.settings, value);
+  };
 }
 
 /** A colour that becomes the only one of a side. */
 function WholeSide({ item, found }: { readonly item: CurveItem; readonly found: Found }) {
-  const name = words.sides[found.side];
+  const name = nameOfSide(item, found.side);
   const setColor = useRecolor(found);
   const pick = usePicking(setColor);
   return (
@@ -103,7 +108,7 @@ function Place({ item, found, index }: { readonly item: CurveItem; readonly foun
   return (
     <NumberField
       label={words.at}
-      name={words.atOf(words.sides[side], index + 1)}
+      name={words.atOf(nameOfSide(item, side), index + 1)}
       value={fractionOf(item, list.space, list.stops[index].offset) * 100}
       digits={1}
       unit="%"
@@ -143,7 +148,7 @@ function Fields({ item, found, stops }: { readonly item: CurveItem; readonly fou
         <GradientFields
           gradient={gradient}
           alpha={shown.alpha}
-          alphaName={words.alphaOf(words.sides[side], stops[0] + 1)}
+          alphaName={words.alphaOf(nameOfSide(item, side), stops[0] + 1)}
           sink={edits(editor, words.setAlpha, (percent: number, before) =>
             put(before, side, tinted(found, stops, { alpha: percent / 100 })),
           )}
@@ -158,10 +163,9 @@ export function StopRow({ item }: { readonly item: CurveItem }) {
   const { editor } = useShell();
   const found = selectedStops(editor.drawing, item, chosenStops(editor, item, "color"));
   if (found?.stops) return <Fields item={item} found={found} stops={found.stops} />;
-  const sides: readonly Side[] = ["left", "right"];
   return (
     <>
-      {sides.map((side) => {
+      {sidesInOrder(item).map((side) => {
         const tints = tintsOf(editor.drawing, item, side);
         return tints && <WholeSide key={side} item={item} found={{ ...tints, side, stops: null }} />;
       })}

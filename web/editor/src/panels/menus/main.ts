@@ -1,7 +1,7 @@
 // Menus of ☰, the canvas, the rows and the zoom button.
 import { isPrimaryClosed } from "../../app/selected.js";
 import type { Editor } from "../../app/types.js";
-import { curvesOf } from "../../model/commands/index.js";
+import { closedCurves, curvesOf } from "../../model/commands/index.js";
 import { en } from "../../strings/en.js";
 import type { MenuItem } from "../controls/menu.js";
 
@@ -126,6 +126,12 @@ export function object(editor: Editor): readonly MenuItem[] {
     { label: words.toBottom, command: "to-bottom", disabled: nothing },
     "line",
     { label: words.oneColor, command: "one-color", disabled: noCurve },
+    {
+      label: words.ownShape,
+      command: "own-shape",
+      disabled: closedCurves(editor.drawing, editor.selection.value.map(({ handle }) => handle)).length === 0,
+      reason: words.needsClosed,
+    },
     { label: words.swapSides, command: "swap-sides", disabled: noCurve },
     { label: words.reverse, command: "reverse", disabled: noCurve },
     {
@@ -195,7 +201,7 @@ const help = (): readonly MenuItem[] => [
 
 /** Tools that have no place in the row of a phone. */
 const hiddenTools = (editor: Editor): readonly MenuItem[] =>
-  (["stroke", "hand"] as const).map((tool) => ({
+  (["stroke", "rectangle", "polygon", "hand"] as const).map((tool) => ({
     label: words.tool[tool],
     checked: editor.tool.value === tool,
     run: () => {

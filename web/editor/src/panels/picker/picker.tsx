@@ -3,6 +3,8 @@ import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 import type { TargetedKeyboardEvent, TargetedPointerEvent } from "preact";
 import { inGamut, oklchFromRgb, type Oklch, type Rgb } from "../../geometry/color.js";
 import { hexOf } from "../../geometry/colortext.js";
+import { remember } from "../../app/colors.js";
+import { nameOfSide } from "../../app/side-names.js";
 import type { PickerTarget } from "../../app/types.js";
 import { en } from "../../strings/en.js";
 import { colorsOf } from "../color.js";
@@ -18,7 +20,7 @@ import { Alpha } from "./alpha.js";
 import { ModelFields } from "./models.js";
 import { left, usePlace } from "./place.js";
 import { Plane } from "./plane.js";
-import { remember, useSession, type Session } from "./session.js";
+import { useSession, type Session } from "./session.js";
 
 const words = en.picker;
 /** Colours of the document that are offered. */
@@ -77,8 +79,9 @@ function Swatches({
 }
 
 /** The picker's name and heading: it colours a stop, several stops, or a whole side. */
-function titlesOf({ side, stops }: PickerTarget, count: number): { readonly title: string; readonly head: string } {
-  const name = en.panels.sides[side];
+function titlesOf({ side, stops }: PickerTarget, { item, list }: Session): { readonly title: string; readonly head: string } {
+  const name = nameOfSide(item, side);
+  const count = list.stops.length;
   if (!stops) return { title: words.titleOfSide(name), head: words.headOfSide(name) };
   if (stops.length > 1) {
     return { title: words.titleOfSeveral(name, stops.length), head: words.headOfSeveral(name, stops.length) };
@@ -140,7 +143,7 @@ function Body({ session }: { readonly session: Session }) {
   const setHueTo = (h: number) => showPolar({ ...polar, h });
   const choose = (to: Rgb) => {
     session.show({ color: to });
-    remember(editor, to);
+    remember(editor.settings, to);
   };
   const hueSink = {
     set: setHueTo,
@@ -222,7 +225,7 @@ function Popover({ target }: { readonly target: PickerTarget }) {
     if (!session) editor.picker.value = null;
   }, [session === null]);
   if (!session) return null;
-  const { title, head } = titlesOf(target, session.list.stops.length);
+  const { title, head } = titlesOf(target, session);
   const drag = (event: TargetedPointerEvent<HTMLElement>) => {
     if (event.button !== 0 || phone || (event.target as Element).closest("button")) return;
     const box = popover.current!.getBoundingClientRect();

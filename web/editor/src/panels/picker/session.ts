@@ -1,5 +1,6 @@
 // The state of the picker: a stop's colour and alpha, as one step of undo from opening to closing.
 import { useEffect, useMemo, useRef } from "preact/hooks";
+import { remember } from "../../app/colors.js";
 import type { Editor, Gesture, PickerTarget } from "../../app/types.js";
 import type { Rgb } from "../../geometry/color.js";
 import { hexOf } from "../../geometry/colortext.js";
@@ -10,7 +11,6 @@ import { constant, curveOf } from "../stops.js";
 import { tinted, tintsOf, type Tints } from "../tints.js";
 
 const words = en.picker;
-const RECENT = 8;
 
 /** The changes since the picker was opened; absent: none. */
 interface Wish {
@@ -67,11 +67,6 @@ const make =
     ]);
   };
 
-export function remember({ settings: { recent } }: Editor, color: Rgb) {
-  const others = recent.peek().filter((other) => hexOf(other) !== hexOf(color));
-  recent.value = [color, ...others].slice(0, RECENT);
-}
-
 /** null: what it was opened for is gone. */
 export function useSession(editor: Editor, target: PickerTarget): Session | null {
   const key = keyOf(target);
@@ -90,7 +85,7 @@ export function useSession(editor: Editor, target: PickerTarget): Session | null
     () => () => {
       keep();
       if (latest.current && before && hexOf(latest.current) !== hexOf(before))
-        remember(editor, latest.current);
+        remember(editor.settings, latest.current);
     },
     [key],
   );

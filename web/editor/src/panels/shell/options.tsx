@@ -9,6 +9,7 @@ import { setting } from "../controls/sink.js";
 import { nameOfCommand } from "../menus/names.js";
 import { kindOfNodes, selectedNodes } from "../nodes.js";
 import { useShell } from "../services.js";
+import { Fill, PolygonOptions } from "./fill.js";
 
 const words = en.panels;
 
@@ -212,6 +213,9 @@ const options = {
   pen: Attributes,
   pencil: Smoothing,
   stroke: StrokeOptions,
+  rectangle: Fill,
+  ellipse: Fill,
+  polygon: PolygonOptions,
   sample: SampleOptions,
   blur: () => null,
   hand: () => null,

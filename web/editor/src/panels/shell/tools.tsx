@@ -21,6 +21,11 @@ const groups: readonly (readonly [ToolName, IconName][])[] = [
     ["stroke", "brush"],
   ],
   [
+    ["rectangle", "square"],
+    ["ellipse", "circle"],
+    ["polygon", "hexagon"],
+  ],
+  [
     ["sample", "pipette"],
     ["blur", "focus"],
   ],

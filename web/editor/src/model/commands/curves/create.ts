@@ -2,10 +2,11 @@
 import { lengthScale } from "../../../geometry/affine.js";
 import { writePath } from "../../../geometry/path.js";
 import { declare, INKSCAPE, nameWithin, prefixOf, SFUMATO, sfName, SODIPODI, XLINK } from "../../../source/attributes.js";
-import { COLORS, RADII, sideText } from "../../../source/stops.js";
+import { COLORS, RADII, SHARES, sideText } from "../../../source/stops.js";
 import type { ElementNode } from "../../../source/tree.js";
 import type { CubicPath } from "../../../geometry/cubic.js";
 import type { Rgb } from "../../../geometry/color.js";
+import type { FilledSides } from "../../sides.js";
 import type { Drawing, Handle, Item, Outcome, SideValue } from "../../types.js";
 import { Draft } from "./draft.js";
 import { fallback } from "../paint/fallback.js";
@@ -22,6 +23,8 @@ export interface NewCurve {
   readonly endStep?: number;
   readonly left: SideValue<Rgb>;
   readonly right: SideValue<Rgb>;
+  /** Absent: the curve has no influence on opacity. */
+  readonly opacity?: FilledSides["opacity"];
   readonly blur?: SideValue<number>;
   /** A local curve, with these radii. */
   readonly radius?: SideValue<number>;
@@ -34,17 +37,30 @@ function curveMarkup(
   scale: number,
   step: number,
 ): string {
-  const { path, endStep, left, right, blur, radius } = curve;
+  const { path, endStep, blur, radius } = curve;
   const radii = (side: SideValue<number> | undefined) => (side ? sideText(side, RADII) : null);
   const attributes: WrittenAttributes = [
     ["d", writePath(path, step, endStep)],
-    [sfName(parent, "left"), sideText(left, COLORS)],
-    [sfName(parent, "right"), sideText(right, COLORS)],
+    ...sideAttributes(parent, curve),
     [sfName(parent, "blur"), radii(blur)],
     [sfName(parent, "radius"), radii(radius)],
-    ...fallback(d, [left, right], scale),
+    ...fallback(d, [curve.left, curve.right], scale),
   ];
   return `${opening(parent, "path", attributes)}/>`;
+}
+
+/** Returns the attributes for colours and opacities of both sides. */
+export function sideAttributes(
+  parent: ElementNode,
+  { left, right, opacity }: Pick<NewCurve, "left" | "right" | "opacity">,
+): WrittenAttributes {
+  const share = (value: number | undefined) => (value === undefined ? null : SHARES.write(value));
+  return [
+    [sfName(parent, "left"), sideText(left, COLORS)],
+    [sfName(parent, "right"), sideText(right, COLORS)],
+    [sfName(parent, "left-opacity"), share(opacity?.left)],
+    [sfName(parent, "right-opacity"), share(opacity?.right)],
+  ];
 }
 
 /**

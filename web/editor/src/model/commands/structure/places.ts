@@ -42,6 +42,19 @@ export function outerPlace(d: Drawing, target: Item | null): Place | null {
   return { parent: d.root, after, item: null };
 }
 
+/** Whether an item, or something around it, is locked or hidden. */
+const isOff = (item: Item | null): boolean => item !== null && (item.locked || item.hidden || isOff(item.parent));
+
+/** Returns whether a layer is empty and can be drawn into: a shape needs no new layer then. */
+export function isFreeLayer(layer: Item | null): boolean {
+  return layer?.kind === "layer" && layer.children.length === 0 && !isOff(layer);
+}
+
+/** Returns the place of a new layer above another one; on top of everything if that place is locked or hidden. */
+export function placeAbove(d: Drawing, layer: Item | null): Place | null {
+  return outerPlace(d, layer && isOff(layer.parent) ? null : layer);
+}
+
 /** A layer of these children, which are selected. */
 export function newLayer(
   d: Drawing,
