@@ -8,7 +8,7 @@ import { openDrawing } from "../../../web/editor/src/model/drawing.js";
 import { faultOf } from "../../../web/editor/src/model/faults.js";
 import type { Drawing, Outcome } from "../../../web/editor/src/model/types.js";
 import { setAttribute, sf, valueOf } from "../../../web/editor/src/source/attributes.js";
-import { en } from "../../../web/editor/src/strings/en.js";
+import * as en from "../../../web/editor/src/strings/en.js";
 
 const deaf = { index: { serial: -1, curves: [] }, show: () => 0, look: () => {}, expect: () => {} };
 const svg = (inner: string) =>

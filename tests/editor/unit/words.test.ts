@@ -1,7 +1,7 @@
 // The names in docs/editor.md are names that the editor shows.
 import { readFileSync } from "node:fs";
 import { expect, test } from "vitest";
-import { en } from "../../../web/editor/src/strings/en.js";
+import * as en from "../../../web/editor/src/strings/en.js";
 
 const GUIDE = new URL("../../../docs/editor.md", import.meta.url);
 

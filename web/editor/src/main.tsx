@@ -13,7 +13,7 @@ import { examplesOf } from "./page/examples.js";
 import { listenToPastes } from "./page/pastes.js";
 import { App } from "./panels/app.js";
 import { fetchParts } from "./panels/shell/part.js";
-import { en } from "./strings/en.js";
+import * as en from "./strings/en.js";
 import "./style/index.css";
 import type { Work } from "./work.js";
 

@@ -20,7 +20,7 @@ import type { Later } from "./panels/app.js";
 import { Menus } from "./panels/controls/menu.js";
 import { prepareTour } from "./panels/tour/start.js";
 import { Workplace } from "./panels/workplace.js";
-import { en } from "./strings/en.js";
+import * as en from "./strings/en.js";
 
 export interface Work extends Later {
   readonly documents: Documents;

@@ -6,7 +6,7 @@ import type { PngPixels } from "../../../../web/editor/src/engine/png.js";
 import type { ExportSource, ExportWish } from "../../../../web/editor/src/files/export.js";
 import { complaintAboutSize, copyPng, estimateSize, exportDrawing, exportName, mostSide, nameOfSize, withoutReference } from "../../../../web/editor/src/files/export.js";
 import { pageOf } from "../../../../web/editor/src/files/page.js";
-import { en } from "../../../../web/editor/src/strings/en.js";
+import * as en from "../../../../web/editor/src/strings/en.js";
 
 const words = en.files;
 

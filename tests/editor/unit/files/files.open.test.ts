@@ -5,7 +5,7 @@ import type { Opened } from "../../../../web/editor/src/files/open.js";
 import { mostFileBytes, openFile, rootName } from "../../../../web/editor/src/files/open.js";
 import { piecesOf } from "../../../../web/editor/src/files/pieces.js";
 import { bytesOf, textOf } from "../../../../web/editor/src/files/text.js";
-import { en } from "../../../../web/editor/src/strings/en.js";
+import * as en from "../../../../web/editor/src/strings/en.js";
 
 const words = en.files;
 const svg = '<?xml version="1.0"?>\n<!-- é --><svg xmlns="http://www.w3.org/2000/svg"/>\n';

@@ -4,7 +4,7 @@ import { newPlace, withExtension } from "../../../../web/editor/src/files/place.
 import { save, saveAs, saveExport } from "../../../../web/editor/src/files/save.js";
 import { besideServed, openServed, servedName } from "../../../../web/editor/src/files/served.js";
 import { plainForm } from "../../../../web/editor/src/files/text.js";
-import { en } from "../../../../web/editor/src/strings/en.js";
+import * as en from "../../../../web/editor/src/strings/en.js";
 
 const words = en.files;
 const fileSave = vi.hoisted(() => vi.fn());

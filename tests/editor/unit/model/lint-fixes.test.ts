@@ -6,7 +6,7 @@ import { FIXABLE_RULES, fixOf } from "../../../../web/editor/src/model/lint-fixe
 import { isWorthTelling } from "../../../../web/editor/src/model/lint-worth.js";
 import { applied } from "../../../../web/editor/src/source/patch.js";
 import { placeOf } from "../../../../web/editor/src/panels/hints/show.js";
-import { en } from "../../../../web/editor/src/strings/en.js";
+import * as en from "../../../../web/editor/src/strings/en.js";
 import { file, handle, modulePath } from "../drawings.js";
 
 const frame = '<path id="frame" d="M0 0H512V512H0Z" sf:right="#abc" sf:left="none"/>';

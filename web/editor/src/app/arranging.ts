@@ -3,7 +3,7 @@ import type { Affine, Box } from "../geometry/affine.js";
 import { together, transform } from "../model/commands/index.js";
 import { boxOf } from "../model/item-boxes.js";
 import type { Item, Outcome } from "../model/types.js";
-import { en } from "../strings/en.js";
+import * as en from "../strings/en.js";
 import type { DrawingEditor } from "./editor.js";
 import { chosen, chosenItems } from "./selected.js";
 

@@ -2,7 +2,7 @@
 import { copyItems, deleteItems, paste } from "../model/commands/index.js";
 import type { Handle } from "../model/types.js";
 import { SourceError } from "../source/tree.js";
-import { en } from "../strings/en.js";
+import * as en from "../strings/en.js";
 import type { DrawingEditor } from "./editor.js";
 import { chosen } from "./selected.js";
 import { isForPage } from "./keys.js";

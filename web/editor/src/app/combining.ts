@@ -2,7 +2,7 @@
 import { EngineError } from "../engine/rpc.js";
 import type { RegionOperation } from "../engine/types.js";
 import { canCombine, replaceByRegion, shapePaths } from "../model/commands/index.js";
-import { en } from "../strings/en.js";
+import * as en from "../strings/en.js";
 import type { DrawingEditor } from "./editor.js";
 import { chosenCurves } from "./selected.js";
 

@@ -22,7 +22,7 @@ import {
 } from "../model/commands/index.js";
 import { boxOf } from "../model/item-boxes.js";
 import type { Attribute, Drawing, Handle, Item, Outcome } from "../model/types.js";
-import { en } from "../strings/en.js";
+import * as en from "../strings/en.js";
 import { arranging } from "./arranging.js";
 import { combining } from "./combining.js";
 import { copyByMenu } from "./clipboard.js";

@@ -7,7 +7,7 @@ import {
   styleOf,
   together,
 } from "../model/commands/index.js";
-import { en } from "../strings/en.js";
+import * as en from "../strings/en.js";
 import type { DrawingEditor } from "./editor.js";
 import { chosenCurves, chosenNodes, primaryCurve } from "./selected.js";
 

@@ -16,7 +16,7 @@ import type {
 import type { Style } from "../model/commands/index.js";
 import { faultOf } from "../model/faults.js";
 import { inverse, type Patch } from "../source/patch.js";
-import { en } from "../strings/en.js";
+import * as en from "../strings/en.js";
 import { isWorthTelling } from "../model/lint-worth.js";
 import { united } from "./changes.js";
 import { expectDrags } from "./expected.js";

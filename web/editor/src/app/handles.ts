@@ -3,7 +3,7 @@ import { movedHandle, nodeOfHandle } from "../geometry/nodes.js";
 import { nodePath } from "../geometry/natural.js";
 import { setPath } from "../model/commands/index.js";
 import type { Handle, Part } from "../model/types.js";
-import { en } from "../strings/en.js";
+import * as en from "../strings/en.js";
 import type { Editor } from "./types.js";
 
 export function takeInHandle(editor: Editor, handle: Handle, part: Part & { kind: "handle" }): void {

@@ -9,7 +9,7 @@ import {
 } from "../geometry/affine.js";
 import { boundsOf, mappedPath, unionOf, type CubicPath } from "../geometry/cubic.js";
 import type { Drawing, Handle, Item, Selection } from "../model/types.js";
-import { en } from "../strings/en.js";
+import * as en from "../strings/en.js";
 import type { BoxMark } from "./marks.js";
 import { isHidden, isLocked, placesOf, type Place } from "./places.js";
 

@@ -2,7 +2,7 @@
 import type { Editor } from "../app/types.js";
 import type { Affine } from "../geometry/affine.js";
 import { differenceColors, MOST_DIFFERENCE } from "../geometry/difference.js";
-import { en } from "../strings/en.js";
+import * as en from "../strings/en.js";
 import type { Canvas } from "./canvas.js";
 import { matrix } from "./drafts.js";
 

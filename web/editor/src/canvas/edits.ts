@@ -37,7 +37,7 @@ import type {
 import { gripPlace } from "../model/paint-frames.js";
 import { takeInHandle } from "../app/handles.js";
 import { deleteStop } from "../app/stops.js";
-import { en } from "../strings/en.js";
+import * as en from "../strings/en.js";
 import { pathInLayer } from "./along.js";
 import { movable } from "./box.js";
 import { withHandle } from "./nodes.js";

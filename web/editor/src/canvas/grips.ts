@@ -4,7 +4,7 @@ import { turning, type Affine, type Box, type Point } from "../geometry/affine.j
 import type { Editor } from "../app/types.js";
 import { transform } from "../model/commands/index.js";
 import type { Handle } from "../model/types.js";
-import { en } from "../strings/en.js";
+import * as en from "../strings/en.js";
 import { movable, scaling, selectionBox } from "./box.js";
 import { shown } from "./format.js";
 import type { BoxMark, Mark } from "./marks.js";

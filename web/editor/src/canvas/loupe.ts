@@ -6,7 +6,7 @@ import { hexOf } from "../geometry/colortext.js";
 import type { Photo } from "../geometry/photo.js";
 import { sidesInOrder } from "../model/sides.js";
 import type { CurveItem } from "../model/types.js";
-import { en } from "../strings/en.js";
+import * as en from "../strings/en.js";
 import type { Canvas } from "./canvas.js";
 import type { CurveHit, PointerKind } from "./hit.js";
 import type { PlacedPhoto } from "./photo.js";

@@ -16,7 +16,7 @@ import type {
   Side,
 } from "../model/types.js";
 import type { PaintKind } from "../model/paint-frames.js";
-import { en } from "../strings/en.js";
+import * as en from "../strings/en.js";
 import { pathInLayer, placesOfStops, standing } from "./along.js";
 import { percent, shown } from "./format.js";
 import { handlesOf } from "./nodes.js";

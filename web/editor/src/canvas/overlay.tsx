@@ -1,7 +1,7 @@
 // Everything drawn above the picture: one <svg> in CSS pixels of the stage.
 import { useComputed } from "@preact/signals";
 import { lengthScale, type Affine, type Point } from "../geometry/affine.js";
-import { en } from "../strings/en.js";
+import * as en from "../strings/en.js";
 import { drawnBox, selectionBox } from "./box.js";
 import type { Canvas } from "./canvas.js";
 import { Aids, DraftView, Light, matrix, Strong } from "./drafts.js";

@@ -4,7 +4,7 @@ import { composed, mapped, type Affine, type Point } from "../geometry/affine.js
 import { distance } from "../geometry/vector.js";
 import { paintFrame, placeInFrame, type PaintFrame } from "../model/paint-frames.js";
 import type { CurveItem, Drawing, PaintAttribute, PaintGrip, Part, Side } from "../model/types.js";
-import { en } from "../strings/en.js";
+import * as en from "../strings/en.js";
 import type { PaintMark } from "./marks.js";
 import { SIDES } from "./sides.js";
 import { isSamePart } from "./part.js";

@@ -1,7 +1,7 @@
 // Which pointer does what: draws, moves the picture, or is not heard.
 import { signal, type Signal } from "@preact/signals";
 import type { Point } from "../geometry/affine.js";
-import { en } from "../strings/en.js";
+import * as en from "../strings/en.js";
 import type { Canvas } from "./canvas.js";
 import type { CursorName } from "./cursors.js";
 import type { PointerKind } from "./hit.js";

@@ -3,7 +3,7 @@ import { effect, untracked, useSignalEffect } from "@preact/signals";
 import { useLayoutEffect, useMemo, useRef } from "preact/hooks";
 import type { Editor, ToolName } from "../app/types.js";
 import type { Point } from "../geometry/affine.js";
-import { en } from "../strings/en.js";
+import * as en from "../strings/en.js";
 import { Canvas } from "./canvas.js";
 import "./canvas.css";
 import { cssCursor } from "./cursors.js";

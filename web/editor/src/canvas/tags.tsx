@@ -1,6 +1,6 @@
 // Numbers beside what is dragged or chosen.
 import type { Affine, Point } from "../geometry/affine.js";
-import { en } from "../strings/en.js";
+import * as en from "../strings/en.js";
 import { drawnBox, selectionBox } from "./box.js";
 import type { Canvas } from "./canvas.js";
 import { shown } from "./format.js";

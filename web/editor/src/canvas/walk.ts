@@ -1,7 +1,7 @@
 // Keyboard navigation of the canvas: Tab goes from curve to curve, Enter into one, Escape out of it.
 import type { Editor } from "../app/types.js";
 import type { Handle, Item, Part, Selected } from "../model/types.js";
-import { en } from "../strings/en.js";
+import * as en from "../strings/en.js";
 import type { Mark } from "./marks.js";
 import { selectedOf } from "./marks.js";
 import { placesOf } from "./places.js";

@@ -1,5 +1,5 @@
 // Workers for one piece of work: ending one takes no time, and nothing of it stays.
-import { en } from "../strings/en.js";
+import * as en from "../strings/en.js";
 import { Link } from "./rpc.js";
 import { moduleOf, workerOf, type Host } from "./seat.js";
 

@@ -1,6 +1,6 @@
 // Photos traced, and drawings fitted to them, in workers of their own: the editor goes on meanwhile, and ending one takes no time.
 // A second one draws what the first has reached, so that looking at it holds nothing up.
-import { en } from "../strings/en.js";
+import * as en from "../strings/en.js";
 import type { CubicPath } from "../geometry/cubic.js";
 import { inOwnWorker, started } from "./own-worker.js";
 import { EngineError, type Link } from "./rpc.js";

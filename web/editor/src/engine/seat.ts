@@ -2,7 +2,7 @@
 import { Link } from "./rpc.js";
 import type { ReadResult, SolveOptions } from "./session.js";
 import type { EngineCurve, GivenImage, LayerCurves, QuickChange } from "./types.js";
-import { en } from "../strings/en.js";
+import * as en from "../strings/en.js";
 
 const words = en.engine;
 

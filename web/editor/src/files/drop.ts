@@ -1,5 +1,5 @@
 // Files dropped on the page: one drawing or photo, and the pictures that the drawing names.
-import { en } from "../strings/en.js";
+import * as en from "../strings/en.js";
 import type { Convert, Opened } from "./open.js";
 import { openFile } from "./open.js";
 import type { Piece } from "./pieces.js";

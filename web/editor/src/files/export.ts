@@ -4,7 +4,7 @@ import type { Engine } from "../engine/types.js";
 import { encodePng } from "../engine/png.js";
 import { parse } from "../source/parse.js";
 import type { ElementNode } from "../source/tree.js";
-import { en } from "../strings/en.js";
+import * as en from "../strings/en.js";
 import { deflated, jpegUri, pageOf } from "./page.js";
 import { withExtension } from "./place.js";
 

@@ -2,7 +2,7 @@
 import { fileOpen } from "browser-fs-access";
 import type { FileWithHandle } from "browser-fs-access";
 import { complaintOf } from "../engine/complaint.js";
-import { en } from "../strings/en.js";
+import * as en from "../strings/en.js";
 import type { Place } from "./place.js";
 import { withExtension } from "./place.js";
 import { FileProblem, mostTextBytes, plainForm, textOf } from "./text.js";

@@ -1,6 +1,6 @@
 // Pixels of a photo as people see it: rotated as its camera says, with colours in sRGB.
 import type { PhotoPixels } from "../engine/types.js";
-import { en } from "../strings/en.js";
+import * as en from "../strings/en.js";
 
 /**
  * The browser scales down larger photos, faster than the module could. The module reads a quarter of these

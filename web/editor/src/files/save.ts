@@ -1,6 +1,6 @@
 // Drawings to files: the one they came from, one that is chosen, or a download.
 import { fileSave, supported } from "browser-fs-access";
-import { en } from "../strings/en.js";
+import * as en from "../strings/en.js";
 import type { Place, Saved } from "./place.js";
 import { withExtension } from "./place.js";
 import { saveServed } from "./served.js";

@@ -1,5 +1,5 @@
 // The page as `sfumato edit` serves it: with one drawing, which saving writes back.
-import { en } from "../strings/en.js";
+import * as en from "../strings/en.js";
 import type { Beside } from "./images.js";
 import type { Convert, Opened } from "./open.js";
 import { mostFileBytes, openFile } from "./open.js";

@@ -1,5 +1,5 @@
 // The bytes of a drawing's file as text, and back to the same bytes.
-import { en } from "../strings/en.js";
+import * as en from "../strings/en.js";
 
 const words = en.files;
 

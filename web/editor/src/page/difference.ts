@@ -5,7 +5,7 @@ import type { Difference } from "../app/types.js";
 import { createWorker, getModule } from "../engine/host.js";
 import { TracePreviews } from "../engine/photo-trace.js";
 import type { Drawing } from "../model/types.js";
-import { en } from "../strings/en.js";
+import * as en from "../strings/en.js";
 import { differenceOf, type DifferencePicture } from "../geometry/difference.js";
 import { hasPhoto, laidPhoto } from "./laid-photo.js";
 

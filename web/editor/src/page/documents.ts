@@ -28,7 +28,7 @@ import { addReference, insertCentred } from "../model/commands/index.js";
 import { blankText } from "../model/drawing.js";
 import type { Foreign } from "../panels/services.js";
 import { SourceError } from "../source/tree.js";
-import { en } from "../strings/en.js";
+import * as en from "../strings/en.js";
 import { dataUri } from "./files.js";
 import { converted, curvesIn, type Converted } from "./foreign.js";
 import { besideExamples } from "./gallery-pictures.js";

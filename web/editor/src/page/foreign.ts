@@ -4,7 +4,7 @@ import { warningText } from "../engine/complaint.js";
 import type { Beside } from "../files/images.js";
 import { openDrawing } from "../model/drawing.js";
 import type { Drawing } from "../model/types.js";
-import { en } from "../strings/en.js";
+import * as en from "../strings/en.js";
 import type { Pictures } from "./pictures.js";
 
 /** Shapes of an ordinary SVG as a drawing. */

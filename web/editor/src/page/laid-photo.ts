@@ -3,7 +3,7 @@ import { photoOf, referenceAt } from "../canvas/photo.js";
 import type { PhotoPixels } from "../engine/types.js";
 import { composed, inverted, lengthScale, translation, type Affine } from "../geometry/affine.js";
 import type { Drawing } from "../model/types.js";
-import { en } from "../strings/en.js";
+import * as en from "../strings/en.js";
 
 export interface LaidPhoto {
   /** As large as the artboard; clear where there is no photo. */

@@ -5,7 +5,7 @@ import { itemAt } from "../canvas/stack-parts.js";
 import type { Hint } from "../engine/types.js";
 import { fixOf } from "../model/lint-fixes.js";
 import type { Item } from "../model/types.js";
-import { en } from "../strings/en.js";
+import * as en from "../strings/en.js";
 
 /** Its curve, else what it names on the picture's stack; null: neither is there. */
 export function itemOfHint(editor: DrawingEditor, { stack }: PictureCanvas, { offset, stackItem }: Hint): Item | null {

@@ -2,7 +2,7 @@
 import { pasteText } from "../app/clipboard.js";
 import type { DrawingEditor } from "../app/editor.js";
 import { isForeign } from "../files/foreign.js";
-import { en } from "../strings/en.js";
+import * as en from "../strings/en.js";
 import type { Documents } from "./documents.js";
 import type { Pasted } from "./pastes.js";
 

@@ -12,7 +12,7 @@ import { mappedPath } from "../geometry/cubic.js";
 import { nodePath } from "../geometry/natural.js";
 import { setFittedBlur, setFittedColors, setPoints, together } from "../model/commands/index.js";
 import type { CurveItem, Outcome } from "../model/types.js";
-import { en } from "../strings/en.js";
+import * as en from "../strings/en.js";
 import { beginningsOf, fittedRadii, rowsOf, type Beginnings } from "./blur-work.js";
 import { hasPhoto, laidPhoto, type LaidPhoto } from "./laid-photo.js";
 

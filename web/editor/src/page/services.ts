@@ -15,7 +15,7 @@ import {
 import { pickFile } from "../files/open.js";
 import { saveExport, saveExports } from "../files/save.js";
 import type { Services } from "../panels/services.js";
-import { en } from "../strings/en.js";
+import * as en from "../strings/en.js";
 import type { Documents } from "./documents.js";
 import { dataUri } from "./files.js";
 import { itemOfHint, mendOf } from "./mend.js";

@@ -13,7 +13,7 @@ import { fitted, insertTraced, replaceByTraced, type TracedDrawing } from "../mo
 import { blankText } from "../model/drawing.js";
 import type { Drawing, Outcome } from "../model/types.js";
 import type { Traced, Tracing } from "../panels/services.js";
-import { en } from "../strings/en.js";
+import * as en from "../strings/en.js";
 import type { Documents } from "./documents.js";
 import { dataUri } from "./files.js";
 

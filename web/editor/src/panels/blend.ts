@@ -1,5 +1,5 @@
 // The sixteen blend modes of CSS, by their groups.
-import { en } from "../strings/en.js";
+import * as en from "../strings/en.js";
 
 export const blendModes = [
   "normal",

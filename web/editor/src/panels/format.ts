@@ -1,5 +1,5 @@
 // Numbers and times as people read them here.
-import { en } from "../strings/en.js";
+import * as en from "../strings/en.js";
 
 /** Returns at most `digits` decimals, without trailing zeros. */
 export function decimal(value: number, digits: number): string {

@@ -1,6 +1,6 @@
 // Where one works: bars, tools, stage, panels.
 import type { ComponentChildren } from "preact";
-import { en } from "../strings/en.js";
+import * as en from "../strings/en.js";
 import { isPhone } from "./controls/media.js";
 import { openMenu } from "./controls/menu.js";
 import { contextMenu } from "./menus/main.js";

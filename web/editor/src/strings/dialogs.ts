@@ -92,7 +92,6 @@ export const dialogs = {
   new: "New drawing",
   sizes: "Sizes",
   create: "Create",
-  untitled: "untitled.svg",
   recover: "Recover a drawing",
   nothingKept: "No drawings are stored in this browser yet.",
   storageRefused: "This browser blocks storage, so no drawings can be recovered. Allow storage for this page, or leave the private window.",
@@ -110,7 +109,6 @@ export const dialogs = {
   converting: "Converting…",
   insertAsLayers: "Insert as layers",
   openAsIs: "Open as it is",
-  reasonAt: (line: number, column: number, reason: string) => `Line ${line}, column ${column}: ${reason}`,
   lineOf: (line: number) => `Line ${line}`,
   showLine: "Show line",
   goOn: shared.close,
@@ -169,7 +167,6 @@ export const photo = {
   fittingColors: "Fitting colours to the photo…",
   fittingBlur: "Fitting the blur to the photo…",
   snapping: shared.lookingForEdges,
-  stop: "Stop",
   stopped: "Stopped. Nothing was changed.",
   changed: "Nothing was fitted, because the drawing was edited meanwhile. Try again.",
   noPhoto: "There is no photo to compare with. Drop a picture on the canvas first.",
@@ -190,33 +187,6 @@ export const photo = {
   least: "0",
   most: (most: number) => `${most} of 255 or more`,
   looking: "Comparing…",
-} as const;
-
-export const welcome = {
-  lede: "Paint with curves",
-  ledeText: "Give a curve a colour on each side. The picture fills itself in, smooth at any size.",
-  blank: "Start blank",
-  blankText: "An empty page",
-  photo: "Trace a photo",
-  photoText: "Draw over a picture and take its colours",
-  open: "Open a file",
-  openText: "SVG or Orzan’s XML; or drop it here",
-  begin: "Start from an example",
-  curves: curvesOf,
-  exampleFailed: (name: string) => `“${name}” could not be read. Nothing was opened.`,
-  recent: "Recent",
-  edited: (when: string) => `edited ${when}`,
-  allStored: (count: number) => `All ${count} drawings`,
-  how: "How it works",
-  tryIt: "Try the five steps",
-  steps: [
-    { title: shared.drawCurve, text: "Draw anywhere, with the pencil or the pen." },
-    { title: shared.colorBothSides, text: "Each colour spreads until it meets another." },
-    { title: "Vary the colours", text: "Add a stop wherever the colour changes." },
-    { title: shared.softenWithBlur, text: "Pull the bracket: sharp here, soft there." },
-    { title: "Stack layers", text: "Curves meet only within their layer." },
-  ],
-  private: "Everything stays on this device. Nothing is uploaded.",
 } as const;
 
 export const tour = {

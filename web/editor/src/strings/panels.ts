@@ -1,4 +1,4 @@
-// Words of the panels: the inspector, the layers and the colour picker.
+// Words of the panels: the inspector and the layers.
 import { curvesOf, lowered, objects, raised, shared, sideNoun, steps } from "./shared.js";
 
 export const panels = {
@@ -88,6 +88,7 @@ export const panels = {
   grid: "Grid",
   snap: "Snap",
   keys: shared.keys,
+  stopTask: "Stop",
   commands: shared.commands,
   tour: shared.tour,
   about: "About Sfumato",
@@ -382,33 +383,4 @@ export const layers = {
     color: shared.color,
     luminosity: "Luminosity",
   },
-} as const;
-
-export const picker = {
-  title: (side: string, index: number) => `Colour of ${side.toLowerCase()} stop ${index}`,
-  titleOfSeveral: (side: string, count: number) => `Colour of ${count} ${side.toLowerCase()} stops`,
-  titleOfSide: (side: string) => `Colour of the whole ${sideNoun(side)}`,
-  head: (side: string, index: number, count: number) => `${side}, stop ${index} of ${count}`,
-  headOfSeveral: (side: string, count: number) => `${side}, ${count} stops`,
-  headOfSide: (side: string) => `${side}, whole side`,
-  change: steps.changeColor,
-  open: steps.openSide,
-  pick: "Pick a colour from the screen",
-  close: shared.close,
-  lightness: "Lightness",
-  chroma: "Chroma",
-  hue: shared.hue,
-  saturation: shared.saturation,
-  value: shared.value,
-  channels: { r: "Red", g: "Green", b: "Blue" },
-  alpha: "Alpha: opacity of the side",
-  stopAlpha: "Alpha of the stop",
-  percent: shared.percent,
-  degrees: (value: string) => `${value} degrees`,
-  goBack: (hex: string) => `Revert to ${hex}`,
-  model: "Colour model",
-  hex: "Hex",
-  recent: "Recent",
-  inPicture: "In this picture",
-  none: "None: leave this side open",
 } as const;

@@ -1,6 +1,6 @@
 // The point that arrows move: a pointer for those who have none.
 import type { Point } from "../../geometry/affine.js";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import type { Canvas } from "../canvas.js";
 import { shown } from "../format.js";
 

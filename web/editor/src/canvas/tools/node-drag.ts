@@ -3,7 +3,7 @@ import { mapped, type Point } from "../../geometry/affine.js";
 import { nodePath } from "../../geometry/natural.js";
 import { closeByEnd } from "../../model/commands/index.js";
 import type { CurveItem } from "../../model/types.js";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import type { Canvas } from "../canvas.js";
 import { movedNodes, plus } from "../edits.js";
 import { stageFromItem, type NodeMark } from "../marks.js";

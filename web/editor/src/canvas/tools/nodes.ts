@@ -7,7 +7,7 @@ import { nodeOfHandle } from "../../geometry/nodes.js";
 import { atAngle } from "../../geometry/snap.js";
 import { setPath, splitPiece } from "../../model/commands/index.js";
 import type { CurveItem, Selected } from "../../model/types.js";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import type { Canvas } from "../canvas.js";
 import { blurCursor, type CursorName } from "../cursors.js";
 import { itemVector, plus, setKinds } from "../edits.js";

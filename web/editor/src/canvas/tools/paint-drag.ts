@@ -6,7 +6,7 @@ import { subtract } from "../../geometry/vector.js";
 import { movePaint } from "../../model/commands/index.js";
 import { gripPlace } from "../../model/paint-frames.js";
 import type { PaintGrip, Selected } from "../../model/types.js";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import type { Canvas } from "../canvas.js";
 import { plus } from "../edits.js";
 import { shown } from "../format.js";

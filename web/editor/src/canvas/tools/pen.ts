@@ -4,9 +4,9 @@ import { inverted, mapped, type Point } from "../../geometry/affine.js";
 import { mappedPath, nodeCount, type CubicPath } from "../../geometry/cubic.js";
 import { locate } from "../../geometry/length.js";
 import { nodePath } from "../../geometry/natural.js";
-import { atAngle } from "../../geometry/snap.js";
+import { atAngle, nearestTarget } from "../../geometry/snap.js";
 import { deleteNodes, extendCurve, splitPiece } from "../../model/commands/index.js";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import { nearestAt } from "../along.js";
 import type { Canvas } from "../canvas.js";
 import type { CursorName } from "../cursors.js";
@@ -208,7 +208,10 @@ export class PenTool implements Tool {
     return this.continued ? this.canvas.toArtboard(this.continued.point) : this.place(p).at;
   }
 
-  /** Returns the open end under the pointer that a click continues, of a selected curve first. */
+  /**
+   * Returns the open end under the pointer that a click continues: of a selected curve, else the nearest one. null:
+   * there is none, or ends of several curves meet there.
+   */
   private endAt(p: Press): EndHit | null {
     const { canvas } = this;
     if (p.alt || p.ctrl) return null;
@@ -216,10 +219,11 @@ export class PenTool implements Tool {
     const ends = canvas
       .curves()
       .endsNear(p.at, SNAP_REACH, (place) => editedAt(place) === place.item);
-    const far = ({ point, place }: EndHit) =>
-      Math.hypot(point[0] - p.at[0], point[1] - p.at[1]) +
-      (selected.has(place.item.handle) ? 0 : SNAP_REACH);
-    return ends.reduce<EndHit | null>((best, end) => (best && far(best) < far(end) ? best : end), null);
+    const chosen = nearestTarget(p.at, ends.filter(({ place }) => selected.has(place.item.handle)), SNAP_REACH);
+    if (chosen) return chosen;
+    const near = nearestTarget(p.at, ends, SNAP_REACH);
+    const meets = (end: EndHit) => end !== near && near !== null && !isBeyond(end.point, near.point, 1);
+    return ends.some(meets) ? null : near;
   }
 
   /** Where a node would be set, artboard units. */

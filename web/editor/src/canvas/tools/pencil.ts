@@ -1,5 +1,5 @@
 // Pencil: draws a diffusion curve freely; the curve is smoothed when the pointer is released.
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import type { Canvas } from "../canvas.js";
 import type { CursorName } from "../cursors.js";
 import { NO_SKETCH } from "../sketch.js";

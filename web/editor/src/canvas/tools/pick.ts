@@ -3,7 +3,7 @@ import type { Gesture, ViewState } from "../../app/types.js";
 import type { Rgb } from "../../geometry/color.js";
 import { rgbFromHex } from "../../geometry/colortext.js";
 import type { Drawing, Outcome } from "../../model/types.js";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import type { Canvas } from "../canvas.js";
 import { setSide } from "../edits.js";
 import type { StopMark } from "../marks.js";

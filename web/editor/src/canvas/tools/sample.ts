@@ -4,7 +4,7 @@ import { composed, IDENTITY, inverted, lengthScale, type Box } from "../../geome
 import { pieceCount, type CubicPath } from "../../geometry/cubic.js";
 import { setColor, together } from "../../model/commands/index.js";
 import type { CurveItem, Drawing, Outcome } from "../../model/types.js";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import { nearestAt, pathInLayer } from "../along.js";
 import { placeBounds } from "../box.js";
 import type { Canvas } from "../canvas.js";

@@ -2,7 +2,7 @@
 import { mapped, translation, turning, type Affine, type Box, type Point } from "../../geometry/affine.js";
 import { duplicate, transform } from "../../model/commands/index.js";
 import type { Handle, Item, Selected } from "../../model/types.js";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import {
   drawnBox,
   gripName,

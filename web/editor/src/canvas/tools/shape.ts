@@ -12,7 +12,7 @@ import {
 } from "../../geometry/drawn-shape.js";
 import { add, subtract } from "../../geometry/vector.js";
 import { addShape } from "../../model/commands/index.js";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import type { Canvas } from "../canvas.js";
 import type { CursorName } from "../cursors.js";
 import { shown } from "../format.js";

@@ -2,7 +2,7 @@
 import { lengthScale, type Point } from "../../geometry/affine.js";
 import { offsetOfPlace, placeOfOffset } from "../../geometry/length.js";
 import type { CurveItem, Drawing, Outcome, Side, SideValue } from "../../model/types.js";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import { nearestAt, pathInLayer, standing } from "../along.js";
 import type { Canvas } from "../canvas.js";
 import { blurCursor } from "../cursors.js";

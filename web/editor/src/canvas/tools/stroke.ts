@@ -2,7 +2,7 @@
 import { fractionAtParameter, pathLength } from "../../geometry/length.js";
 import { pressureStops, type Fit } from "../../geometry/fit.js";
 import type { Gesture } from "../../app/types.js";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import type { Canvas } from "../canvas.js";
 import type { CursorName } from "../cursors.js";
 import { strokeOutcome } from "../drawn.js";

@@ -1,6 +1,6 @@
 // The background of a drawing: a colour, or none.
 import type { Rgb } from "../../geometry/color.js";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import { HexField } from "./hex.js";
 
 const words = en.panels;

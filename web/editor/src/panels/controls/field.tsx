@@ -1,7 +1,7 @@
 // A field for a number: scrubbed by its label, stepped by arrows, typed as a sum.
 import { useId, useRef, useState } from "preact/hooks";
 import type { TargetedKeyboardEvent, TargetedPointerEvent } from "preact";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import { decimal } from "../format.js";
 import { follow } from "./follow.js";
 import { evaluate } from "./expression.js";

@@ -2,7 +2,7 @@
 import { useState } from "preact/hooks";
 import type { TargetedKeyboardEvent } from "preact";
 import type { Rgb } from "../../geometry/color.js";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import { hexOf } from "../../geometry/colortext.js";
 import { parseTyped } from "../../source/colors.js";
 

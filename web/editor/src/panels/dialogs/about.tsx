@@ -1,7 +1,7 @@
 // About this program, and the work by others in it.
 import { useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import { Wordmark } from "../welcome/wordmark.js";
 import { useShell } from "../services.js";
 import { Frame } from "./frame.js";

@@ -3,7 +3,7 @@ import { useSignal } from "@preact/signals";
 import { useId, useLayoutEffect, useRef } from "preact/hooks";
 import type { TargetedKeyboardEvent } from "preact";
 import { Icon } from "../../icons.js";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import { chordOf } from "../controls/chords.js";
 import { commandsOf, matching, type NamedCommand } from "../menus/all.js";
 import { useShell } from "../services.js";

@@ -1,5 +1,5 @@
 // Settings of the document, whatever is selected.
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import { ArtboardFields, BackgroundField, InterpolationField } from "../inspector/document.js";
 import { Frame } from "./frame.js";
 

@@ -2,7 +2,7 @@
 import { useSignal } from "@preact/signals";
 import { complaintAboutSize, mostSide, type ExportWish } from "../../files/export.js";
 import { Icon } from "../../icons.js";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import { IconButton } from "../controls/button.js";
 import { NumberField } from "../controls/field.js";
 import { Segments } from "../controls/segments.js";

@@ -3,7 +3,7 @@ import { useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { complaintOf } from "../../engine/complaint.js";
 import type { ExportWatch, ExportWish } from "../../files/export.js";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import { useShell } from "../services.js";
 
 const words = en.dialogs;

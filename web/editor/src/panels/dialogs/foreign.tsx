@@ -1,7 +1,7 @@
 // A file of another program is to be opened: it has shapes, but no curves that the editor could show.
 import { useSignal } from "@preact/signals";
 import { complaintOf } from "../../engine/complaint.js";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import { useShell, type Foreign } from "../services.js";
 import { Frame } from "./frame.js";
 

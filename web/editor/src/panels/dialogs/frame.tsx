@@ -1,7 +1,7 @@
 // A modal dialog: head, what it holds, foot. The browser keeps the focus within and gives it back.
 import type { ComponentChildren } from "preact";
 import { useId, useLayoutEffect, useRef } from "preact/hooks";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import { IconButton } from "../controls/button.js";
 import { useShell } from "../services.js";
 

@@ -10,7 +10,7 @@ import {
   type KeyGroup,
 } from "../../app/keys.js";
 import { Icon } from "../../icons.js";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import { capsOf } from "../controls/chords.js";
 import { nameOfCommand } from "../menus/names.js";
 import { Frame } from "./frame.js";

@@ -3,7 +3,7 @@ import { useSignal } from "@preact/signals";
 import { blankText } from "../../model/drawing.js";
 import type { Rgb } from "../../geometry/color.js";
 import { hexOf } from "../../geometry/colortext.js";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import { Background } from "../controls/background.js";
 import { NumberField } from "../controls/field.js";
 import { Segments } from "../controls/segments.js";
@@ -34,7 +34,7 @@ export function NewDialog() {
   const create = () => {
     const color = background.value;
     editor.dialog.value = null;
-    editor.open(blankText(width.value, height.value, color ? hexOf(color) : null), words.untitled);
+    editor.open(blankText(width.value, height.value, color ? hexOf(color) : null), en.page.untitled);
   };
   const foot = (
     <>

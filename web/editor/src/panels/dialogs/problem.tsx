@@ -1,6 +1,6 @@
 // A drawing that cannot be opened or drawn: the reason, the place, and the line itself.
 import { useSignal } from "@preact/signals";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import { useShell, type Problem } from "../services.js";
 import { Frame } from "./frame.js";
 
@@ -88,7 +88,7 @@ export function ProblemDialog() {
   return (
     <Frame title={title} class="small" foot={foot}>
       <div class="dialog-body form">
-        <p class="read lines">{line > 0 ? words.reasonAt(line, column, reason) : reason}</p>
+        <p class="read lines">{line > 0 ? en.engine.reasonAt(line, column, reason) : reason}</p>
         {help && <p class="read muted">{help}</p>}
         {isShown.value && source !== null && <Line source={source} line={line} column={column} />}
       </div>

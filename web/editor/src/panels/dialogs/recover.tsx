@@ -1,7 +1,7 @@
 // Drawings that this browser kept.
 import { useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import { IconButton } from "../controls/button.js";
 import { ago, date } from "../format.js";
 import { useShell, type Autosave } from "../services.js";

@@ -2,7 +2,7 @@
 import { useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import type { PhotoPixels } from "../../engine/types.js";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import { Segments } from "../controls/segments.js";
 import { decimal } from "../format.js";
 import { shownSize, type TraceRun, type TraceStage } from "./tracing.js";

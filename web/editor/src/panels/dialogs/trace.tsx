@@ -2,7 +2,7 @@
 import { useSignal } from "@preact/signals";
 import { useEffect, useMemo } from "preact/hooks";
 import { Icon } from "../../icons.js";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import { Segments } from "../controls/segments.js";
 import { setting } from "../controls/sink.js";
 import { Slider } from "../controls/slider.js";

@@ -4,7 +4,7 @@ import { useLayoutEffect } from "preact/hooks";
 import type { Hint } from "../../engine/types.js";
 import { mapped } from "../../geometry/affine.js";
 import { Icon } from "../../icons.js";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import { IconButton } from "../controls/button.js";
 import { Resizer } from "../controls/resizer.js";
 import { useShell } from "../services.js";

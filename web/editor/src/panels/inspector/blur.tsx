@@ -4,7 +4,7 @@ import { nameOfSide } from "../../app/side-names.js";
 import { setBoth, setNumbers, setRadius } from "../../model/commands/index.js";
 import { sidesInOrder } from "../../model/sides.js";
 import type { CurveItem, Drawing, Outcome, Side, SideValue } from "../../model/types.js";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import { IconButton } from "../controls/button.js";
 import { NumberField } from "../controls/field.js";
 import { edits } from "../controls/sink.js";

@@ -3,7 +3,7 @@ import { turning, type Affine, type Box } from "../../geometry/affine.js";
 import { transform } from "../../model/commands/index.js";
 import { boxOf } from "../../model/item-boxes.js";
 import type { Handle, Item } from "../../model/types.js";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import { NumberField } from "../controls/field.js";
 import { edits } from "../controls/sink.js";
 import { useShell } from "../services.js";

@@ -1,7 +1,7 @@
 // Layers, groups and instances: how they lie on what is below, and where.
 import { setBlend, setOpacity } from "../../model/commands/index.js";
 import type { ContainerItem, Item, UseItem } from "../../model/types.js";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import { blendModes, blendName } from "../blend.js";
 import { IconButton } from "../controls/button.js";
 import { NumberField } from "../controls/field.js";

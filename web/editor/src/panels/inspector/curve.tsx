@@ -2,7 +2,7 @@
 import { sidesInOrder } from "../../model/sides.js";
 import type { CurveItem } from "../../model/types.js";
 import { setNumber } from "../../model/commands/index.js";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import { IconButton } from "../controls/button.js";
 import { NumberField } from "../controls/field.js";
 import { openMenu } from "../controls/menu.js";

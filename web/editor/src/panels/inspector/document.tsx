@@ -1,7 +1,7 @@
 // The document, while nothing is selected: artboard, background, interpolation.
 import { setArtboard, setBackground, setInterpolation } from "../../model/commands/index.js";
 import type { Drawing } from "../../model/types.js";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import { Background } from "../controls/background.js";
 import { NumberField } from "../controls/field.js";
 import { Segments } from "../controls/segments.js";

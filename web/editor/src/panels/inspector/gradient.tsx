@@ -2,7 +2,7 @@
 import { setSpread } from "../../model/commands/index.js";
 import { sidesWithPaint, SPREADS, type Gradient, type Tint } from "../../model/gradients.js";
 import { hexOf } from "../../geometry/colortext.js";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import { NumberField } from "../controls/field.js";
 import { Select } from "../controls/select.js";
 import type { Sink } from "../controls/sink.js";

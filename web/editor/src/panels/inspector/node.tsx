@@ -3,7 +3,7 @@ import { mapped, inverted, type Point } from "../../geometry/affine.js";
 import { nodeCount } from "../../geometry/cubic.js";
 import { nodePath } from "../../geometry/natural.js";
 import { moveNodes } from "../../model/commands/index.js";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import { NumberField } from "../controls/field.js";
 import { edits } from "../controls/sink.js";
 import { selectedNodes } from "../nodes.js";

@@ -3,7 +3,7 @@ import { nameOfSide } from "../../app/side-names.js";
 import { setBoth } from "../../model/commands/index.js";
 import { sidesInOrder } from "../../model/sides.js";
 import type { CurveItem, Drawing, Side } from "../../model/types.js";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import { IconButton } from "../controls/button.js";
 import { NumberField } from "../controls/field.js";
 import { openMenu, type MenuItem } from "../controls/menu.js";

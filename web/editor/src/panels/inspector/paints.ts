@@ -4,7 +4,7 @@ import { boundsOf, unionOf } from "../../geometry/cubic.js";
 import { distance } from "../../geometry/vector.js";
 import { setPaint, type NewPaint } from "../../model/commands/index.js";
 import type { CurveItem, Drawing, Outcome, PaintAttribute, Side } from "../../model/types.js";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import type { MenuItem } from "../controls/menu.js";
 import type { Shell } from "../services.js";
 

@@ -4,7 +4,7 @@ import type { TargetedKeyboardEvent, TargetedPointerEvent } from "preact";
 import { nameOfSide } from "../../app/side-names.js";
 import type { Gesture } from "../../app/types.js";
 import type { CurveItem, Drawing, Outcome, Side, SideValue } from "../../model/types.js";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import { follow } from "../controls/follow.js";
 import { decimal } from "../format.js";
 import { useShell } from "../services.js";

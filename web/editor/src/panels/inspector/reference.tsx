@@ -2,7 +2,7 @@
 import { restack, setHidden, setLocked, setOpacity } from "../../model/commands/index.js";
 import { isLowest } from "../../model/commands/structure/items.js";
 import type { ReferenceItem } from "../../model/types.js";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import { NumberField } from "../controls/field.js";
 import { Segments } from "../controls/segments.js";
 import { edits, mapped, setting } from "../controls/sink.js";

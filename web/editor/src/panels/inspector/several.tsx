@@ -3,7 +3,7 @@ import { useSignal } from "@preact/signals";
 import { curvesOf, recolor, setBoth, setNumber, together } from "../../model/commands/index.js";
 import type { Rgb } from "../../geometry/color.js";
 import type { CurveItem, Item, Outcome } from "../../model/types.js";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import { hexOf } from "../../geometry/colortext.js";
 import { NumberField } from "../controls/field.js";
 import { HexField } from "../controls/hex.js";

@@ -3,7 +3,7 @@ import { nameOfSide } from "../../app/side-names.js";
 import { setColor } from "../../model/commands/index.js";
 import { partnerOf, type Rgb } from "../../geometry/color.js";
 import type { CurveItem, Drawing, Outcome, Side } from "../../model/types.js";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import { Icon } from "../../icons.js";
 import { hexOf } from "../../geometry/colortext.js";
 import { cssSpaces } from "../color.js";

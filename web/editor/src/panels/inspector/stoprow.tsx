@@ -6,7 +6,7 @@ import { nameOfSide } from "../../app/side-names.js";
 import { sidesInOrder } from "../../model/sides.js";
 import type { CurveItem, Side } from "../../model/types.js";
 import type { Rgb } from "../../geometry/color.js";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import { hexOf } from "../../geometry/colortext.js";
 import { IconButton } from "../controls/button.js";
 import { NumberField } from "../controls/field.js";

@@ -4,7 +4,7 @@ import { useRef } from "preact/hooks";
 import type { TargetedMouseEvent, TargetedPointerEvent } from "preact";
 import { moveInto, setHidden, setLocked } from "../../model/commands/index.js";
 import type { Handle, Item } from "../../model/types.js";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import { openMenu } from "../controls/menu.js";
 import { contextMenu } from "../menus/main.js";
 import { dropAt, type Drop } from "./drop.js";

@@ -2,7 +2,7 @@
 import type { TargetedKeyboardEvent } from "preact";
 import { moveInto, restack } from "../../model/commands/index.js";
 import type { Item } from "../../model/types.js";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import { openMenu } from "../controls/menu.js";
 import { nextBeginning, typedWord } from "../controls/typed.js";
 import { rowMenu } from "./drag.js";

@@ -1,5 +1,5 @@
 // The panel of layers: its head, and the tree.
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import { IconButton } from "../controls/button.js";
 import { useShell } from "../services.js";
 import { Tree } from "./tree.js";

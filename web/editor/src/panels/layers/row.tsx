@@ -5,7 +5,7 @@ import type { TargetedKeyboardEvent, TargetedPointerEvent } from "preact";
 import { Icon, type IconName } from "../../icons.js";
 import { rename } from "../../model/commands/index.js";
 import type { Item } from "../../model/types.js";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import { blendName } from "../blend.js";
 import { useShell } from "../services.js";
 import { countWithin, type Row } from "./rows.js";

@@ -6,7 +6,7 @@ import type { TargetedPointerEvent } from "preact";
 import type { Editor } from "../../app/types.js";
 import { setHidden, setLocked } from "../../model/commands/index.js";
 import type { Handle, Item } from "../../model/types.js";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import { useShell } from "../services.js";
 import { Ghost, useRowDrag } from "./drag.js";
 import { treeKeys } from "./keys.js";

@@ -1,6 +1,6 @@
 // All commands that have names: those of the menus, and the tools.
 import type { Editor } from "../../app/types.js";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import type { MenuItem } from "../controls/menu.js";
 import { mainMenu } from "./main.js";
 

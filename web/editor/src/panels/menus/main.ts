@@ -2,7 +2,7 @@
 import { isPrimaryClosed } from "../../app/selected.js";
 import type { Editor } from "../../app/types.js";
 import { closedCurves, curvesOf } from "../../model/commands/index.js";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import type { MenuItem } from "../controls/menu.js";
 
 const words = en.panels;

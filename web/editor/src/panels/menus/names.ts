@@ -1,5 +1,5 @@
 // Names of commands that have keys, for the list of keys.
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 
 const words = en.panels;
 

@@ -1,7 +1,7 @@
 // Alpha of the picked stop: of a gradient's stop its own, else the opacity of the side, where that is
 // one all along. Local strokes have another.
 import { hexOf } from "../../geometry/colortext.js";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import { Slider } from "../controls/slider.js";
 import { decimal } from "../format.js";
 import type { Session } from "./session.js";

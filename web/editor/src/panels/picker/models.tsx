@@ -1,6 +1,6 @@
 // The numbers of a colour in the model that was chosen.
 import { hsvFromRgb, rgbFromHsv, type Oklch, type Rgb } from "../../geometry/color.js";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import { NumberField } from "../controls/field.js";
 import type { Sink } from "../controls/sink.js";
 

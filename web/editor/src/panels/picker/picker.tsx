@@ -6,7 +6,7 @@ import { hexOf } from "../../geometry/colortext.js";
 import { remember } from "../../app/colors.js";
 import { nameOfSide } from "../../app/side-names.js";
 import type { PickerTarget } from "../../app/types.js";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import { colorsOf } from "../color.js";
 import { IconButton } from "../controls/button.js";
 import { follow } from "../controls/follow.js";

@@ -2,7 +2,7 @@
 import { useEffect, useRef } from "preact/hooks";
 import type { TargetedKeyboardEvent, TargetedPointerEvent } from "preact";
 import { isInGamut, largestChroma, rgbFromOklch, type Oklch } from "../../geometry/color.js";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import { follow } from "../controls/follow.js";
 import { decimal } from "../format.js";
 

@@ -6,7 +6,7 @@ import type { Rgb } from "../../geometry/color.js";
 import { hexOf } from "../../geometry/colortext.js";
 import { setColor, setNumbers, together } from "../../model/commands/index.js";
 import type { CurveItem, Drawing, Outcome } from "../../model/types.js";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import { constant, curveOf } from "../stops.js";
 import { tinted, tintsOf, type Tints } from "../tints.js";
 

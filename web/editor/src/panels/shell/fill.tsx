@@ -3,7 +3,7 @@ import { fillColor, remember } from "../../app/colors.js";
 import { FEWEST_SIDES, MOST_SIDES } from "../../app/settings.js";
 import { hexOf } from "../../geometry/colortext.js";
 import { parseTyped } from "../../source/colors.js";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import { NumberField } from "../controls/field.js";
 import { HexField } from "../controls/hex.js";
 import { mapped, setting } from "../controls/sink.js";

@@ -1,6 +1,6 @@
 // Options of the tool that is held, over the middle of the stage.
 import { setNodeKind, type NodeKind } from "../../model/commands/index.js";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import type { IconName } from "../../icons.js";
 import { IconButton } from "../controls/button.js";
 import { NumberField } from "../controls/field.js";

@@ -1,7 +1,7 @@
 // Parts of the page whose code comes in a file of its own: nothing until it is there.
 import { signal, useSignalEffect } from "@preact/signals";
 import { h, type Attributes, type ComponentProps, type FunctionComponent } from "preact";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import { useShell } from "../services.js";
 
 type Parts = typeof import("../parts.js");

@@ -2,7 +2,7 @@
 import { useSignal } from "@preact/signals";
 import { useRef } from "preact/hooks";
 import type { TargetedPointerEvent } from "preact";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import { follow } from "../controls/follow.js";
 import { radioKeys } from "../controls/radio.js";
 import { useShell } from "../services.js";

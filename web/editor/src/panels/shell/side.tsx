@@ -1,7 +1,7 @@
 // The right column: what is selected above, layers below, a line between them.
 import { useSignal } from "@preact/signals";
 import { useRef } from "preact/hooks";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import { Resizer } from "../controls/resizer.js";
 import { useShell } from "../services.js";
 import { Inspector, LayersPanel } from "./part.js";

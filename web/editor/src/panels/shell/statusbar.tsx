@@ -2,7 +2,7 @@
 import { useSignal, useSignalEffect } from "@preact/signals";
 import type { EngineStatus } from "../../engine/types.js";
 import { Icon, type IconName } from "../../icons.js";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import { openMenu } from "../controls/menu.js";
 import { radioKeys } from "../controls/radio.js";
 import { decimal } from "../format.js";

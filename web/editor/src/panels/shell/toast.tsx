@@ -2,7 +2,7 @@
 // with the focus.
 import { useEffect, useRef } from "preact/hooks";
 import { Icon } from "../../icons.js";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import { useShell } from "../services.js";
 
 /** Work in progress, with a button that stops it. */
@@ -15,7 +15,7 @@ function TaskView() {
       <Icon name="loader-circle" small />
       {now.text}
       <button type="button" onClick={now.stop}>
-        {en.photo.stop}
+        {en.panels.stopTask}
       </button>
     </div>
   );

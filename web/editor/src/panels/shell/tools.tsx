@@ -2,7 +2,7 @@
 import { Fragment } from "preact";
 import type { ToolName } from "../../app/types.js";
 import { Icon, type IconName } from "../../icons.js";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import { useTip } from "../controls/button.js";
 import { ariaChord } from "../controls/chords.js";
 import { radioKeys } from "../controls/radio.js";

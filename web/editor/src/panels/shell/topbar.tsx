@@ -1,6 +1,6 @@
 // The bar above: menu, file, history, the tool's options, what concerns the whole.
 import type { FileState } from "../../app/types.js";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import { IconButton } from "../controls/button.js";
 import { isPhone } from "../controls/media.js";
 import { openMenu } from "../controls/menu.js";

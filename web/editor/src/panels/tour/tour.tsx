@@ -2,7 +2,7 @@
 import { effect, untracked, useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { Icon } from "../../icons.js";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import { IconButton } from "../controls/button.js";
 import { useShell } from "../services.js";
 import { prepare, watches } from "./watch.js";

@@ -1,6 +1,6 @@
 // The five steps in five small drawings.
 import type { ComponentChildren } from "preact";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 
 const words = en.welcome;
 const BELOW = "M0 72 C36 12 84 12 120 66 V84 H0Z";

@@ -1,6 +1,6 @@
 // The page to begin from: three starts, drawings, recent files, the five steps.
 import { Icon, type IconName } from "../../icons.js";
-import { en } from "../../strings/en.js";
+import * as en from "../../strings/en.js";
 import { IconButton } from "../controls/button.js";
 import { ago, date } from "../format.js";
 import { useShell, type Beginnings, type Example } from "../services.js";
