@@ -34,7 +34,7 @@ async function fetchWork(): Promise<Work> {
   return work;
 }
 
-const missing = () => editor.say(en.panels.partsMissing);
+const missing = () => editor.say(en.page.partsMissing);
 
 const work = fetchWork();
 const documents = work.then((there) => there.documents);

@@ -34,7 +34,7 @@ const steps = [
 export function ago(time: number, now = Date.now()): string {
   const seconds = Math.max(0, (now - time) / 1000);
   const step = steps.find(([, length]) => seconds >= length);
-  if (!step) return en.panels.justNow;
+  if (!step) return en.page.justNow;
   return new Intl.RelativeTimeFormat("en").format(-Math.floor(seconds / step[1]), step[0]);
 }
 

@@ -75,6 +75,7 @@ export const shared = {
   simplify: "Simplify",
   softenWithBlur: "Soften with blur",
   swapSides: "Swap sides",
+  theme: "Theme",
   tools: "Tools",
   tour: "Five-step tour",
   undo: "Undo",

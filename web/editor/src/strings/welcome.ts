@@ -16,6 +16,7 @@ export const welcome = {
   recent: "Recent",
   edited: (when: string) => `edited ${when}`,
   allStored: (count: number) => `All ${count} drawings`,
+  theme: shared.theme,
   how: "How it works",
   tryIt: "Try the five steps",
   steps: [

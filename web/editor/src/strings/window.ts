@@ -1,8 +1,12 @@
 // Words of the window: messages, commands and the engine.
 import { curvesOf, objects, shared } from "./shared.js";
 
-/** Messages of the page about files and about itself. */
+/** Messages of the page about files and about itself, with their buttons. */
 export const page = {
+  partsMissing: "A part of the editor could not be loaded. Reload the page: your drawing is stored in this browser.",
+  stopTask: "Stop",
+  dismiss: "Dismiss",
+  justNow: "just now",
   brokenPictures: (count: number) =>
     count === 1
       ? "This browser cannot read a picture in this drawing. Save that picture as PNG or JPEG."

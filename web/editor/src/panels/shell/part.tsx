@@ -47,6 +47,6 @@ export function usePartsComplaint() {
     for (const asked of [editor.dialog, editor.picker, editor.tour]) {
       if (asked.value !== null) asked.value = null;
     }
-    editor.say(en.panels.partsMissing);
+    editor.say(en.page.partsMissing);
   });
 }

@@ -15,7 +15,7 @@ function TaskView() {
       <Icon name="loader-circle" small />
       {now.text}
       <button type="button" onClick={now.stop}>
-        {en.panels.stopTask}
+        {en.page.stopTask}
       </button>
     </div>
   );
@@ -58,7 +58,7 @@ export function ToastView() {
               now.action?.run();
             }}
           >
-            {now.action?.label ?? en.panels.dismiss}
+            {now.action?.label ?? en.page.dismiss}
           </button>
         </div>
       )}

@@ -93,7 +93,7 @@ export function Welcome({ examples, recent }: Beginnings) {
       <header class="welcome-bar">
         <Wordmark />
         <span class="spacer" />
-        <IconButton icon="contrast" label={en.panels.theme} command="theme" />
+        <IconButton icon="contrast" label={en.welcome.theme} command="theme" />
       </header>
       <div class="welcome-body">
         <div class="lede">
