@@ -67,10 +67,14 @@ TEST(CombinePaths, answers_wrong_values) {
   EXPECT_EQ(combined("unite", kSquare, kShifted, -1)[0], '1');
   const ContextHandle context = context_of();
   sfumato_bytes* path = nullptr;
-  EXPECT_EQ(sfumato_combine_paths(context.get(), nullptr, kSquare, kShifted, 1, &path), SFUMATO_BAD_USAGE);
-  EXPECT_EQ(sfumato_combine_paths(context.get(), "unite", nullptr, kShifted, 1, &path), SFUMATO_BAD_USAGE);
-  EXPECT_EQ(sfumato_combine_paths(context.get(), "unite", kSquare, kShifted, 1, nullptr), SFUMATO_BAD_USAGE);
-  EXPECT_EQ(sfumato_combine_paths(nullptr, "unite", kSquare, kShifted, 1, &path), SFUMATO_BAD_USAGE);
+  EXPECT_EQ(sfumato_combine_paths(context.get(), nullptr, kSquare, kShifted, 1, &path),
+            SFUMATO_BAD_USAGE);
+  EXPECT_EQ(sfumato_combine_paths(context.get(), "unite", nullptr, kShifted, 1, &path),
+            SFUMATO_BAD_USAGE);
+  EXPECT_EQ(sfumato_combine_paths(context.get(), "unite", kSquare, kShifted, 1, nullptr),
+            SFUMATO_BAD_USAGE);
+  EXPECT_EQ(sfumato_combine_paths(nullptr, "unite", kSquare, kShifted, 1, &path),
+            SFUMATO_BAD_USAGE);
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ using RegionContours = std::vector<std::vector<Vec2>>;
 /// Errors      bad_input (a chain that is not 3 n + 1 finite points, a coordinate beyond 10^7, a
 ///             tolerance that is not above 0), limit (memory; contours that cross too often),
 ///             cancelled.
-/// Cost        O(n log n) in the chords of the contours, and the pairs of chords whose boxes overlap
+/// Cost        O(n log n) in the chords of the contours, plus the pairs whose boxes overlap
 Result<RegionContours> combine_regions(Context& context, RegionOperation operation,
                                        const RegionContours& first, const RegionContours& second,
                                        double tolerance);

@@ -1,3 +1,5 @@
+#include "sfumato/import/combine.hpp"
+
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -13,7 +15,6 @@
 #include "capi/bytes.hpp"
 #include "capi/context.hpp"
 #include "formats/svg/shapes/path.hpp"
-#include "sfumato/import/combine.hpp"
 
 namespace sfumato::capi {
 namespace {
@@ -60,7 +61,8 @@ Result<std::vector<std::uint8_t>> path_data(const Context& context, const Region
 
 Outcome combine(Context& context, const char* operation, const char* first, const char* second,
                 double tolerance, sfumato_bytes** out) {
-  if (!operation || !first || !second) return bad_usage("NULL given; pass an operation and 2 paths");
+  if (!operation || !first || !second)
+    return bad_usage("NULL given; pass an operation and 2 paths");
   const std::optional<RegionOperation> how = operation_of(operation);
   if (!how) {
     return bad_usage(std::string("\"") + operation +

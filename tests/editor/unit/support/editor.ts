@@ -31,6 +31,7 @@ function settings(): Settings {
     smoothing: signal(2),
     exactPixels: signal("auto"),
     alignToArtboard: signal(false),
+    ownColor: signal(false),
     snap: signal(true),
     grid: signal(false),
     colorModel: signal("oklch"),

@@ -27,7 +27,7 @@ import { arranging } from "./arranging.js";
 import { combining } from "./combining.js";
 import { copyByMenu } from "./clipboard.js";
 import { copyStyle, cutAtNodes, pasteCopiedStyle, simplify } from "./curves.js";
-import { fillColor } from "./colors.js";
+import { currentColor } from "./colors.js";
 import type { DrawingEditor } from "./editor.js";
 import { takeInHandle } from "./handles.js";
 import { deleteStop, oneColor } from "./stops.js";
@@ -109,7 +109,7 @@ function makeShapes(editor: DrawingEditor) {
   const { drawing, settings } = editor;
   const handles = chosen(editor);
   if (closedCurves(drawing, handles).length === 0) return editor.say(words.needsClosed);
-  const made = shapesOfTheirOwn(drawing, handles, fillColor(settings));
+  const made = shapesOfTheirOwn(drawing, handles, currentColor(settings));
   if (made) editor.run(words.ownShape, made);
   else editor.say(words.isShape);
 }

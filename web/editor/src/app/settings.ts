@@ -66,6 +66,7 @@ export function openSettings(): Settings {
     smoothing: setting("smoothing", 2, between(0.5, 8)),
     exactPixels: setting("exactPixels", "auto", oneOf("auto", "on", "off")),
     snap: setting("snap", true, isBoolean),
+    ownColor: setting("ownColor", false, isBoolean),
     alignToArtboard: setting("alignToArtboard", false, isBoolean),
     grid: setting("grid", false, isBoolean),
     colorModel: setting("colorModel", "oklch", oneOf("oklch", "hsv", "rgb")),

@@ -38,6 +38,8 @@ export interface Settings {
   /** "auto": unless the graphics driver draws in software. */
   readonly exactPixels: Signal<"auto" | "on" | "off">;
   readonly snap: Signal<boolean>;
+  /** Whether pen and pencil give both sides of a new curve the current colour; else the colours of the picture. */
+  readonly ownColor: Signal<boolean>;
   /** Whether several objects are aligned to the artboard, as a single one always is. */
   readonly alignToArtboard: Signal<boolean>;
   readonly grid: Signal<boolean>;

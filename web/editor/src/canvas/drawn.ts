@@ -1,5 +1,5 @@
 // New curves: what was drawn becomes part of the document, in its layer, with colours.
-import { fillColor } from "../app/colors.js";
+import { currentColor } from "../app/colors.js";
 import type { Editor } from "../app/types.js";
 import { IDENTITY, inverted, lengthScale, mapped, type Affine } from "../geometry/affine.js";
 import { mappedPath, type CubicPath } from "../geometry/cubic.js";
@@ -7,8 +7,7 @@ import { addCurves } from "../model/commands/index.js";
 import { isFreeLayer } from "../model/commands/structure/places.js";
 import { filledSides, insideOf, type FilledSides } from "../model/sides.js";
 import type { Drawing, Handle, Item, Outcome, SideValue } from "../model/types.js";
-import type { Rgb } from "../geometry/color.js";
-import { isCurve, placesOf } from "./places.js";
+import { placesOf } from "./places.js";
 import { SAME_PX, WELD_FINER } from "./snap.js";
 import { takenSides } from "./taken.js";
 
@@ -21,16 +20,13 @@ const FIRST = {
 /** Sides of the first curve of a layer: a colour would fill all of it, and hide the picture below. */
 const OPEN = { left: { kind: "open" }, right: { kind: "open" } } as const;
 
-/** A local stroke's colour where none was used before. */
-const WHITE: Rgb = { r: 1, g: 1, b: 1 };
-
 function one<V>(value: V): SideValue<V> {
   return { kind: "stops", space: "arc", stops: [{ offset: 0, value }] };
 }
 
 /**
  * Adds a diffusion curve to the layer that is at work, with the colours that the picture has beside
- * it, so that the picture stays as it is. A closed curve in an empty layer becomes a filled shape.
+ * it, so that the picture stays as it is, or with the current colour, if the settings say so. A closed curve in an empty layer becomes a filled shape.
  * @param path artboard units
  * @returns whether it came into being
  */
@@ -53,10 +49,15 @@ export async function addCurve(editor: Editor, path: CubicPath, label: string): 
 function shapeSides(editor: Editor, layer: Item | null, inLayer: CubicPath): FilledSides | null {
   const inside = insideOf({ paths: [inLayer] });
   const isFirst = layer ? isFreeLayer(layer) : isBlank(editor);
-  return inside && isFirst ? filledSides(inside, fillColor(editor.settings)) : null;
+  return inside && isFirst ? filledSides(inside, currentColor(editor.settings)) : null;
 }
 
 async function curveSides(editor: Editor, layer: Item | null, inLayer: CubicPath) {
+  const { settings } = editor;
+  if (settings.ownColor.peek()) {
+    const color = one(currentColor(settings));
+    return { left: color, right: color };
+  }
   const taken = layer && (await takenSides(editor, layer, inLayer));
   return taken ?? (isBlank(editor) ? FIRST : OPEN);
 }
@@ -107,7 +108,7 @@ export function strokeOutcome(
   const back = inverted(map);
   if (!back) return null;
   const scale = lengthScale(back);
-  const color = one(strokeColor(editor));
+  const color = one(currentColor(editor.settings));
   const radius: SideValue<number> = {
     kind: "stops",
     space: "arc",
@@ -115,13 +116,4 @@ export function strokeOutcome(
   };
   const curve = { path: mappedPath(back, path), left: color, right: color, radius };
   return addCurves(drawing, into, [curve], editor.step(null));
-}
-
-/** That of the stroke that is selected, else the last one used. */
-function strokeColor(editor: Editor): Rgb {
-  const last = editor.selection.peek().at(-1);
-  const item = last && editor.drawing.item(last.handle);
-  const value = isCurve(item) && item.kind === "stroke" ? item.left.color : null;
-  if (value?.kind === "stops" && value.stops[0]) return value.stops[0].value;
-  return editor.settings.recent.peek()[0] ?? WHITE;
 }

@@ -99,7 +99,7 @@ export interface FileWish {
 
 export interface WrittenFile {
   readonly bytes: Uint8Array<ArrayBuffer>;
-  /** What the file shows differently from the drawing, in words. */
+  /** Differences between the file and the drawing, in words. */
   readonly warnings: readonly string[];
 }
 

@@ -42,7 +42,7 @@ export interface ExportSource {
 export interface ExportWatch {
   /** "draw": the engine works, "pack": the file is made. */
   readonly onStage?: (stage: "draw" | "pack") => void;
-  /** What the file shows differently from the drawing. */
+  /** Differences between the file and the drawing. */
   readonly onNotes?: (notes: readonly string[]) => void;
   readonly signal?: AbortSignal;
 }

@@ -8,7 +8,7 @@ export interface AlignedLine {
 }
 
 export interface BoxSnap {
-  /** What is left to move, to be aligned. */
+  /** The movement that aligns the box. */
   readonly by: Point;
   readonly lines: readonly AlignedLine[];
 }

@@ -1,5 +1,5 @@
 // Rectangle, ellipse and polygon: a drag makes a filled shape.
-import { fillColor } from "../../app/colors.js";
+import { currentColor } from "../../app/colors.js";
 import { FEWEST_SIDES, MOST_SIDES } from "../../app/settings.js";
 import type { Point } from "../../geometry/affine.js";
 import { hexOf } from "../../geometry/colortext.js";
@@ -107,7 +107,7 @@ class ShapeDrag implements Drag {
     if (this.isClick) return canvas.draw({ draft: null, tag: null });
     const shape = this.shapeOf(this.last);
     const path = outlineOf(shape);
-    const fill = hexOf(fillColor(canvas.editor.settings));
+    const fill = hexOf(currentColor(canvas.editor.settings));
     const draft = path && { path, rubber: null, closes: false, hasNodes: false, fill };
     canvas.draw({ draft, tag: { at: this.last.at, text: sizeOf(shape) } });
   }
@@ -141,7 +141,7 @@ class ShapeDrag implements Drag {
       return;
     }
     const layer = editor.activeLayer?.handle ?? null;
-    const made = addShape(editor.drawing, layer, shape, fillColor(editor.settings), editor.step(null));
+    const made = addShape(editor.drawing, layer, shape, currentColor(editor.settings), editor.step(null));
     const isMade = editor.run(en.tools.undo.shape[this.kind], made);
     if (isMade) editor.announcement.value = `${en.panels.tool[this.kind]}, ${sizeOf(shape)}`;
   }

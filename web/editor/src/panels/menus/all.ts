@@ -34,7 +34,7 @@ export function commandsOf(editor: Editor): readonly NamedCommand[] {
   return all.filter(({ command }) => command !== "commands");
 }
 
-/** Returns the commands that have all words of a query, those that begin with it first. */
+/** Returns the commands that contain all words of a query. Commands that begin with it come first. */
 export function matching(commands: readonly NamedCommand[], query: string): readonly NamedCommand[] {
   const wanted = query.trim().toLocaleLowerCase();
   const parts = wanted.split(/\s+/);

@@ -1,5 +1,5 @@
-// Options of the tools that draw filled shapes: the fill, and the sides of a polygon.
-import { fillColor, remember } from "../../app/colors.js";
+// Options of the tools that draw: the current colour, and the sides of a polygon.
+import { currentColor, remember } from "../../app/colors.js";
 import { FEWEST_SIDES, MOST_SIDES } from "../../app/settings.js";
 import { hexOf } from "../../geometry/colortext.js";
 import { parseTyped } from "../../source/colors.js";
@@ -11,18 +11,18 @@ import { useShell } from "../services.js";
 
 const words = en.panels;
 
-/** The colour of new shapes: the browser's own picker, and a field. */
-export function Fill() {
+/** The current colour: the browser's own picker, and a field. */
+function ColorOption({ label, name }: { readonly label: string; readonly name: string }) {
   const { settings } = useShell().editor;
-  const color = fillColor(settings);
+  const color = currentColor(settings);
   return (
     <div class="row fill-option">
-      <span class="label">{words.fill}</span>
+      <span class="label">{label}</span>
       <input
         type="color"
         class="swatch"
-        aria-label={words.fillOfShapes}
-        data-tip={words.fillOfShapes}
+        aria-label={name}
+        data-tip={name}
         style={{ "--c": hexOf(color) }}
         value={hexOf(color)}
         onChange={(event) => {
@@ -30,8 +30,32 @@ export function Fill() {
           if (chosen) remember(settings, chosen);
         }}
       />
-      <HexField marked name={words.fillHex} value={color} onChange={(value) => remember(settings, value)} />
+      <HexField marked name={words.hexOf(name)} value={color} onChange={(value) => remember(settings, value)} />
     </div>
+  );
+}
+
+export const Fill = () => <ColorOption label={words.fill} name={words.fillOfShapes} />;
+
+export const StrokeColor = () => <ColorOption label={words.color} name={words.colorOfStrokes} />;
+
+/** Whether new curves have the current colour on both sides, and that colour. */
+export function CurveColor() {
+  const { ownColor } = useShell().editor.settings;
+  return (
+    <>
+      <label class="check option" data-tip={words.ownColorTip}>
+        <input
+          type="checkbox"
+          checked={ownColor.value}
+          onChange={() => {
+            ownColor.value = !ownColor.value;
+          }}
+        />
+        <span>{words.ownColor}</span>
+      </label>
+      {ownColor.value && <ColorOption label={words.color} name={words.colorOfCurves} />}
+    </>
   );
 }
 

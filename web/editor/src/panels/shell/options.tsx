@@ -9,7 +9,7 @@ import { setting } from "../controls/sink.js";
 import { nameOfCommand } from "../menus/names.js";
 import { kindOfNodes, selectedNodes } from "../nodes.js";
 import { useShell } from "../services.js";
-import { Fill, PolygonOptions } from "./fill.js";
+import { CurveColor, Fill, PolygonOptions, StrokeColor } from "./fill.js";
 
 const words = en.panels;
 
@@ -167,6 +167,7 @@ function StrokeOptions() {
         sink={setting(strokeRadius)}
       />
       <Smoothing />
+      <StrokeColor />
     </>
   );
 }
@@ -210,8 +211,18 @@ const options = {
       <Attributes />
     </>
   ),
-  pen: Attributes,
-  pencil: Smoothing,
+  pen: () => (
+    <>
+      <Attributes />
+      <CurveColor />
+    </>
+  ),
+  pencil: () => (
+    <>
+      <Smoothing />
+      <CurveColor />
+    </>
+  ),
   stroke: StrokeOptions,
   rectangle: Fill,
   ellipse: Fill,
