@@ -116,12 +116,13 @@ export class Artist {
   }
 
   /** Draws a stroke with a tablet's pen through points [x, y, pressure], smooth between them. */
-  async stroke(points, { radius, smoothing = 1, isStraight = false }) {
+  async stroke(points, { radius, smoothing = 1, isStraight = false, color = null }) {
     const { editor, page } = this;
     await this.tool("Stroke");
     const options = page.getByRole("group", { name: "Tool options" });
     await this.type(options.getByLabel("Radius"), radius);
     await this.type(options.getByLabel("Smoothing"), smoothing);
+    if (color !== null) await this.type(options.getByLabel("Colour of new strokes, hex"), color);
     this.pen ??= await editor.context.newCDPSession(page);
     const send = (type, [x, y, force]) =>
       this.pen.send("Input.dispatchMouseEvent", {

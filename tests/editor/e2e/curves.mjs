@@ -153,6 +153,26 @@ async function testCombine({ page, editor }, tools) {
   checkEqual(await editor.text, text, "the text of open curves");
 }
 
+async function testOwnColor({ page, editor }, tools) {
+  await tools.fresh("b");
+  const options = page.getByRole("group", { name: "Tool options" });
+  const way = [[150, 400], [300, 420], [450, 400]];
+  const taken = await changing(editor, "the pencil", () => editor.drag(way));
+  check(!taken.includes("#1a2b3c"), "the curve has the current colour without being asked");
+  await page.locator(".canvas-stage").focus();
+  await page.keyboard.press("Control+z");
+  await options.getByLabel("Own colour").check();
+  const field = options.getByLabel("Colour of new curves, hex");
+  await field.fill("1a2b3c");
+  await field.press("Enter");
+  const now = await changing(editor, "the pencil", () => editor.drag(way));
+  checkEqual(count(now, /sf:left="#1a2b3c" sf:right="#1a2b3c"/g), 1, "curves of one colour");
+  await page.locator(".canvas-stage").focus();
+  await page.keyboard.press("k");
+  const stroke = await changing(editor, "a stroke", () => editor.drag([[150, 200], [300, 220], [450, 200]]));
+  check(/sf:left="#1a2b3c"[^>]*sf:radius/.test(stroke), `the stroke has another colour: ${stroke}`);
+}
+
 export async function testCurves(tap, { browser, address }) {
   const tests = {
     "the pen continues an open end": testPen,
@@ -161,6 +181,7 @@ export async function testCurves(tap, { browser, address }) {
     "a single curve has a place and is aligned to the artboard": testPlace,
     "a command is found by its name": testCommands,
     "two circles become a crescent": testCombine,
+    "curves and strokes have the current colour": testOwnColor,
   };
   for (const [name, test] of Object.entries(tests)) {
     await tap.test(`curves: ${name}`, async () => {

@@ -31,7 +31,7 @@ async function sketch(artist) {
   await artist.deselect();
   const foam = [[-20, 556, 0.5], [60, 549, 0.9], [150, 531, 0.6], [260, 509, 1], [360, 487, 0.7],
     [450, 472, 0.4], [560, 461, 0.8], [690, 436, 0.5], [800, 404, 0.8], [980, 360, 0.4]];
-  await artist.stroke(foam, { radius: 8, smoothing: 2 });
+  await artist.stroke(foam, { radius: 8, smoothing: 2, color: "ffffff" });
 }
 
 /** Sand, wet sand and sea. */

@@ -12,12 +12,12 @@ import { useShell } from "../services.js";
 const words = en.panels;
 
 /** The current colour: the browser's own picker, and a field. */
-function ColorOption({ label, name }: { readonly label: string; readonly name: string }) {
+function ColorOption({ label, name }: { readonly label?: string; readonly name: string }) {
   const { settings } = useShell().editor;
   const color = currentColor(settings);
   return (
     <div class="row fill-option">
-      <span class="label">{label}</span>
+      {label && <span class="label">{label}</span>}
       <input
         type="color"
         class="swatch"
@@ -54,7 +54,7 @@ export function CurveColor() {
         />
         <span>{words.ownColor}</span>
       </label>
-      {ownColor.value && <ColorOption label={words.color} name={words.colorOfCurves} />}
+      {ownColor.value && <ColorOption name={words.colorOfCurves} />}
     </>
   );
 }
