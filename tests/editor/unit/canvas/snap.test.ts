@@ -8,7 +8,7 @@ import { curve, FakeDrawing, line } from "../support/drawing.js";
 const a = curve("a", [line([100, 100], [200, 100])]);
 const b = curve("b", [line([204, 60], [204, 160])]);
 const grid = new CurveGrid(placesOf(new FakeDrawing([a, b])), [1, 0, 0, 1, 0, 0], 400, 300);
-const wish = { snaps: true, grid: false, zoom: 1, origin: [0, 0] as Point, isWanted: () => true, also: [] };
+const wish = { snaps: true, grid: false, unit: 0, zoom: 1, origin: [0, 0] as Point, isWanted: () => true, also: [] };
 
 describe("a point", () => {
   test("goes_to_an_end_before_a_curve_that_is_nearer", () => {
@@ -48,4 +48,20 @@ test("lines_of_the_grid_are_one_two_or_five_units_and_at_least_eight_pixels_apar
     const mantissa = step / 10 ** Math.floor(Math.log10(step) + 1e-9);
     expect([1, 2, 5].some((k) => Math.abs(mantissa - k) < 1e-6)).toBe(true);
   }
+});
+
+describe("a grid with a unit of its own", () => {
+  test("has lines at each unit, or at multiples that are eight pixels apart", () => {
+    expect(gridStep(1, 20)).toBe(20);
+    expect(gridStep(100, 20)).toBe(20);
+    expect(gridStep(0.1, 20)).toBe(100);
+    expect(gridStep(0.01, 20)).toBe(1000);
+    expect(gridStep(1, 7)).toBe(14);
+  });
+
+  test("is what a point snaps to", () => {
+    const empty = new CurveGrid([], [1, 0, 0, 1, 0, 0], 400, 300);
+    const { at } = snapped(empty, [33, 47], { ...wish, grid: true, unit: 25, origin: [5, 5] });
+    expect(at).toEqual([30, 55]);
+  });
 });

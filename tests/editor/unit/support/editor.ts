@@ -34,6 +34,7 @@ function settings(): Settings {
     ownColor: signal(false),
     snap: signal(true),
     grid: signal(false),
+    gridUnit: signal(0),
     colorModel: signal("oklch"),
     recent: signal([]),
     panelWidth: signal(288),

@@ -43,6 +43,8 @@ export interface Settings {
   /** Whether several objects are aligned to the artboard, as a single one always is. */
   readonly alignToArtboard: Signal<boolean>;
   readonly grid: Signal<boolean>;
+  /** Units between the finest lines of the grid; 0: as fine as the zoom allows. */
+  readonly gridUnit: Signal<number>;
   readonly colorModel: Signal<"oklch" | "hsv" | "rgb">;
   /** The last eight. */
   readonly recent: Signal<readonly Rgb[]>;

@@ -174,6 +174,7 @@ export class Canvas {
     return snapped(grid, at, {
       snaps: this.editor.settings.snap.peek(),
       grid: this.editor.settings.grid.peek(),
+      unit: this.editor.settings.gridUnit.peek(),
       zoom: this.editor.view.peek().zoom,
       origin: this.toStage([0, 0]),
       isWanted,

@@ -15,6 +15,7 @@ import { Photos } from "./photos.js";
 import { placesOf } from "./places.js";
 import { isSamePart } from "./part.js";
 import type { Sketch } from "./sketch.js";
+import { gridStep } from "./snap.js";
 import { kindOn, SIDES, stopsOf } from "./sides.js";
 import { Tags } from "./tags.js";
 import { keyOf } from "./walk.js";
@@ -43,6 +44,7 @@ export function Overlay({ canvas }: { readonly canvas: Canvas }) {
       >
         {editor.showReference.value && <Photos canvas={canvas} map={map} below={false} />}
         <DifferenceImage canvas={canvas} map={map} />
+        {editor.settings.grid.value && <Grid canvas={canvas} map={map} />}
         <Artboard canvas={canvas} map={map} />
         {editor.showOutlines.value && <AllOutlines canvas={canvas} map={map} />}
         {!isHiding && <Handles canvas={canvas} map={map} sketch={sketch} />}
@@ -78,6 +80,21 @@ function Artboard({ canvas, map }: { readonly canvas: Canvas; readonly map: Affi
       width={(x1 - x0) * map[0]}
       height={(y1 - y0) * map[3]}
     />
+  );
+}
+
+/** The lines that points snap to. */
+function Grid({ canvas, map }: { readonly canvas: Canvas; readonly map: Affine }) {
+  const step = gridStep(map[0], canvas.editor.settings.gridUnit.value) * map[0];
+  const [x, y] = [map[4] % step, map[5] % step];
+  return (
+    <>
+      <pattern id="grid" patternUnits="userSpaceOnUse" x={x} y={y} width={step} height={step}>
+        <path class="grid-rim" d={`M0 ${step}V0H${step}`} />
+        <path class="grid-line" d={`M0 ${step}V0H${step}`} />
+      </pattern>
+      <rect width="100%" height="100%" style={{ fill: "url(#grid)" }} />
+    </>
   );
 }
 

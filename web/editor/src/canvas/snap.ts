@@ -23,6 +23,8 @@ export interface Snapped {
 export interface SnapWish {
   readonly snaps: boolean;
   readonly grid: boolean;
+  /** As gridStep() takes it. */
+  readonly unit: number;
   /** CSS pixels in an artboard unit, and the artboard's origin on the stage. */
   readonly zoom: number;
   readonly origin: Point;
@@ -43,16 +45,21 @@ export function snapped(grid: CurveGrid, at: Point, wish: SnapWish): Snapped {
   return wish.grid ? toGrid(at, wish) : { at, guides: [] };
 }
 
-/** Artboard units between lines: 1, 2 or 5 times a power of ten, and at least 8 pixels. */
-export function gridStep(zoom: number): number {
+/**
+ * Returns the artboard units between lines of the grid, at least 8 pixels: a multiple of `unit` by 1, 2 or 5 times
+ * a power of ten.
+ * @param unit of the grid; 0: as fine as the zoom allows
+ */
+export function gridStep(zoom: number, unit = 0): number {
   const least = GRID_STEP_PX / zoom;
+  if (unit > 0) return unit * (least <= unit ? 1 : gridStep(zoom * unit));
   const power = 10 ** Math.floor(Math.log10(least));
   return (
     [1, 2, 5, 10].map((k) => k * power).find((step) => step >= least * (1 - 1e-9)) ?? 10 * power
   );
 }
 
-function toGrid([x, y]: Point, { zoom, origin }: SnapWish): Snapped {
-  const [gx, gy] = onGrid([x - origin[0], y - origin[1]], gridStep(zoom) * zoom);
+function toGrid([x, y]: Point, { zoom, origin, unit }: SnapWish): Snapped {
+  const [gx, gy] = onGrid([x - origin[0], y - origin[1]], gridStep(zoom, unit) * zoom);
   return { at: [gx + origin[0], gy + origin[1]], guides: [] };
 }
