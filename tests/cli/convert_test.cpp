@@ -155,6 +155,12 @@ TEST(Convert, tells_what_is_drawn_nowhere_and_lost) {
             "<stdin>:4:1: warning: the layer #fish (and 1 more) is drawn nowhere; it is left out\n"
             "<stdin>:8:1: warning: the paint #wood is drawn nowhere; it is left out\n");
   EXPECT_EQ(run_sfumato({"convert", "-", "-o", "-"}, result.out).err, "");
+  const std::string palette =
+      "<svg xmlns='http://www.w3.org/2000/svg' xmlns:sf='urn:sfumato:1' viewBox='0 0 64 48' "
+      "xmlns:i='http://www.inkscape.org/namespaces/inkscape' sf:version='1'>"
+      "<linearGradient id='red' i:swatch='solid'><stop/></linearGradient>"
+      "<g sf:diffuse='true'><path d='M1 2h30' sf:left='red'/></g></svg>";
+  EXPECT_EQ(run_sfumato({"convert", "-", "-o", "-"}, palette).err, "");
   const CommandResult nameless = run_sfumato(
       {"convert", "-", "-o", "-"},
       "<svg xmlns='http://www.w3.org/2000/svg' xmlns:sf='urn:sfumato:1' viewBox='0 0 64 48' "

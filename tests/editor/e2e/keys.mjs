@@ -254,6 +254,7 @@ const shows = {
     await changing(keys.editor, "a node", () => keys.editor.click(250, 300, { clickCount: 2 }));
     await keys.text(key, /id="low" d="M100 300 ?C[^CL"]* 400 300"/);
   },
+  "add-to-palette": (keys, key) => keys.fresh("low").then(() => keys.text(key, /<defs>[^]*swatch="solid"[^]*#e33[^]*#36c[^]*<\/defs>/)),
   "copy-style": async (keys, key) => {
     await keys.fresh("low");
     await keys.press(key);

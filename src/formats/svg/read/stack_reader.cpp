@@ -65,6 +65,15 @@ std::size_t count_shaders(const Layer& layer) {
   return shaders.size();
 }
 
+/// Returns whether a gradient is a colour of Inkscape's palette, which is not there to be drawn.
+bool is_swatch(Element gradient) {
+  return std::ranges::any_of(gradient.attributes(), [](const pugi::xml_attribute& attribute) {
+    const std::string_view name = attribute.name();
+    return (name.ends_with(":swatch") || name.ends_with(":paint")) &&
+           std::string_view(attribute.value()) == "solid";
+  });
+}
+
 }  // namespace
 
 bool paints_nothing(std::string_view name) {
@@ -90,7 +99,7 @@ Status StackReader::visit_root(Place place) {
 void StackReader::note_unused(Element element, Unused& unused) const {
   const std::string_view name = element.name();
   const bool is_paint = name == "linearGradient" || name == "radialGradient" || name == "pattern";
-  if (is_paint && !paints_.is_used(element)) {
+  if (is_paint && !paints_.is_used(element) && !is_swatch(element)) {
     if (unused.paints++ == 0) unused.first_paint = element;
   } else if (name == "g" && input_.sf(element, "diffuse").value_or("") == "true" &&
              !layer_of_.contains(element.internal_object())) {

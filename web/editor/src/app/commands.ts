@@ -26,7 +26,7 @@ import * as en from "../strings/en.js";
 import { arranging } from "./arranging.js";
 import { combining } from "./combining.js";
 import { copyByMenu } from "./clipboard.js";
-import { copyStyle, cutAtNodes, pasteCopiedStyle, simplify } from "./curves.js";
+import { addToPalette, copyStyle, cutAtNodes, pasteCopiedStyle, simplify } from "./curves.js";
 import { currentColor } from "./colors.js";
 import type { DrawingEditor } from "./editor.js";
 import { takeInHandle } from "./handles.js";
@@ -206,6 +206,7 @@ const table: readonly (readonly [string, Command])[] = [
   ["close-curve", closeChosen],
   ["cut-curve", cutAtNodes],
   ["simplify", simplify],
+  ["add-to-palette", addToPalette],
   ["copy-style", copyStyle],
   ["paste-style", pasteCopiedStyle],
   ["join", joinChosen],

@@ -1,5 +1,6 @@
 // Commands on the shape and the look of curves.
 import {
+  addSwatches,
   curvesOf,
   cutCurve,
   pasteStyle,
@@ -34,6 +35,15 @@ export function simplify(editor: DrawingEditor): void {
   });
   if (made.length === 0) return;
   if (!editor.run(words.simplify, together(made))) editor.say(words.nothingToSimplify);
+}
+
+/** Adds the colours of the selected curves to the palette of the document. */
+export function addToPalette(editor: DrawingEditor): void {
+  const colors = chosenCurves(editor).flatMap(({ left, right }) =>
+    [left, right].flatMap(({ color }) => (color.kind === "stops" ? color.stops.map(({ value }) => value) : [])),
+  );
+  if (colors.length === 0) return;
+  if (!editor.run(words.addToPalette, addSwatches(editor.drawing, colors))) editor.say(words.paletteHasAll);
 }
 
 export function copyStyle(editor: DrawingEditor): void {

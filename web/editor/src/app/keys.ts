@@ -58,6 +58,7 @@ export const defaultKeys: readonly KeyBinding[] = [
   binding("curve", "close-curve", "Ctrl+Shift+J"),
   binding("curve", "cut-curve", "Shift+B"),
   binding("curve", "simplify", "Shift+L"),
+  binding("curve", "add-to-palette", "Shift+P"),
   binding("curve", "copy-style", "Ctrl+Alt+C"),
   binding("curve", "paste-style", "Ctrl+Alt+V"),
   binding("curve", "colors-from-photo", "Shift+I"),

@@ -25,6 +25,7 @@ export const picker = {
   goBack: (hex: string) => `Revert to ${hex}`,
   model: "Colour model",
   hex: "Hex",
+  palette: "Palette",
   recent: "Recent",
   inPicture: "In this picture",
   none: "None: leave this side open",

@@ -90,6 +90,8 @@ export const commands = {
   oneColor: shared.oneColor,
   ownShape: shared.ownShape,
   open: shared.openCurve,
+  addToPalette: "Add colours to the palette",
+  paletteHasAll: "The palette has these colours already.",
   paste: shared.paste,
   pasteStyle: shared.pasteStyle,
   reverse: shared.reverse,

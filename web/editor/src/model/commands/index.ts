@@ -7,6 +7,7 @@ export * from "./document.js";
 export * from "./paint/gradients.js";
 export { movePaint } from "./paint/paint-place.js";
 export * from "./paint/paints.js";
+export * from "./paint/swatches.js";
 export * from "./curves/shapes.js";
 export { pasteStyle, styleOf, type Style } from "./style.js";
 export * from "./structure/structure.js";

@@ -7,6 +7,7 @@ import { NumberField } from "../controls/field.js";
 import { Segments } from "../controls/segments.js";
 import { edits } from "../controls/sink.js";
 import { useShell } from "../services.js";
+import { PaletteSection } from "./palette.js";
 import { Section } from "./sections.js";
 
 const words = en.panels;
@@ -105,6 +106,7 @@ export function DocumentSections() {
       <Section title={words.interpolation}>
         <InterpolationField />
       </Section>
+      <PaletteSection />
     </>
   );
 }

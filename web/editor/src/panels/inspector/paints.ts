@@ -3,6 +3,7 @@ import type { Box } from "../../geometry/affine.js";
 import { boundsOf, unionOf } from "../../geometry/cubic.js";
 import { distance } from "../../geometry/vector.js";
 import { setPaint, type NewPaint } from "../../model/commands/index.js";
+import { definitionsOf, isSwatch } from "../../model/swatches.js";
 import type { CurveItem, Drawing, Outcome, PaintAttribute, Side } from "../../model/types.js";
 import * as en from "../../strings/en.js";
 import type { MenuItem } from "../controls/menu.js";
@@ -79,16 +80,11 @@ export function textureItem(
 
 /** Ids of gradients and patterns that the document has. */
 function paintsOf(drawing: Drawing): readonly string[] {
-  const found: string[] = [];
-  const look = (element: Drawing["root"]) => {
-    if (/^(linearGradient|radialGradient|pattern)$/.test(element.local)) {
-      const id = element.attributes.find(({ name }) => name === "id")?.value;
-      if (id) found.push(id);
-    }
-    element.children.forEach(look);
-  };
-  for (const child of drawing.root.children) if (child.local !== "g") look(child);
-  return found;
+  const isPaint = (element: Drawing["root"]) =>
+    /^(linearGradient|radialGradient|pattern)$/.test(element.local) && !isSwatch(element);
+  return [...definitionsOf(drawing)]
+    .filter(isPaint)
+    .flatMap(({ attributes }) => attributes.find(({ name }) => name === "id")?.value ?? []);
 }
 
 /** A submenu of the paints that the document has, or nothing. */

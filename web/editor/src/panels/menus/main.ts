@@ -143,6 +143,7 @@ export function object(editor: Editor): readonly MenuItem[] {
     { label: words.cutCurve, command: "cut-curve", disabled: !hasNode, reason: words.needsNode },
     { label: words.simplify, command: "simplify", disabled: noCurve },
     "line",
+    { label: words.paletteFromSelection, command: "add-to-palette", disabled: noCurve },
     { label: words.copyStyle, command: "copy-style", disabled: noCurve },
     {
       label: words.pasteStyle,

@@ -51,6 +51,7 @@ const names: Readonly<Record<string, string>> = {
   "close-curve": words.closeOrOpen,
   "cut-curve": words.cutCurve,
   simplify: words.simplify,
+  "add-to-palette": words.paletteFromSelection,
   "copy-style": words.copyStyle,
   "paste-style": words.pasteStyle,
   corner: words.corner,

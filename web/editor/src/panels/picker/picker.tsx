@@ -6,6 +6,7 @@ import { hexOf } from "../../geometry/colortext.js";
 import { remember } from "../../app/colors.js";
 import { nameOfSide } from "../../app/side-names.js";
 import type { PickerTarget } from "../../app/types.js";
+import { swatchesOf } from "../../model/swatches.js";
 import * as en from "../../strings/en.js";
 import { colorsOf } from "../color.js";
 import { IconButton } from "../controls/button.js";
@@ -189,6 +190,12 @@ function Body({ session }: { readonly session: Session }) {
         polar={polar}
         onPolar={showPolar}
         onColor={(to) => session.show({ color: to })}
+      />
+      <Swatches
+        title={words.palette}
+        colors={swatchesOf(editor.drawing).map((swatch) => swatch.color)}
+        now={color}
+        onChoose={choose}
       />
       <Swatches title={words.recent} colors={recent.value} now={color} onChoose={choose} />
       <Swatches
