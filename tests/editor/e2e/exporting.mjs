@@ -153,6 +153,22 @@ async function testSizes(browser, address) {
   await editor.close();
 }
 
+/** The selected layer alone is drawn as if the other ones were definitions. */
+async function testSelectionOnly(editor, context) {
+  const { page } = editor;
+  const over = '<g id="over" sf:diffuse="true"><path d="M20 20H60V60H20Z" sf:right="#2a6" sf:left="#2a6" sf:left-opacity="0"/></g>';
+  const both = small.replace("\n</svg>", `\n  ${over}\n</svg>`);
+  await editor.load(both, "both.svg");
+  await page.getByRole("treeitem", { name: "over" }).click();
+  const png = decode((await exported(editor, "PNG", { scale: "1×", checks: ["Selected layers only"] })).bytes);
+  const alone = both.replace(/(<g (?!id="over")[^]*?<\/g>)/, "<defs>$1</defs>");
+  const size = { width: png.width, height: png.height };
+  const wanted = rasterOf(context, alone, { ...size, format: "rgba8" });
+  check(Buffer.from(withAlpha(png)).equals(Buffer.from(wanted)), "the PNG shows something else");
+  const all = rasterOf(context, both, { ...size, format: "rgba8" });
+  check(!Buffer.from(wanted).equals(Buffer.from(all)), "the test's layers look the same");
+}
+
 async function testSvg(editor) {
   const photo = '\n  <image sf:reference="true" href="data:image/png;base64,iVBORw0KGgo=" width="9" height="9"/>';
   const traced = small.replace("\n</svg>", `${photo}\n</svg>`);
@@ -259,6 +275,7 @@ export async function testExporting(tap, { browser, address, folder }) {
   await tap.test("exporting: the message about a faulty drawing has its line", () => testUndrawable(editor));
   await tap.test("exporting: PDF and plain SVG are the command's", () => testVectors(editor));
   await tap.test("exporting: PDF of nothing, and too much for plain SVG", () => testVectorsOfLittleAndMuch(editor));
+  await tap.test("exporting: the selected layer alone", () => testSelectionOnly(editor, engine));
   await tap.test("exporting: several sizes are several files", () => testSizes(browser, address));
   await tap.test("exporting: nothing was complained of", () => editor.checkQuiet());
   await editor.close();

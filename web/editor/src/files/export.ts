@@ -1,6 +1,6 @@
 // Exports of a drawing: PNG, SVG, PDF, and the HTML of the viewer.
 import type { Box } from "../geometry/affine.js";
-import type { Engine } from "../engine/types.js";
+import type { Exporter } from "../engine/other-text.js";
 import { encodePng } from "../engine/png.js";
 import { parse } from "../source/parse.js";
 import type { ElementNode } from "../source/tree.js";
@@ -25,13 +25,15 @@ export interface ExportWish {
   readonly keepReference: boolean;
   /** Bits of a channel; of PNG alone. */
   readonly depth?: 8 | 16;
+  /** Whether only the selected layers and other outermost objects are drawn; not of SVG. */
+  readonly isSelectionOnly?: boolean;
   /** Whether plain SVG holds triangles, or an image. */
   readonly plain?: "vectors" | "pixels";
 }
 
 /** The drawing that is exported. */
 export interface ExportSource {
-  readonly engine: Pick<Engine, "raster" | "payload" | "write">;
+  readonly engine: Exporter;
   readonly text: string;
   /** Name of the drawing's file, or its title. */
   readonly name: string;

@@ -1,7 +1,10 @@
 // The services that panels get besides the editor's state.
 import type { DrawingEditor } from "../app/editor.js";
+import { chosen } from "../app/selected.js";
 import type { PictureCanvas } from "../canvas/renderer.js";
 import type { Thumbs } from "../canvas/thumbs.js";
+import { createWorker, getModule } from "../engine/host.js";
+import { exporterOf, type Exporter } from "../engine/other-text.js";
 import {
   copyPng,
   estimateSize,
@@ -9,11 +12,13 @@ import {
   exportName,
   exportTypes,
   nameOfSize,
+  type ExportSource,
   type ExportWatch,
   type ExportWish,
 } from "../files/export.js";
 import { pickFile } from "../files/open.js";
 import { saveExport, saveExports } from "../files/save.js";
+import { onlyItems } from "../model/commands/index.js";
 import type { Services } from "../panels/services.js";
 import * as en from "../strings/en.js";
 import type { Documents } from "./documents.js";
@@ -25,13 +30,23 @@ import { PhotoTracing } from "./tracing.js";
 
 type Size = Pick<ExportWish, "width" | "height">;
 
-function sourceOf(editor: DrawingEditor) {
-  const { drawing, engine, file } = editor;
+const host = { module: getModule, worker: createWorker };
+
+/** Returns the engine that draws all of the drawing, or the selection alone. */
+function exporterFor(editor: DrawingEditor, isSelectionOnly: boolean, signal = new AbortController().signal): Exporter {
+  const { drawing, engine } = editor;
+  if (!isSelectionOnly) return engine;
+  return exporterOf(host, onlyItems(drawing, chosen(editor)), engine.images, signal);
+}
+
+function sourceOf(editor: DrawingEditor, { isSelectionOnly = false }: ExportWish, watch: ExportWatch = {}): ExportSource {
+  const { drawing, file } = editor;
+  const engine = exporterFor(editor, isSelectionOnly, watch.signal);
   return { engine, text: drawing.text, name: file.value.name, artboard: drawing.artboard };
 }
 
 async function exportTo(editor: DrawingEditor, wishes: readonly ExportWish[], natural: Size, watch: ExportWatch): Promise<void> {
-  const source = sourceOf(editor);
+  const source = sourceOf(editor, wishes[0], watch);
   const notes = new Set<string>();
   const onNotes = (found: readonly string[]) => found.forEach((note) => notes.add(note));
   const make = (wish: ExportWish) => exportDrawing(wish, source, { ...watch, onNotes });
@@ -71,11 +86,11 @@ export function servicesOf(editor: DrawingEditor, documents: Documents, picture:
     problem: documents.problem,
     foreign: documents.foreign,
     exportTo: (wishes, natural, watch) => exportTo(editor, wishes, natural, watch),
-    copyPicture: (wish, watch) => copyPng(wish, sourceOf(editor), watch),
-    estimate: (wish) => estimateSize(wish, sourceOf(editor)),
-    preview: async (viewport, transparent) => {
+    copyPicture: (wish, watch) => copyPng(wish, sourceOf(editor, wish, watch), watch),
+    estimate: (wish) => estimateSize(wish, sourceOf(editor, wish)),
+    preview: async (viewport, transparent, isSelectionOnly) => {
       await editor.completeEdits();
-      return previewOf(editor, viewport, transparent);
+      return previewOf(exporterFor(editor, isSelectionOnly), viewport, transparent);
     },
     trace: () => new PhotoTracing(editor, documents),
     autosaves: async () => documents.kept.value,

@@ -124,7 +124,7 @@ export interface Services {
    * Address of a picture of that part, at most 640 px wide; the caller revokes it. null: none can
    * be made.
    */
-  preview(viewport: Box, transparent: boolean): Promise<string | null>;
+  preview(viewport: Box, transparent: boolean, isSelectionOnly: boolean): Promise<string | null>;
   trace(): Tracing;
   autosaves(): Promise<readonly Autosave[]>;
   recover(id: string): Promise<void>;

@@ -44,6 +44,8 @@ export const dialogs = {
   sixteenBits: "16 bits per channel",
   sixteenBitsNote: "Smoother gradients, for print and retouching",
   leaveOut: "Leave out reference photo",
+  selectionOnly: "Selected layers only",
+  selectionOnlyNote: "And selected groups, strokes and linked copies",
   htmlNote: "A page that shows the drawing sharp at any zoom. It needs neither this editor nor a network.",
   previewAlt: "Preview of the exported picture",
   about: (size: string) => `about ${size}, sRGB`,

@@ -11,6 +11,7 @@ export * from "./paint/swatches.js";
 export * from "./curves/shapes.js";
 export { pasteStyle, styleOf, type Style } from "./style.js";
 export * from "./structure/structure.js";
+export { onlyItems } from "./structure/only.js";
 export * from "./curves/filled.js";
 export * from "./curves/fitted.js";
 export * from "./curves/own-shape.js";

@@ -23,6 +23,7 @@ interface Choice {
   readonly linked: boolean;
   readonly transparent: boolean;
   readonly keepReference: boolean;
+  readonly isSelectionOnly: boolean;
   readonly depth: 8 | 16;
   /** Scales of more PNG files. */
   readonly also: readonly number[];
@@ -225,6 +226,7 @@ export function ExportDialog() {
       linked: true,
       transparent: false,
       keepReference: false,
+      isSelectionOnly: false,
       depth: 8,
       also: [],
       plain: "vectors",
@@ -237,6 +239,7 @@ export function ExportDialog() {
   const hasArea = isPng || now.format === "pdf" || now.format === "plain";
   const viewport = (hasArea ? viewportOf(editor, now.area) : null) ?? artboard;
   const natural = sizeAt(viewport, 1);
+  const canBeAlone = now.format !== "svg" && editor.selection.value.length > 0;
   const hasBackground = editor.drawing.background !== null;
   const change: Change = (to) => {
     choice.value = { ...choice.value, ...to };
@@ -256,6 +259,7 @@ export function ExportDialog() {
     viewport,
     transparent: (hasArea && now.transparent) || !hasBackground,
     keepReference: now.keepReference,
+    isSelectionOnly: canBeAlone && now.isSelectionOnly,
     depth: now.depth,
     plain: now.plain,
   };
@@ -323,6 +327,14 @@ export function ExportDialog() {
                 note={hasBackground ? undefined : words.noBackground}
                 disabled={!hasBackground}
                 onChange={(transparent) => change({ transparent })}
+              />
+            )}
+            {canBeAlone && (
+              <Check
+                checked={now.isSelectionOnly}
+                label={words.selectionOnly}
+                note={words.selectionOnlyNote}
+                onChange={(isSelectionOnly) => change({ isSelectionOnly })}
               />
             )}
             {isPng && (

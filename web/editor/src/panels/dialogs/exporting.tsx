@@ -15,9 +15,10 @@ export function Preview({ wish }: { readonly wish: ExportWish }) {
   const { services } = useShell();
   const url = useSignal<string | null>(null);
   const transparent = wish.transparent && wish.format !== "html";
+  const isAlone = wish.isSelectionOnly ?? false;
   useEffect(() => {
     let isOver = false;
-    void services.preview(wish.viewport, transparent).then((made) => {
+    void services.preview(wish.viewport, transparent, isAlone).then((made) => {
       if (isOver) {
         if (made) URL.revokeObjectURL(made);
         return;
@@ -28,7 +29,7 @@ export function Preview({ wish }: { readonly wish: ExportWish }) {
     return () => {
       isOver = true;
     };
-  }, [wish.viewport.join(), transparent]);
+  }, [wish.viewport.join(), transparent, isAlone]);
   useEffect(() => () => void (url.peek() && URL.revokeObjectURL(url.peek()!)), []);
   return (
     <div class="export-view">
