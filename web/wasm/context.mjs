@@ -26,7 +26,10 @@ function expectBytes(given) {
 
 /** Limits on memory and time, and the functions that read, solve and draw. */
 export class SfumatoContext extends Handle {
-  /** Called while a call works, with the name of a stage and a fraction from 0 to 1. It may call cancel(). */
+  /**
+   * Called while a call works, with the name of a stage and a fraction from 0 to 1. It may call cancel().
+   * @type {((stage: string, fraction: number) => void) | null}
+   */
   onProgress = null;
   #callbacks;
   #freed;

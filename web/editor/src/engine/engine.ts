@@ -20,7 +20,6 @@ import type {
   FileWish,
   GivenImage,
   Hint,
-  ImportedSvg,
   LayerCurves,
   PictureUpdate,
   QuickChange,
@@ -510,18 +509,6 @@ export class WorkerEngine implements Engine {
     const seat = this.#front;
     await seat.ready;
     return seat.link.call("combinePaths", operation, paths, tolerance);
-  }
-
-  async importSvg(text: string): Promise<ImportedSvg> {
-    const seat = this.#front;
-    await seat.ready;
-    try {
-      await seat.give(this.#images);
-      return await seat.link.call("importSvg", text);
-    } catch (error) {
-      if (!EngineError.of(error).isOfText) this.#lose(seat);
-      throw error;
-    }
   }
 
   free(): void {

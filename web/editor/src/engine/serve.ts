@@ -45,7 +45,8 @@ export function serve(scope: MessageEndpoint): void {
     convert: (text: string) => session.convert(text),
     combinePaths: (operation: RegionOperation, paths: readonly string[], tolerance: number) =>
       session.combinePaths(operation, paths, tolerance),
-    importSvg: (text: string) => session.importSvg(text),
+    importSvg: (text: string) =>
+      session.importSvg(text, (note) => scope.postMessage({ note } satisfies Note, [])),
     fit: (wish: FitWish) => session.fit(wish),
     snap: (wish: SnapWish) => snapped(wish),
     trace: (wish: TraceWish) =>

@@ -340,14 +340,26 @@ export class Session {
     return rest.reduce(add, first);
   }
 
-  /** The shapes of an ordinary SVG as curves (docs/import.md). @throws SfumatoError */
-  importSvg(text: string): ImportedSvg {
+  /**
+   * The shapes of an ordinary SVG as curves (docs/import.md).
+   * @param heard is called with the share that is done, each time a hundredth more is
+   * @throws SfumatoError
+   */
+  importSvg(text: string, heard: (share: number) => void): ImportedSvg {
+    const context = this.#context;
     const load = (href: string) => this.#images.get(href) ?? null;
-    const document = this.#context.importSvg(text, { load }) as SfumatoDocument;
+    let last = 0;
+    context.onProgress = (stage: string, share: number) => {
+      if (stage === "import" && share >= last + 0.01) heard((last = share));
+    };
     try {
-      return { text: document.write(), warnings: this.#context.warnings };
-    } finally {
+      const document = context.importSvg(text, { load }) as SfumatoDocument;
+      const { warnings } = context;
+      const made = document.write() as string;
       document.free();
+      return { text: made, warnings };
+    } finally {
+      context.onProgress = null;
     }
   }
 

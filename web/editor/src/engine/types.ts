@@ -227,8 +227,6 @@ export interface Engine {
    * @throws EngineError
    */
   combinePaths(operation: RegionOperation, paths: readonly string[], tolerance: number): Promise<string>;
-  /** The shapes of an ordinary SVG as curves. @throws EngineError */
-  importSvg(text: string): Promise<ImportedSvg>;
   onPicture: (update: PictureUpdate) => void;
   onStatus: (status: EngineStatus) => void;
   free(): void;

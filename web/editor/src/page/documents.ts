@@ -30,6 +30,7 @@ import type { Foreign } from "../panels/services.js";
 import { SourceError } from "../source/tree.js";
 import * as en from "../strings/en.js";
 import { dataUri } from "./files.js";
+import type { Watch } from "../engine/other-text.js";
 import { converted, curvesIn, type Converted } from "./foreign.js";
 import { besideExamples } from "./gallery-pictures.js";
 import type { Lost, Pictures } from "./pictures.js";
@@ -59,6 +60,8 @@ const PLACED = 0.5;
 
 /** Names are shown at most this long, characters. */
 const LONGEST = 60;
+/** Work that takes longer shows that it can be stopped, milliseconds. */
+const LONG = 500;
 const shortened = (name: string) => (name.length > LONGEST ? `${name.slice(0, LONGEST)}…` : name);
 
 export class Documents {
@@ -192,21 +195,21 @@ export class Documents {
     const { welcome, dialog } = this.editor;
     this.foreign.value = {
       name: opened.place.name,
-      convert: () => this.#convertForeign(opened, beside),
-      insert: welcome.peek() ? null : () => this.#insertForeign(opened, beside),
+      convert: (watch) => this.#convertForeign(opened, beside, watch),
+      insert: welcome.peek() ? null : (watch) => this.#insertForeign(opened, beside, watch),
       open: () => this.#open(opened, beside),
     };
     dialog.value = { kind: "foreign" };
   }
 
-  #converted(text: string, beside: Beside): Promise<Converted> {
-    return converted(this.editor.engine, this.pictures, text, beside);
+  #converted(text: string, beside: Beside, watch: Watch): Promise<Converted> {
+    return converted(this.editor.engine, this.pictures, text, beside, watch);
   }
 
   /** Its shapes as a drawing without a file: saving must not write over the other program's. */
-  async #convertForeign({ text, place }: OpenedDrawing, beside: Beside): Promise<void> {
+  async #convertForeign({ text, place }: OpenedDrawing, beside: Beside, watch: Watch): Promise<void> {
     const asked = this.foreign.peek();
-    const made = await this.#converted(text, beside);
+    const made = await this.#converted(text, beside, watch);
     // The person may have left the dialog.
     if (this.foreign.peek() !== asked) return;
     await this.#show(made.text, { place: newPlace(withExtension(place.name, "svg")) }, beside);
@@ -214,10 +217,10 @@ export class Documents {
   }
 
   /** Its shapes as layers of the present drawing, in one step of undo. */
-  async #insertForeign({ text, place }: OpenedDrawing, beside: Beside): Promise<void> {
+  async #insertForeign({ text, place }: OpenedDrawing, beside: Beside, watch: Watch): Promise<void> {
     const asked = this.foreign.peek();
     const { drawing } = this.editor;
-    const made = await this.#converted(text, beside);
+    const made = await this.#converted(text, beside, watch);
     if (this.foreign.peek() !== asked || this.editor.drawing !== drawing) return;
     this.editor.dialog.value = null;
     this.#insert(words.insertLayers, place.name, made);
@@ -231,12 +234,18 @@ export class Documents {
   }
 
   async #pasteForeign(text: string): Promise<void> {
-    const { drawing } = this.editor;
+    const { drawing, task } = this.editor;
+    const stop = new AbortController();
+    const shown = setTimeout(() => (task.value = { text: words.converting, stop: () => stop.abort() }), LONG);
     try {
-      const made = await this.#converted(text, nothingBeside);
+      const watch = { signal: stop.signal, onProgress: () => undefined };
+      const made = await this.#converted(text, nothingBeside, watch);
       if (this.editor.drawing === drawing) this.#insert(en.commands.paste, words.pastedName, made);
     } catch (error) {
-      this.#refuse(words.nothingPasted, complaintOf(error));
+      if (!stop.signal.aborted) this.#refuse(words.nothingPasted, complaintOf(error));
+    } finally {
+      clearTimeout(shown);
+      task.value = null;
     }
   }
 

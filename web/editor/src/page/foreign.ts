@@ -1,6 +1,8 @@
 // SVG of other programs as curves.
 import type { Engine } from "../engine/types.js";
 import { warningText } from "../engine/complaint.js";
+import { createWorker, getModule } from "../engine/host.js";
+import { importedSvg, type Watch } from "../engine/other-text.js";
 import type { Beside } from "../files/images.js";
 import { openDrawing } from "../model/drawing.js";
 import type { Drawing } from "../model/types.js";
@@ -19,11 +21,23 @@ export function curvesIn(drawing: Drawing): number {
   return [...drawing.all()].filter(({ kind }) => kind === "curve" || kind === "stroke").length;
 }
 
-/** @param beside files that the text names @throws Error, in words, where nothing becomes a curve */
-export async function converted(engine: Engine, pictures: Pictures, text: string, beside: Beside): Promise<Converted> {
+const host = { module: getModule, worker: createWorker };
+
+/**
+ * Converts SVG of another program.
+ * @param beside files that the text names
+ * @throws the signal's reason; Error, in words, where nothing becomes a curve
+ */
+export async function converted(
+  engine: Pick<Engine, "images">,
+  pictures: Pictures,
+  text: string,
+  beside: Beside,
+  watch: Watch,
+): Promise<Converted> {
   const before = pictures.begin(beside);
-  await pictures.take(text);
-  const made = await engine.importSvg(text).finally(() => void pictures.begin(before));
+  await pictures.take(text).finally(() => void pictures.begin(before));
+  const made = await importedSvg(host, text, engine.images, watch);
   const curves = curvesIn(openDrawing(made.text));
   const leftOut = made.warnings.map(warningText);
   if (curves === 0) throw new Error([en.page.nothingConverted, ...leftOut].join("\n"));

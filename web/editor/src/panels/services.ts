@@ -5,6 +5,7 @@ import type { ReadonlySignal } from "@preact/signals";
 import type { Editor, TracedPhoto } from "../app/types.js";
 import type { Box } from "../geometry/affine.js";
 import type { PreviewWish } from "../engine/photo-trace.js";
+import type { Watch } from "../engine/other-text.js";
 import type { Hint, PhotoPixels, TraceOptions, TraceRound } from "../engine/types.js";
 import type { ExportWatch, ExportWish } from "../files/export.js";
 import type { Rgb } from "../geometry/color.js";
@@ -55,9 +56,9 @@ export interface Problem {
 export interface Foreign {
   readonly name: string;
   /** Opens a drawing of its shapes, and says what was left out. @throws Error, in words */
-  convert(): Promise<void>;
+  convert(watch: Watch): Promise<void>;
   /** Puts its shapes into the drawing as layers; null: no drawing is open. @throws Error, in words */
-  readonly insert: (() => Promise<void>) | null;
+  readonly insert: ((watch: Watch) => Promise<void>) | null;
   /** Opens it as it is. */
   open(): Promise<void>;
 }

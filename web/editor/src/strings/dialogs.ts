@@ -109,6 +109,7 @@ export const dialogs = {
   foreignNote: "The file itself is not changed.",
   convert: "Convert",
   converting: "Converting…",
+  cancelConverting: "Cancel",
   insertAsLayers: "Insert as layers",
   openAsIs: "Open as it is",
   lineOf: (line: number) => `Line ${line}`,

@@ -15,6 +15,7 @@ export const page = {
   chooseFolder: "Choose folder",
   converted: (name: string, curves: number) =>
     `“${name}” was converted to ${curvesOf(curves)}.`,
+  converting: "Converting SVG…",
   convertedPartly: (name: string, curves: number) =>
     `“${name}” was converted to ${curvesOf(curves)}; some parts were left out.`,
   leftOutOf: (name: string) => `Left out of “${name}”`,

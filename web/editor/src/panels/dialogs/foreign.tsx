@@ -1,6 +1,8 @@
 // A file of another program is to be opened: it has shapes, but no curves that the editor could show.
 import { useSignal } from "@preact/signals";
+import { useEffect, useRef } from "preact/hooks";
 import { complaintOf } from "../../engine/complaint.js";
+import type { Watch } from "../../engine/other-text.js";
 import * as en from "../../strings/en.js";
 import { useShell, type Foreign } from "../services.js";
 import { Frame } from "./frame.js";
@@ -8,23 +10,30 @@ import { Frame } from "./frame.js";
 const words = en.dialogs;
 
 function Body({ foreign }: { readonly foreign: Foreign }) {
-  const isBusy = useSignal(false);
+  /** The share that is done; null: nothing is being done. */
+  const share = useSignal<number | null>(null);
   const reason = useSignal<string | null>(null);
-  const run = async (work: () => Promise<void>) => {
-    isBusy.value = true;
+  const stop = useRef<AbortController | null>(null);
+  // Closing the dialog ends the conversion.
+  useEffect(() => () => stop.current?.abort(), []);
+  const run = async (work: (watch: Watch) => Promise<void>) => {
+    const own = (stop.current = new AbortController());
+    const onProgress = (done: number) => (share.value = done);
+    share.value = 0;
     reason.value = null;
     try {
-      await work();
+      await work({ signal: own.signal, onProgress });
     } catch (error) {
-      reason.value = complaintOf(error);
+      if (!own.signal.aborted) reason.value = complaintOf(error);
     }
-    isBusy.value = false;
+    share.value = null;
   };
-  const choice = (label: string, work: () => Promise<void>, isPrimary = false) => (
+  const isBusy = share.value !== null;
+  const choice = (label: string, work: (watch: Watch) => Promise<void>, isPrimary = false) => (
     <button
       type="button"
       class={isPrimary ? "button primary large" : "button large"}
-      disabled={isBusy.value}
+      disabled={isBusy}
       onClick={() => void run(work)}
     >
       {label}
@@ -32,10 +41,16 @@ function Body({ foreign }: { readonly foreign: Foreign }) {
   );
   const foot = (
     <>
-      {choice(words.openAsIs, foreign.open)}
+      {isBusy ? (
+        <button type="button" class="button large" onClick={() => stop.current?.abort()}>
+          {words.cancelConverting}
+        </button>
+      ) : (
+        choice(words.openAsIs, foreign.open)
+      )}
       <span class="spacer" />
       {foreign.insert && choice(words.insertAsLayers, foreign.insert)}
-      {choice(isBusy.value ? words.converting : words.convert, foreign.convert, true)}
+      {choice(isBusy ? words.converting : words.convert, foreign.convert, true)}
     </>
   );
   return (
@@ -43,6 +58,7 @@ function Body({ foreign }: { readonly foreign: Foreign }) {
       <div class="dialog-body form">
         <p class="read">{words.foreignText}</p>
         <p class="read muted">{words.foreignNote}</p>
+        {isBusy && <progress value={share.value ?? 0} aria-label={words.converting} />}
         {reason.value !== null && (
           <p class="read lines failure" role="alert">
             {reason.value}
