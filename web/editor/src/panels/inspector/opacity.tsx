@@ -25,6 +25,7 @@ import { chosenStop } from "./chosen.js";
 import { GradientFields, opacityOf } from "./gradient.js";
 import { documentPaints, gradientItems, textureItem, type NewStop } from "./paints.js";
 import { bandOf, Ribbon } from "./ribbon.js";
+import { sideRow } from "./rows.js";
 import { Section } from "./sections.js";
 
 const words = en.panels;
@@ -113,7 +114,7 @@ function OpacityRibbon<Value>({ opacityOf, ...props }: RibbonProps<Value>) {
     css: css(opacityOf(value)),
   }));
   return (
-    <div class="side-row">
+    <div class={sideRow(item)}>
       <span class="side-name">{nameOfSide(item, side)}</span>
       <Ribbon
         {...props}
@@ -168,7 +169,7 @@ function OtherThanStops({ item, side }: SideProps) {
       putOpacity(item.handle)(editor.drawing, side, constant(1)),
     );
   return (
-    <div class="side-row">
+    <div class={sideRow(item)}>
       <span class="side-name">{nameOfSide(item, side)}</span>
       <div class="side-state">
         <span class={opacity.kind === "paint" ? "swatch paint" : "swatch none"} aria-hidden="true" />

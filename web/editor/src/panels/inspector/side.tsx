@@ -14,6 +14,7 @@ import { tinted, tintsOf, type Tints } from "../tints.js";
 import { cssOf, describeTint } from "./gradient.js";
 import { documentPaints, gradientItems, textureItem, type NewStop } from "./paints.js";
 import { bandOf, Ribbon } from "./ribbon.js";
+import { sideRow } from "./rows.js";
 
 const words = en.panels;
 
@@ -158,7 +159,7 @@ export function ColorSide({ item, side }: SideProps) {
   const shell = useShell();
   const tints = tintsOf(shell.editor.drawing, item, side);
   return (
-    <div class="side-row">
+    <div class={sideRow(item)}>
       <button
         type="button"
         class="side-name"

@@ -19,6 +19,7 @@ import { tinted, tintsOf, type Tints } from "../tints.js";
 import type { Drawing } from "../../model/types.js";
 import { chosenStops } from "./chosen.js";
 import { GradientFields } from "./gradient.js";
+import { sideRow } from "./rows.js";
 
 const words = en.panels;
 
@@ -91,7 +92,7 @@ function WholeSide({ item, found }: { readonly item: CurveItem; readonly found: 
   const setColor = useRecolor(found);
   const pick = usePicking(setColor);
   return (
-    <div class="side-row">
+    <div class={sideRow(item)}>
       <span class="side-name">{name}</span>
       <div class="side-color">
         <Swatch item={item} found={found} />
