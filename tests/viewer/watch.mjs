@@ -96,6 +96,9 @@ async function checkFits(page) {
   check(Math.max(...rest) <= 0, `it is larger than the window by ${rest}`);
 }
 
+/** Messages of the browser while no server answers. */
+const SERVER_GONE = /ERR_(CONNECTION|SOCKET|EMPTY|INCOMPLETE)/;
+
 async function testChanges(tap, tools) {
   await tap.test("the page shows the newest picture without being loaded again", () =>
     watched(tools, "newest", {}, async (page, watch) => {
@@ -125,7 +128,7 @@ async function testChanges(tap, tools) {
     }),
   );
   await tap.test("the page comes back when the command is started anew at its port", () =>
-    watched(tools, "anew", { harmless: /ERR_(CONNECTION|SOCKET|EMPTY|INCOMPLETE)/ }, async (page, watch) => {
+    watched(tools, "anew", { harmless: SERVER_GONE }, async (page, watch) => {
       await shows(tools, page, RED);
       await watch.stop();
       await says(page, "does not answer");

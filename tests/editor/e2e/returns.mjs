@@ -1,4 +1,4 @@
-// What a page shows again: the drawing of a tab after a reload, recent drawings with pictures, and transparency.
+// Tests of reloads, of the list of recent drawings, of transparency, and of taps that undo and redo.
 import { check, checkEqual, EditorPage, newContext, packageOf, until } from "./harness.mjs";
 import { isKept } from "./recover.mjs";
 import { small } from "./texts.mjs";

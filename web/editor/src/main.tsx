@@ -4,7 +4,7 @@ import { render } from "preact";
 import { DrawingEditor } from "./app/editor.js";
 import { listenToKeys } from "./app/keyboard.js";
 import { WorkerEngine } from "./engine/engine.js";
-import { createWorker, getModule } from "./engine/host.js";
+import { pageHost } from "./engine/page-host.js";
 import { keepOffline } from "./files/offline.js";
 import { drawingOfTab } from "./files/session.js";
 import { blankText } from "./model/drawing.js";
@@ -17,7 +17,7 @@ import * as en from "./strings/en.js";
 import "./style/index.css";
 import type { Work } from "./work.js";
 
-const engine = new WorkerEngine({ module: getModule, worker: createWorker });
+const engine = new WorkerEngine(pageHost);
 const editor = new DrawingEditor(engine, null, blankText(800, 600, null));
 const later = signal<Work | null>(null);
 /** Whether the drawing that this tab had open is on its way: the first page would only flash up. */

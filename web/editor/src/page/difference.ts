@@ -2,7 +2,7 @@
 import { effect } from "@preact/signals";
 import type { DrawingEditor } from "../app/editor.js";
 import type { Difference } from "../app/types.js";
-import { createWorker, getModule } from "../engine/host.js";
+import { pageHost } from "../engine/page-host.js";
 import { TracePreviews } from "../engine/photo-trace.js";
 import type { Drawing } from "../model/types.js";
 import * as en from "../strings/en.js";
@@ -55,7 +55,7 @@ class DifferenceWatch {
     }
     const { width, height } = photo.pixels;
     const wish = { text, width, height, isDraft: false, images: editor.engine.images };
-    this.#pictures ??= new TracePreviews({ module: getModule, worker: createWorker });
+    this.#pictures ??= new TracePreviews(pageHost);
     this.#pictures.draw(background ? wish : { ...wish, background: "white" }, (pixels) => {
       const found = differenceOf(photo.pixels, pixels);
       void addressOf(found).then((href) => this.#show(drawing, { href, psnr: found.psnr, revision }));

@@ -1,7 +1,7 @@
 // SVG of other programs as curves.
 import type { Engine } from "../engine/types.js";
 import { warningText } from "../engine/complaint.js";
-import { createWorker, getModule } from "../engine/host.js";
+import { pageHost } from "../engine/page-host.js";
 import { importedSvg, type Watch } from "../engine/other-text.js";
 import type { Beside } from "../files/images.js";
 import { openDrawing } from "../model/drawing.js";
@@ -21,8 +21,6 @@ export function curvesIn(drawing: Drawing): number {
   return [...drawing.all()].filter(({ kind }) => kind === "curve" || kind === "stroke").length;
 }
 
-const host = { module: getModule, worker: createWorker };
-
 /**
  * Converts SVG of another program.
  * @param beside files that the text names
@@ -37,7 +35,7 @@ export async function converted(
 ): Promise<Converted> {
   const before = pictures.begin(beside);
   await pictures.take(text).finally(() => void pictures.begin(before));
-  const made = await importedSvg(host, text, engine.images, watch);
+  const made = await importedSvg(pageHost, text, engine.images, watch);
   const curves = curvesIn(openDrawing(made.text));
   const leftOut = made.warnings.map(warningText);
   if (curves === 0) throw new Error([en.page.nothingConverted, ...leftOut].join("\n"));

@@ -4,7 +4,7 @@ import type { DrawingEditor } from "../app/editor.js";
 import { chosenCurves } from "../app/selected.js";
 import { isHidden, isLocked } from "../canvas/places.js";
 import { complaintOf } from "../engine/complaint.js";
-import { createWorker, getModule } from "../engine/host.js";
+import { pageHost } from "../engine/page-host.js";
 import { fitToPhoto, snapToPhoto as movedToEdges } from "../engine/photo-trace.js";
 import type { FitWish } from "../engine/types.js";
 import { composed, inverted, lengthScale } from "../geometry/affine.js";
@@ -17,8 +17,6 @@ import { beginningsOf, fittedRadii, rowsOf, type Beginnings } from "./blur-work.
 import { hasPhoto, laidPhoto, type LaidPhoto } from "./laid-photo.js";
 
 const words = en.photo;
-const host = { module: getModule, worker: createWorker };
-
 /** Pixels of the longer side: the library uses no more, and edges are found well at this size. */
 const MOST_FITTED = 1024;
 const MOST_SNAPPED = 1600;
@@ -113,7 +111,7 @@ export async function colorsFromPhoto(editor: DrawingEditor): Promise<void> {
   await withTask(editor, words.fittingColors, async (signal) => {
     const photo = await photoFor(editor, MOST_FITTED, signal);
     const wish: FitWish = { ...wishOf(editor, items, photo), fits: "colors", radii: [] };
-    const fitted = await fitToPhoto(host, wish, editor.engine.images, signal);
+    const fitted = await fitToPhoto(pageHost, wish, editor.engine.images, signal);
     const byOffset = new Map(fitted.map((one) => [one.offset, one.colors]));
     const made = items.map((item) => {
       const colors = byOffset.get(offsetOf(item));
@@ -137,7 +135,7 @@ export async function blurFromPhoto(editor: DrawingEditor): Promise<void> {
     );
     const radii = items.flatMap((item) => rowsOf(item, begins.get(offsetOf(item)) ?? null));
     const wish: FitWish = { ...wishOf(editor, items, photo), fits: "blur", radii };
-    const fitted = await fitToPhoto(host, wish, editor.engine.images, signal);
+    const fitted = await fitToPhoto(pageHost, wish, editor.engine.images, signal);
     const byOffset = new Map(fitted.map((one) => [one.offset, one]));
     const made = items.map((item) => {
       const begun = begins.get(offsetOf(item));
@@ -164,7 +162,7 @@ export async function snapToPhoto(editor: DrawingEditor): Promise<void> {
       return back ? item.paths.map((path, index) => ({ item, index, path: mappedPath(pixelFromItem, nodePath(path)), back })) : [];
     });
     const wish = { photo: photo.pixels, paths: places.map(({ path }) => path), reach };
-    const moved = await movedToEdges(host, wish, signal);
+    const moved = await movedToEdges(pageHost, wish, signal);
     const made = items.map((item) => {
       const own = places.flatMap(({ item: of, index, back }, i) => {
         const path = of === item ? moved[i] : null;

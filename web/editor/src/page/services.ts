@@ -3,7 +3,7 @@ import type { DrawingEditor } from "../app/editor.js";
 import { chosen } from "../app/selected.js";
 import type { PictureCanvas } from "../canvas/renderer.js";
 import type { Thumbs } from "../canvas/thumbs.js";
-import { createWorker, getModule } from "../engine/host.js";
+import { pageHost } from "../engine/page-host.js";
 import { exporterOf, type Exporter } from "../engine/other-text.js";
 import {
   copyPng,
@@ -30,13 +30,11 @@ import { PhotoTracing } from "./tracing.js";
 
 type Size = Pick<ExportWish, "width" | "height">;
 
-const host = { module: getModule, worker: createWorker };
-
 /** Returns the engine that draws all of the drawing, or the selection alone. */
 function exporterFor(editor: DrawingEditor, isSelectionOnly: boolean, signal = new AbortController().signal): Exporter {
   const { drawing, engine } = editor;
   if (!isSelectionOnly) return engine;
-  return exporterOf(host, onlyItems(drawing, chosen(editor)), engine.images, signal);
+  return exporterOf(pageHost, onlyItems(drawing, chosen(editor)), engine.images, signal);
 }
 
 function sourceOf(editor: DrawingEditor, { isSelectionOnly = false }: ExportWish, watch: ExportWatch = {}): ExportSource {

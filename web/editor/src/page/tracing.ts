@@ -2,7 +2,7 @@
 import type { DrawingEditor } from "../app/editor.js";
 import type { TracedPhoto } from "../app/types.js";
 import { referenceAt } from "../canvas/photo.js";
-import { createWorker, getModule } from "../engine/host.js";
+import { pageHost } from "../engine/page-host.js";
 import { TracePreviews, tracePhoto, type PreviewWish } from "../engine/photo-trace.js";
 import type { PhotoPixels, TraceOptions, TraceRound } from "../engine/types.js";
 import { bytesOfDataUri } from "../files/images.js";
@@ -18,8 +18,6 @@ import type { Documents } from "./documents.js";
 import { dataUri } from "./files.js";
 
 const words = en.trace;
-const host = { module: getModule, worker: createWorker };
-
 /** The photo that lies on the drawing; null: there is none. */
 function photoOn(drawing: Drawing): TracedPhoto | null {
   const reference = referenceAt(drawing, null);
@@ -48,7 +46,7 @@ async function drawingOf({ photo, pixels, text, keepsPhoto }: Traced): Promise<T
 }
 
 export class PhotoTracing implements Tracing {
-  readonly #previews = new TracePreviews(host);
+  readonly #previews = new TracePreviews(pageHost);
 
   constructor(
     private readonly editor: DrawingEditor,
@@ -74,7 +72,7 @@ export class PhotoTracing implements Tracing {
     heard: (round: TraceRound) => void,
     signal: AbortSignal,
   ): Promise<string> {
-    return tracePhoto(host, { photo, options }, heard, signal);
+    return tracePhoto(pageHost, { photo, options }, heard, signal);
   }
 
   draw(wish: PreviewWish, show: (pixels: PhotoPixels) => void): void {

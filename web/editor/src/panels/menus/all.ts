@@ -1,4 +1,4 @@
-// All commands that have names: those of the menus, and the tools.
+// The tools and the commands of the menus in one list, by name.
 import type { Editor } from "../../app/types.js";
 import * as en from "../../strings/en.js";
 import type { MenuItem } from "../controls/menu.js";

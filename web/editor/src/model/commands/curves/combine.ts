@@ -1,8 +1,8 @@
 // Closed curves as regions that are combined.
 import { inverted } from "../../../geometry/affine.js";
-import { flatten } from "../../../geometry/nearest.js";
-import { mappedPath, reversedPath, type CubicPath } from "../../../geometry/cubic.js";
+import { mappedPath, reversedPath } from "../../../geometry/cubic.js";
 import { fractionAtParameter, parameterAtSegment } from "../../../geometry/length.js";
+import { insideSign } from "../../../geometry/orientation.js";
 import { readPath, writePath } from "../../../geometry/path.js";
 import { setAttribute, sf } from "../../../source/attributes.js";
 import type { CurveItem, Drawing, Handle, Item, Outcome } from "../../types.js";
@@ -24,26 +24,7 @@ export function shapePaths(d: Drawing, { paths, artboardFromItem }: CurveItem): 
   return paths.map((path) => writePath(mappedPath(artboardFromItem, path), step)).join(" ");
 }
 
-/** Share of a path's extent that a chord may be away from it, to measure areas. */
-const FLATNESS = 1e-3;
-
-/** Twice the signed area of a closed path: above 0 if its inside is on the right, as seen on the screen. */
-function signedArea(path: CubicPath): number {
-  const extent = Math.max(...path.points.map(([x, y]) => Math.hypot(x - path.points[0][0], y - path.points[0][1])));
-  const { points } = flatten(path, FLATNESS * extent);
-  return points.reduce((sum, [x, y], i) => {
-    const [nextX, nextY] = points[(i + 1) % points.length];
-    return sum + x * nextY - y * nextX;
-  }, 0);
-}
-
-/** Returns the orientation of the outline: the subpath that encloses most. */
-function orientationOf(paths: readonly CubicPath[]): number {
-  const areas = paths.map(signedArea);
-  return areas.reduce((most, area) => (Math.abs(area) > Math.abs(most) ? area : most), 0);
-}
-
-/** An item, or the layer that has nothing else and would stay behind empty. */
+/** Returns an item, or its layer if that would have nothing else. */
 function withEmptied(d: Drawing, handle: Handle, gone: ReadonlySet<Handle>): Handle {
   const parent = d.item(handle)?.parent;
   const isEmptied = parent?.kind === "layer" && parent.children.every((child) => gone.has(child.handle));
@@ -67,7 +48,7 @@ export function replaceByRegion(
   if (!item || !back) return null;
   const made = readPath(data).map((path) => mappedPath(back, path));
   if (made.length === 0) return null;
-  const isTurned = orientationOf(made) < 0 !== orientationOf(item.paths) < 0;
+  const isTurned = insideSign(made) !== insideSign(item.paths);
   const paths = isTurned ? made.map(reversedPath) : made;
   const [before] = item.paths;
   const lists = editedLists(d, item.element, segmentCount(before), (side) => {

@@ -70,11 +70,6 @@ function laid<Value>(stops: readonly Stop<Value>[], from: number, to: number): S
  * first half's value counts, if it has one.
  * @param absent the value of a half without any
  */
-/**
- * Returns the values of both halves, one after the other. If a value cannot apply to a part of a curve, the
- * first half's value counts, if it has one.
- * @param absent the value of a half without any
- */
 function together<Value>(
   [first, last]: Halves,
   bridge: number,

@@ -5,8 +5,8 @@ import type { Drawing, Handle, Item } from "../../types.js";
 import { svgName } from "../markup.js";
 
 /**
- * Returns the text in which only the outermost objects with these items are drawn. The other ones become definitions,
- * so that linked copies of them are still drawn.
+ * Returns a text that draws only the outermost objects that contain these items. It moves all other objects into
+ * <defs>, because a linked copy needs its original.
  */
 export function onlyItems(d: Drawing, handles: readonly Handle[]): string {
   const wanted = new Set(handles);
