@@ -49,8 +49,8 @@ async function testConverted(editor) {
   await editor.load(drawing);
   await dropped(page, "icon.svg", icon);
   await choose(page, "Convert");
+  checkIcon(await textAfter(page, drawing));
   await said(page, /“icon\.svg” was converted to 2 curves\./);
-  checkIcon(await editor.text);
   await editor.settled();
   checkEqual((await page.evaluate(() => window.sfumatoEditor.status)).kind, "exact", "the picture");
 }
