@@ -133,6 +133,16 @@ const states = {
   new: dialog("Control+Alt+n", "New drawing"),
   recover: { ...dialog("", ""), enter: (editor) => menuCommand(editor, "File", "Recover") },
   about: { ...dialog("", ""), enter: (editor) => menuCommand(editor, "About Sfumato") },
+  guides: {
+    async enter(editor) {
+      const { page } = editor;
+      await page.locator(".canvas-stage").focus();
+      await page.keyboard.press("Alt+r");
+      await page.keyboard.press("Alt+g");
+      for (const name of ["vertical", "horizontal"]) await page.getByRole("button", { name: `Add a ${name} guide` }).click();
+    },
+    leave: ({ page }) => page.keyboard.press("Escape"),
+  },
   page: { ...dialog("", ""), enter: (editor) => menuCommand(editor, "File", "Document settings") },
   problem: {
     enter: ({ page }) => page.evaluate(() => void window.sfumatoEditor.open("<svg><g></svg>", "broken.svg")),

@@ -177,6 +177,15 @@ const shows = {
   },
   reference: (keys, key) => keys.tool("b", "pencil").then(() =>
     keys.toggles(key, () => keys.page.getByRole("button", { name: /^Reference photo/ }).getAttribute("aria-pressed"))),
+  rulers: (keys, key) => keys.toggles(key, () => keys.isShown(".rulers")),
+  guides: (keys, key) => keys.dialog(key, "Guides"),
+  "show-guides": async (keys, key) => {
+    const guide = '<s:namedview xmlns:s="http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd"><s:guide position="9,9"/></s:namedview>';
+    await keys.editor.load(text.replace("</svg>", `${guide}</svg>`));
+    await keys.page.locator(".canvas-stage").focus();
+    await keys.text(key, /showguides="false"/);
+    await keys.text(key, /showguides="true"/);
+  },
   keys: (keys, key) => keys.dialog(key, "Keyboard shortcuts"),
   commands: (keys, key) => keys.dialog(key, "Find a command"),
   hints: (keys, key) => keys.toggles(key, () => keys.isShown(".hints")),

@@ -17,6 +17,7 @@ import { testForeign } from "./foreign.mjs";
 import { testGradients } from "./gradients.mjs";
 import { testPaints } from "./paints.mjs";
 import { testGestures } from "./gestures.mjs";
+import { testGuides } from "./guides.mjs";
 import { testKeys } from "./keys.mjs";
 import { testLayers } from "./layers.mjs";
 import { testPanels } from "./panels.mjs";
@@ -37,6 +38,7 @@ const themes = [
   testTools,
   testCurves,
   testGestures,
+  testGuides,
   testKeys,
   testAccess,
   testSaving,

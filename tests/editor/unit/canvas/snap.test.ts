@@ -1,4 +1,5 @@
 import { describe, expect, test } from "vitest";
+import type { Lines } from "../../../../web/editor/src/geometry/box-snap.js";
 import type { Point } from "../../../../web/editor/src/geometry/affine.js";
 import { CurveGrid } from "../../../../web/editor/src/canvas/hit.js";
 import { placesOf } from "../../../../web/editor/src/canvas/places.js";
@@ -8,7 +9,8 @@ import { curve, FakeDrawing, line } from "../support/drawing.js";
 const a = curve("a", [line([100, 100], [200, 100])]);
 const b = curve("b", [line([204, 60], [204, 160])]);
 const grid = new CurveGrid(placesOf(new FakeDrawing([a, b])), [1, 0, 0, 1, 0, 0], 400, 300);
-const wish = { snaps: true, grid: false, unit: 0, zoom: 1, origin: [0, 0] as Point, isWanted: () => true, also: [] };
+const none: Lines = [[], []];
+const wish = { snaps: true, grid: false, lines: none, unit: 0, zoom: 1, origin: [0, 0] as Point, isWanted: () => true, also: [] };
 
 describe("a point", () => {
   test("goes_to_an_end_before_a_curve_that_is_nearer", () => {
@@ -23,7 +25,7 @@ describe("a point", () => {
   });
 
   test("stays_where_nothing_is_within_eight_pixels", () => {
-    expect(snapped(grid, [150, 108.1], wish)).toEqual({ at: [150, 108.1], guides: [] });
+    expect(snapped(grid, [150, 108.1], wish)).toEqual({ at: [150, 108.1], guides: [], isWelded: false });
   });
 
   test("does_not_hear_what_is_moved_nor_anything_where_snapping_is_off", () => {
@@ -36,6 +38,31 @@ describe("a point", () => {
     // At zoom 1, lines are 10 units apart.
     const at = snapped(grid, [31, 248], { ...wish, grid: true, origin: [2, 3] }).at;
     expect(at).toEqual([32, 253]);
+  });
+});
+
+describe("guides", () => {
+  const lines: Lines = [[120, 303], [106, 250]];
+
+  test("take each coordinate that is near one, and lines show it", () => {
+    const { at, guides, isWelded } = snapped(grid, [300, 204], { ...wish, lines });
+    expect([at, isWelded]).toEqual([[303, 204], false]);
+    expect(guides.map(({ from, to }) => [from[0], to[0]])).toEqual([[303, 303]]);
+    expect(snapped(grid, [300, 255], { ...wish, lines }).at).toEqual([303, 250]);
+    expect(snapped(grid, [300, 255], { ...wish, lines }).guides).toHaveLength(2);
+    expect(snapped(grid, [320, 230], { ...wish, lines })).toEqual({ at: [320, 230], guides: [], isWelded: false });
+  });
+
+  test("come after ends, and before curves that are farther away", () => {
+    expect(snapped(grid, [198, 105], { ...wish, lines }).at).toEqual([200, 100]);
+    expect(snapped(grid, [150, 105], { ...wish, lines }).at).toEqual([150, 106]);
+    const { at, isWelded } = snapped(grid, [150, 101], { ...wish, lines });
+    expect([Math.round(at[1]), isWelded]).toEqual([100, true]);
+  });
+
+  test("leave the other coordinate to the grid, and count only where points snap", () => {
+    expect(snapped(grid, [300, 204], { ...wish, lines, grid: true }).at).toEqual([303, 200]);
+    expect(snapped(grid, [300, 204], { ...wish, lines, snaps: false }).at).toEqual([300, 204]);
   });
 });
 

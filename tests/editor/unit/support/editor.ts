@@ -35,6 +35,7 @@ function settings(): Settings {
     snap: signal(true),
     grid: signal(false),
     gridUnit: signal(0),
+    rulers: signal(false),
     colorModel: signal("oklch"),
     recent: signal([]),
     panelWidth: signal(288),

@@ -29,6 +29,7 @@ import { copyByMenu } from "./clipboard.js";
 import { addToPalette, copyStyle, cutAtNodes, pasteCopiedStyle, simplify } from "./curves.js";
 import { currentColor } from "./colors.js";
 import type { DrawingEditor } from "./editor.js";
+import { guiding } from "./guiding.js";
 import { takeInHandle } from "./handles.js";
 import { deleteStop, oneColor } from "./stops.js";
 import { chosen, chosenCurves, chosenItems, chosenNodes, chosenStop, isPrimaryClosed, primaryCurve } from "./selected.js";
@@ -217,6 +218,7 @@ const table: readonly (readonly [string, Command])[] = [
   ["symmetric", nodeKind(words.nodeKind, "symmetric")],
   ...arranging,
   ...combining,
+  ...guiding,
   ["zoom-in", (editor) => editor.zoomBy(ZOOM)],
   ["zoom-out", (editor) => editor.zoomBy(1 / ZOOM)],
   ["zoom-fit", ({ navigation }) => navigation.fit()],
@@ -236,7 +238,7 @@ const table: readonly (readonly [string, Command])[] = [
   ["show-blur", showing("blur")],
   ["welcome", (editor) => void (editor.welcome.value = true)],
   ["tour", (editor) => void (editor.tour.value = 0)],
-  ...(["commands", "export", "keys", "new", "recover", "about", "document"] as const).map(
+  ...(["commands", "export", "keys", "new", "recover", "about", "document", "guides"] as const).map(
     (kind) => [kind, (editor: DrawingEditor) => void (editor.dialog.value = { kind })] as const,
   ),
 ];

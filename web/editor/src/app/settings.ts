@@ -70,6 +70,7 @@ export function openSettings(): Settings {
     alignToArtboard: setting("alignToArtboard", false, isBoolean),
     grid: setting("grid", false, isBoolean),
     gridUnit: setting("gridUnit", 0, between(0, 1e6)),
+    rulers: setting("rulers", false, isBoolean),
     colorModel: setting("colorModel", "oklch", oneOf("oklch", "hsv", "rgb")),
     recent: setting<readonly Rgb[]>("recent", [], isColors),
     panelWidth: setting("panelWidth", 288, between(240, 480)),

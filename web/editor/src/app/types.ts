@@ -45,6 +45,8 @@ export interface Settings {
   readonly grid: Signal<boolean>;
   /** Units between the finest lines of the grid; 0: as fine as the zoom allows. */
   readonly gridUnit: Signal<number>;
+  /** Whether rulers show along the upper and the left edge of the stage. */
+  readonly rulers: Signal<boolean>;
   readonly colorModel: Signal<"oklch" | "hsv" | "rgb">;
   /** The last eight. */
   readonly recent: Signal<readonly Rgb[]>;
@@ -94,7 +96,7 @@ export interface TracedPhoto {
 export type Dialog =
   | { readonly kind: "trace"; readonly photo: TracedPhoto | null }
   | {
-      readonly kind: "commands" | "export" | "keys" | "new" | "recover" | "about" | "problem" | "document" | "foreign";
+      readonly kind: "commands" | "export" | "keys" | "new" | "recover" | "about" | "problem" | "document" | "foreign" | "guides";
     }
   | null;
 

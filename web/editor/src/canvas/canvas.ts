@@ -2,7 +2,9 @@
 import { computed, signal, type ReadonlySignal, type Signal } from "@preact/signals";
 import { inverted, mapped, type Affine, type Point } from "../geometry/affine.js";
 import type { Editor } from "../app/types.js";
-import type { Attribute, CurveItem, Handle, Item } from "../model/types.js";
+import type { Lines } from "../geometry/box-snap.js";
+import { guidelinesOf, type Guidelines } from "../model/guidelines.js";
+import type { Attribute, CurveItem, Handle, Item, Selection } from "../model/types.js";
 import { boxMarks, selectionBox } from "./box.js";
 import { Grips } from "./grips.js";
 import { CurveGrid, markAt, REACH, type CurveHit, type PointerKind } from "./hit.js";
@@ -29,6 +31,11 @@ export class Canvas {
   readonly sketch: Signal<Sketch> = signal(NO_SKETCH);
   readonly marks: ReadonlySignal<readonly Mark[]>;
   readonly grips = new Grips(this);
+  readonly guidelines: ReadonlySignal<Guidelines>;
+  /** Places of the guides that show and are not slanted, on the stage. */
+  readonly guideLines: ReadonlySignal<Lines>;
+  /** The guide that has the keys while this is the selection. */
+  readonly guide: Signal<{ readonly handle: Handle; readonly selection: Selection } | null> = signal(null);
   private grid: { readonly key: readonly unknown[]; readonly grid: CurveGrid } | null = null;
 
   constructor(
@@ -36,6 +43,8 @@ export class Canvas {
     readonly navigation: Navigation,
   ) {
     this.marks = computed(() => this.collectMarks());
+    this.guidelines = computed(() => guidelinesOf(editor.drawing));
+    this.guideLines = computed(() => this.collectLines());
   }
 
   draw(part: Partial<Sketch>): void {
@@ -58,6 +67,16 @@ export class Canvas {
     const [x, y] = back ? mapped(back, point) : point;
     const [x0, y0, x1, y1] = this.editor.drawing.artboard;
     return [held(x, x0, x1), held(y, y0, y1)];
+  }
+
+  private collectLines(): Lines {
+    const { shown, all } = this.guidelines.value;
+    const map = this.stageFromArtboard();
+    const lines: [number[], number[]] = [[], []];
+    for (const { axis, point } of shown ? all : []) {
+      if (axis !== null) lines[axis].push(mapped(map, point)[axis]);
+    }
+    return lines;
   }
 
   /** A vector of the artboard in an item's coordinates. */
@@ -174,6 +193,7 @@ export class Canvas {
     return snapped(grid, at, {
       snaps: this.editor.settings.snap.peek(),
       grid: this.editor.settings.grid.peek(),
+      lines: this.guideLines.peek(),
       unit: this.editor.settings.gridUnit.peek(),
       zoom: this.editor.view.peek().zoom,
       origin: this.toStage([0, 0]),

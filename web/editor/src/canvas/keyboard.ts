@@ -2,6 +2,7 @@
 import type { Point } from "../geometry/affine.js";
 import type { Canvas } from "./canvas.js";
 import { deleteParts, nudge } from "./edits.js";
+import { guideKey } from "./guides/keys.js";
 import type { Pointers } from "./pointers.js";
 import type { Tool } from "./tools/tool.js";
 import { goIn, goOut, walk } from "./walk.js";
@@ -43,12 +44,11 @@ export function releaseKey(pointers: Pointers, key: StageKey): void {
 function pressPlainKey(canvas: Canvas, { key, shift, alt, ctrl }: StageKey): boolean {
   const { editor, grips } = canvas;
   const arrow = ARROWS[key];
+  const pixels = shift ? LARGE_STEP : 1;
+  if (!ctrl && !alt && guideKey(canvas, key, arrow && [arrow[0] * pixels, arrow[1] * pixels])) return true;
   if (arrow && grips.arrow(arrow, { shift, alt, ctrl })) return true;
   if (ctrl || alt) return false;
-  if (arrow) {
-    const pixels = shift ? LARGE_STEP : 1;
-    return nudge(editor, [arrow[0] * pixels, arrow[1] * pixels]);
-  }
+  if (arrow) return nudge(editor, [arrow[0] * pixels, arrow[1] * pixels]);
   switch (key) {
     case "Tab":
       return step(canvas, shift ? -1 : 1);

@@ -7,6 +7,7 @@ import type { Canvas } from "./canvas.js";
 import { Aids, DraftView, Light, matrix, Strong } from "./drafts.js";
 import { DifferenceImage, DifferenceLegend } from "./difference.js";
 import { LoupeView } from "./loupe-view.js";
+import { GuideLines } from "./guides/lines.js";
 import { MarkView } from "./mark.js";
 import { bandOf, stageFromItem, type Mark } from "./marks.js";
 import { outlineOf, selectedPlaces } from "./outline.js";
@@ -46,6 +47,7 @@ export function Overlay({ canvas }: { readonly canvas: Canvas }) {
         <DifferenceImage canvas={canvas} map={map} />
         {editor.settings.grid.value && <Grid canvas={canvas} map={map} />}
         <Artboard canvas={canvas} map={map} />
+        {!isHiding && <GuideLines canvas={canvas} map={map} dragged={sketch.guide} />}
         {editor.showOutlines.value && <AllOutlines canvas={canvas} map={map} />}
         {!isHiding && <Handles canvas={canvas} map={map} sketch={sketch} />}
         {sketch.draft && <DraftView draft={sketch.draft} map={map} />}

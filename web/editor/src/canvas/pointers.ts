@@ -4,6 +4,7 @@ import type { Point } from "../geometry/affine.js";
 import * as en from "../strings/en.js";
 import type { Canvas } from "./canvas.js";
 import type { CursorName } from "./cursors.js";
+import { rulerAt, rulerDrag } from "./guides/drag.js";
 import type { PointerKind } from "./hit.js";
 import { PanDrag } from "./tools/hand.js";
 import type { Drag, KeyPress, Press, Tool, TrailPoint } from "./tools/tool.js";
@@ -115,10 +116,14 @@ export class Pointers {
     const isFingerBesidePen = e.kind === "touch" && this.penTime > -Infinity;
     const isPan = e.button === MIDDLE || this.isSpace || isFingerBesidePen;
     const p = this.press(e, isPan ? 1 : this.countClicks(e));
-    const drag = isPan ? new PanDrag(this.canvas, p) : this.tool().press(p);
+    const drag = isPan ? new PanDrag(this.canvas, p) : this.pressOn(p);
     this.held = { id: e.id, drag, clicks: p.clicks, last: p };
     this.cursor.value = drag?.cursor ?? this.cursor.peek();
     return true;
+  }
+
+  private pressOn(p: Press): Drag | null {
+    return rulerAt(this.canvas, p.at) ? rulerDrag(this.canvas, p) : this.tool().press(p);
   }
 
   move(e: StagePointer): void {
@@ -140,7 +145,9 @@ export class Pointers {
   }
 
   private hover(e: StagePointer): void {
-    const over = this.tool().hover(this.press(e));
+    const ruler = rulerAt(this.canvas, e.at);
+    if (ruler) this.clearHover();
+    const over = ruler?.cursor ?? this.tool().hover(this.press(e));
     this.cursor.value = this.isSpace ? "grab" : over;
   }
 
@@ -253,8 +260,12 @@ export class Pointers {
 
   leave(): void {
     if (this.held) return;
-    this.canvas.editor.hovered.value = null;
+    this.clearHover();
     this.canvas.editor.pointer.value = null;
+  }
+
+  private clearHover(): void {
+    this.canvas.editor.hovered.value = null;
     this.canvas.draw({ brush: null, guides: [], loupe: null });
   }
 }

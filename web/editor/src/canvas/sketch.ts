@@ -2,6 +2,7 @@
 import type { Point } from "../geometry/affine.js";
 import type { Rgb } from "../geometry/color.js";
 import type { CubicPath } from "../geometry/cubic.js";
+import type { GuideAxis } from "../model/guidelines.js";
 import type { Handle, Part } from "../model/types.js";
 import type { PointerKind } from "./hit.js";
 
@@ -53,6 +54,8 @@ export interface Sketch {
   readonly brush: { readonly at: Point; readonly radius: number } | null;
   /** The magnified view at the pointer. */
   readonly loupe: Loupe | null;
+  /** The guide that is dragged, at its place on the stage; null in `of`: it is new. null in `at`: it would go. */
+  readonly guide: { readonly axis: GuideAxis; readonly at: number | null; readonly of: Handle | null } | null;
 }
 
 export const NO_SKETCH: Sketch = {
@@ -64,4 +67,5 @@ export const NO_SKETCH: Sketch = {
   isFaded: false,
   brush: null,
   loupe: null,
+  guide: null,
 };

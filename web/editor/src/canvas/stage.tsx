@@ -16,6 +16,7 @@ import { NO_SKETCH } from "./sketch.js";
 import { makeTools } from "./tools/index.js";
 import type { Tool } from "./tools/tool.js";
 import { turnWheel, type Navigation } from "../app/view.js";
+import { Rulers } from "./guides/rulers.js";
 import { keyOf, letGoOfParts } from "./walk.js";
 
 export interface StageProps {
@@ -72,6 +73,7 @@ export function Stage({ editor, navigation, onCanvas, onMenu }: StageProps) {
       <Ground canvas={canvas} />
       <CanvasElement onCanvas={onCanvas} />
       <Overlay canvas={canvas} />
+      {editor.settings.rulers.value && <Rulers canvas={canvas} />}
     </div>
   );
 }

@@ -1,8 +1,8 @@
-// The objects that a moved selection is aligned with, on the stage.
+// The objects and guides that a moved selection is aligned with, on the stage.
 import type { Box, Point } from "../../geometry/affine.js";
 import { mappedBox } from "../../geometry/affine.js";
 import { unionOf } from "../../geometry/cubic.js";
-import { snappedBox } from "../../geometry/box-snap.js";
+import { snappedBox, type Lines } from "../../geometry/box-snap.js";
 import type { Handle } from "../../model/types.js";
 import { placeBounds } from "../box.js";
 import type { Canvas } from "../canvas.js";
@@ -20,6 +20,7 @@ function isOnStage([x0, y0, x1, y1]: Box, width: number, height: number): boolea
 export class AlignedMove {
   private readonly box: Box | null;
   private readonly others: readonly Box[];
+  private readonly lines: Lines;
 
   /** @param moved handles of what is moved */
   constructor(
@@ -38,7 +39,14 @@ export class AlignedMove {
     }
     this.box = unionOf(own);
     const isFew = others.length <= MOST;
+    this.lines = canvas.guideLines.peek();
     this.others = [...(isFew ? others : []), mappedBox(map, editor.drawing.artboard)];
+  }
+
+  /** Returns where a line that stands across an axis meets an edge or a middle, stage pixels; `at`: nothing is near. */
+  place(axis: 0 | 1, at: number): number {
+    if (!this.canvas.editor.settings.snap.peek()) return at;
+    return at + snappedBox([at, at, at, at], this.others, SNAP_REACH).by[axis];
   }
 
   /** Returns the movement, stage pixels, that aligns the box, and the lines that show it. */
@@ -46,7 +54,7 @@ export class AlignedMove {
     if (!this.box || !this.canvas.editor.settings.snap.peek()) return { by, guides: [] };
     const [x0, y0, x1, y1] = this.box;
     const at: Box = [x0 + by[0], y0 + by[1], x1 + by[0], y1 + by[1]];
-    const { by: more, lines } = snappedBox(at, this.others, SNAP_REACH);
+    const { by: more, lines } = snappedBox(at, this.others, SNAP_REACH, this.lines);
     return { by: [by[0] + more[0], by[1] + more[1]], guides: lines };
   }
 }

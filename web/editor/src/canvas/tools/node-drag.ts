@@ -30,13 +30,12 @@ export function dragNodes(
     make: (p, before) => {
       const wanted = plus(mark.at, travelled(start, p));
       const isFree = p.shift || p.ctrl;
-      const to = isFree ? { at: wanted, guides: [] } : canvas.snap(wanted, grid, moved, own);
+      const to = isFree ? { at: wanted, guides: [], isWelded: false } : canvas.snap(wanted, grid, moved, own);
       canvas.draw({ guides: to.guides });
-      const isWelded = to.guides.length > 0;
-      const step = (item: CurveItem) => editor.step(item) / (isWelded ? WELD_FINER : 1);
+      const step = (item: CurveItem) => editor.step(item) / (to.isWelded ? WELD_FINER : 1);
       const { handle, part } = mark;
       const item = before.item(handle);
-      const closes = isWelded && own.some((end) => !isBeyond(end, to.at, SAME_PX));
+      const closes = to.isWelded && own.some((end) => !isBeyond(end, to.at, SAME_PX));
       if (closes && part.kind === "node" && isCurve(item))
         return closeByEnd(before, handle, part.path, part.index, step(item));
       const { zoom } = editor.view.peek();

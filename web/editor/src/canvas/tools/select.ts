@@ -17,6 +17,7 @@ import {
 import type { Canvas } from "../canvas.js";
 import { resizeCursor, type CursorName } from "../cursors.js";
 import { shown } from "../format.js";
+import { guideAt, GuideDrag, guideCursor } from "../guides/drag.js";
 import { layerAt } from "../hit.js";
 import type { BoxMark } from "../marks.js";
 import { loosePhotoAt } from "../photo.js";
@@ -45,6 +46,8 @@ export class SelectTool implements Tool {
     canvas.editor.hovered.value = curve?.place.owner.handle ?? null;
     if (mark?.kind === "scale") return resizeCursor(gripName(mark.grip));
     if (mark?.kind === "turn") return "turn";
+    const guide = curve ? null : guideAt(canvas, p);
+    if (guide) return guideCursor(guide.axis);
     const isOver = curve
       ? this.isSelected(curve.place.owner)
       : this.isInBox(p.at) || this.photoAt(p) !== null;
@@ -56,8 +59,11 @@ export class SelectTool implements Tool {
     const mark = this.markAt(p);
     if (mark) return this.reshape(mark, p);
     canvas.grips.letGo();
+    canvas.guide.value = null;
     const hit = canvas.curveAt(p.at, p.kind);
     if (hit) return this.pressOn(hit.place.owner, p);
+    const guide = guideAt(canvas, p);
+    if (guide) return new GuideDrag(canvas, p, guide.axis, guide);
     if (this.isInBox(p.at) && !p.shift) return this.move(p, () => this.clickEmpty(p));
     const photo = this.photoAt(p);
     if (photo) return this.pressOn(photo, p);
@@ -267,7 +273,7 @@ function snapEnds(
   for (const [x, y] of ends) {
     const at: Point = [x + by[0], y + by[1]];
     const found = canvas.snap(at, grid, moved);
-    if (found.guides.length > 0) {
+    if (found.isWelded) {
       return {
         by: [by[0] + found.at[0] - at[0], by[1] + found.at[1] - at[1]],
         guides: found.guides,

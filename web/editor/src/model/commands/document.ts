@@ -4,13 +4,16 @@ import { numberText } from "../../geometry/path.js";
 import { setAttribute, sf, SODIPODI, valueOf } from "../../source/attributes.js";
 import { colorText } from "../../source/colors.js";
 import { keywordOf, shareOf } from "../../source/css.js";
-import type { Edit } from "../../source/patch.js";
+import { parse } from "../../source/parse.js";
+import { applied, type Edit } from "../../source/patch.js";
 import { setStyle, setStyles } from "../../source/set-style.js";
 import { BLEND_MODES, Styles } from "../../source/styles.js";
 import type { Property } from "../../source/styles.js";
 import type { ElementNode } from "../../source/tree.js";
 import { readArtboard } from "../artboard.js";
+import { guidelinesOf } from "../guidelines.js";
 import type { Drawing, Handle, Outcome } from "../types.js";
+import { guidesKept } from "./guidelines.js";
 import { outcomeOf } from "./structure/together.js";
 
 export { rename } from "./structure/naming.js";
@@ -104,7 +107,11 @@ function scaledLength(text: string | undefined, factor: number): string | null {
   return number === undefined ? null : `${numberText(Number(number) * factor, 1e-4)}${unit}`;
 }
 
-/** The viewBox; width and height, where they are there, keep what a unit is. @param box as Box */
+/**
+ * The viewBox; width and height, where they are there, keep what a unit is, and guides stay where they are on the
+ * drawing.
+ * @param box as Box
+ */
 export function setArtboard(
   d: Drawing,
   box: readonly [number, number, number, number],
@@ -128,7 +135,9 @@ export function setArtboard(
       if (length !== null && factor !== 1) set(name, length);
     }
   }
-  return outcomeOf(edits);
+  const made = outcomeOf(edits);
+  if (!made || guidelinesOf(d).all.length === 0) return made;
+  return outcomeOf([...edits, ...guidesKept(d, parse(applied(d.text, made.patch)))]);
 }
 
 /** Where colours are mixed; "srgb" is the default and not written. */

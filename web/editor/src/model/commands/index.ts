@@ -4,6 +4,7 @@ export * from "./structure/clipboard.js";
 export * from "./curves/create.js";
 export * from "./curves/combine.js";
 export * from "./document.js";
+export * from "./guidelines.js";
 export * from "./paint/gradients.js";
 export { movePaint } from "./paint/paint-place.js";
 export * from "./paint/paints.js";

@@ -5,6 +5,7 @@ import { CommandsDialog } from "./commands.js";
 import { DocumentDialog } from "./document.js";
 import { ExportDialog } from "./export.js";
 import { ForeignDialog } from "./foreign.js";
+import { GuidesDialog } from "./guides.js";
 import { KeysDialog } from "./keys.js";
 import { NewDialog } from "./new.js";
 import { ProblemDialog } from "./problem.js";
@@ -17,6 +18,7 @@ const dialogs = {
   document: DocumentDialog,
   export: ExportDialog,
   foreign: ForeignDialog,
+  guides: GuidesDialog,
   keys: KeysDialog,
   new: NewDialog,
   problem: ProblemDialog,

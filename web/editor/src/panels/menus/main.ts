@@ -2,6 +2,7 @@
 import { isPrimaryClosed } from "../../app/selected.js";
 import type { Editor } from "../../app/types.js";
 import { closedCurves, curvesOf } from "../../model/commands/index.js";
+import { areLocked, guidelinesOf } from "../../model/guidelines.js";
 import * as en from "../../strings/en.js";
 import type { MenuItem } from "../controls/menu.js";
 
@@ -171,6 +172,18 @@ const zooms: readonly MenuItem[] = [
   { label: words.zoomActual, command: "zoom-actual" },
 ];
 
+/** Returns the menu of the guides, which the file holds. */
+function guides(editor: Editor): readonly MenuItem[] {
+  const { shown, all } = guidelinesOf(editor.drawing);
+  const none = { disabled: all.length === 0, reason: words.needsGuide };
+  return [
+    { label: words.asks(words.guides), command: "guides" },
+    { label: words.showGuides, command: "show-guides", checked: shown, ...none },
+    { label: words.lockGuides, command: "lock-guides", checked: areLocked(all), ...none },
+    { label: words.removeGuides, command: "remove-guides", ...none },
+  ];
+}
+
 const view = (editor: Editor): readonly MenuItem[] => [
   ...zooms,
   "line",
@@ -179,6 +192,8 @@ const view = (editor: Editor): readonly MenuItem[] => [
   { label: words.mesh, command: "mesh", checked: editor.showMesh.value },
   { label: words.reference, command: "reference", checked: editor.showReference.value },
   { label: words.grid, command: "grid", checked: editor.settings.grid.value },
+  { label: words.rulers, command: "rulers", checked: editor.settings.rulers.value },
+  { label: words.guides, items: guides(editor) },
   { label: words.snap, command: "snap", checked: editor.settings.snap.value },
   "line",
   {
