@@ -11,6 +11,7 @@ import { basename } from "node:path";
 import { parseArgs } from "node:util";
 import { MESA } from "../../chromium.mjs";
 import { EditorPage, launch, pathOf } from "../e2e/harness.mjs";
+import { circleFrom, takeNode } from "./actions.mjs";
 import { manyCurves, sceneFile, svgOf } from "./scenes.mjs";
 import { tabMegabytes } from "./tab-memory.mjs";
 import { watchWorkers } from "./watch-workers.mjs";
@@ -90,36 +91,8 @@ async function scriptOfSteps(editor, browser, steps) {
 
 // User actions.
 
-/** Returns places on the page where paths of a text begin, if no transform moves them. */
-async function startsOf(editor) {
-  const text = await editor.text;
-  const starts = [...text.matchAll(/\sd="\s*M\s*([-\d.e]+)[\s,]+([-\d.e]+)/gi)];
-  const step = Math.max(1, Math.floor(starts.length / 40));
-  return starts.filter((_, i) => i % step === 0).map(([, x, y]) => [Number(x), Number(y)]);
-}
-
-/** Selects a node that can be dragged. Returns its place on the page. */
-async function takeNode(editor) {
-  await editor.page.locator(".canvas-stage").focus();
-  await editor.key("a");
-  for (const [x, y] of await startsOf(editor)) {
-    const place = await editor.at(x, y);
-    const isSeen = await editor.page.evaluate(([a, b]) => document.elementFromPoint(a, b)?.closest(".canvas-stage") !== null, place);
-    if (!isSeen) continue;
-    for (let i = 0; i < 2; i += 1) await editor.page.mouse.click(...place);
-    const selection = await editor.page.evaluate(() => window.sfumatoEditor.selection);
-    if (selection.length === 1 && selection[0].part.kind === "node") return place;
-  }
-  throw new Error("no node of the drawing can be taken hold of");
-}
-
-const circle = (i, radius) => [radius * Math.cos(i / 5) - radius, radius * Math.sin(i / 5)];
-
-const moves = (editor, [x, y], radius) =>
-  Array.from({ length: MOVES }, (_, i) => () => {
-    const [dx, dy] = circle(i, radius);
-    return editor.page.mouse.move(x + dx, y + dy);
-  });
+const moves = (editor, from, radius) =>
+  circleFrom(from, radius, MOVES).map((place) => () => editor.page.mouse.move(...place));
 
 async function dragNode(editor, browser) {
   const place = await takeNode(editor);
