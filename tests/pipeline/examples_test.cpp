@@ -305,6 +305,43 @@ TEST(Examples, the_feather_is_made_of_local_curves_and_stands_there_twice) {
   EXPECT_EQ(items<LayerInstance>(document).size(), 1u);
 }
 
+TEST(Examples, the_dusk_shows_one_fir_four_times_and_has_clouds_softer_above_than_below) {
+  const Document document = example("dusk.svg");
+  EXPECT_EQ(items<LocalStroke>(document).size(), 4u);
+  std::vector<std::size_t> times(document.layers.size());
+  for (const LayerInstance& instance : items<LayerInstance>(document)) ++times[instance.layer];
+  ASSERT_FALSE(times.empty());
+  EXPECT_EQ(*std::max_element(times.begin(), times.end()), 4u);
+  const std::vector<Curve>& sky = document.layers[0].curves;
+  const auto is_cloud = [](const Curve& curve) {
+    return largest(curve.left.blur_radius) > 3 * largest(curve.right.blur_radius) &&
+           largest(curve.right.blur_radius) > 0;
+  };
+  EXPECT_EQ(std::count_if(sky.begin(), sky.end(), is_cloud), 2);
+}
+
+TEST(Examples, the_red_apple_is_shaded_by_colour_stops_over_two_multiplied_shadows) {
+  const Document document = example("red_apple.svg");
+  EXPECT_TRUE(document.shaders.empty());
+  EXPECT_TRUE(items<LocalStroke>(document).empty());
+  const std::vector<LayerInstance> layers = items<LayerInstance>(document);
+  EXPECT_EQ(
+      std::count_if(layers.begin(), layers.end(),
+                    [](const LayerInstance& layer) { return layer.blend == BlendMode::multiply; }),
+      2);
+}
+
+TEST(Examples, the_logo_is_a_crescent_with_a_gradient_and_an_edge_like_smoke_on_nothing) {
+  const Document document = example("logo.svg");
+  EXPECT_FALSE(document.background.has_value());
+  EXPECT_EQ(paint_count<GradientFill>(document), 1u);
+  ASSERT_EQ(document.layers.size(), 3u);
+  const Side& crescent = document.layers[0].curves.at(0).right;
+  EXPECT_EQ(crescent.color.kind, ShaderKind::image_domain);
+  EXPECT_EQ(smallest(crescent.blur_radius), 0);
+  EXPECT_GT(largest(crescent.blur_radius), 40);
+}
+
 class TracedExample : public testing::TestWithParam<const char*> {};
 
 TEST_P(TracedExample, has_one_layer_of_at_most_2000_control_points_with_blur_of_its_own_each) {

@@ -42,13 +42,15 @@ export class Artist {
     await this.editor.key("Control+Shift+A");
   }
 
+  /** Begins a drawing. background: a colour; null: transparent. */
   async blank(width, height, background) {
     const { page } = this;
     await this.editor.key("Control+Alt+N");
     const dialog = page.getByRole("dialog");
     await this.type(dialog.getByLabel("Width", { exact: true }), width);
     await this.type(dialog.getByLabel("Height", { exact: true }), height);
-    await this.type(dialog.getByLabel("Background, hex"), background);
+    if (background === null) await dialog.getByRole("checkbox").uncheck();
+    else await this.type(dialog.getByLabel("Background, hex"), background);
     await dialog.getByRole("button", { name: "Create" }).click();
     await this.makeRoom();
   }
@@ -124,11 +126,15 @@ export class Artist {
     await this.type(options.getByLabel("Smoothing"), smoothing);
     if (color !== null) await this.type(options.getByLabel("Colour of new strokes, hex"), color);
     this.pen ??= await editor.context.newCDPSession(page);
-    const send = (type, [x, y, force]) =>
-      this.pen.send("Input.dispatchMouseEvent", {
+    // Corners depend on the pen's speed, which a busy machine must not change.
+    let timestamp = Date.now() / 1000;
+    const send = (type, [x, y, force]) => {
+      timestamp += 0.008;
+      return this.pen.send("Input.dispatchMouseEvent", {
         ...{ type, x, y, force, pointerType: "pen", button: force > 0 ? "left" : "none" },
-        ...{ buttons: force > 0 ? 1 : 0, clickCount: 1 },
+        ...{ buttons: force > 0 ? 1 : 0, clickCount: 1, timestamp },
       });
+    };
     const way = isStraight ? straight(points) : dense(points);
     const places = (await editor.all(way)).map((place, k) => [...place, way[k][2]]);
     const before = await editor.text;

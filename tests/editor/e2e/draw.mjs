@@ -34,6 +34,16 @@ export async function changing(editor, what, act) {
 
 export const count = (text, pattern) => text.match(pattern)?.length ?? 0;
 
+/** Numbers may differ by rounding between machines; everything else must be equal. */
+export function checkAlike(actual, expected, what) {
+  const number = /-?\d*\.?\d+(?:e-?\d+)?/g;
+  const frame = (text) => text.replace(number, "0");
+  checkEqual(frame(actual), frame(expected), `${what}, but for numbers`);
+  const [a, b] = [actual, expected].map((text) => (text.match(number) ?? []).map(Number));
+  const far = a.findIndex((value, k) => Math.abs(value - b[k]) > 0.5);
+  check(far < 0, `${what}: ${a[far]}, expected ${b[far]}`);
+}
+
 async function drawPen(editor) {
   await editor.key("p");
   await editor.click(90, 330);

@@ -22,6 +22,7 @@ import { testKeys } from "./keys.mjs";
 import { testLayers } from "./layers.mjs";
 import { testPanels } from "./panels.mjs";
 import { testPhoto } from "./photo.mjs";
+import { testPictures } from "./pictures.mjs";
 import { testRecover } from "./recover.mjs";
 import { testReturns } from "./returns.mjs";
 import { testRobust } from "./robust.mjs";
@@ -35,6 +36,7 @@ import { testTrial } from "./trial.mjs";
 
 const themes = [
   testSunset,
+  testPictures,
   testTools,
   testCurves,
   testGestures,

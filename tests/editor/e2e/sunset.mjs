@@ -3,7 +3,8 @@
 // texts in between.
 import { readFileSync, writeFileSync } from "node:fs";
 import { Artist } from "./artist.mjs";
-import { EditorPage, check, checkEqual, pathOf, until } from "./harness.mjs";
+import { checkAlike } from "./draw.mjs";
+import { EditorPage, checkEqual, pathOf, until } from "./harness.mjs";
 
 const BLUR = "Blur, radius of point 1";
 
@@ -192,16 +193,6 @@ async function testStage({ browser, address }, { steps, draw, text }, before) {
   } finally {
     await editor.close();
   }
-}
-
-/** Numbers may differ by rounding between machines; everything else must be equal. */
-function checkAlike(actual, expected, what) {
-  const number = /-?\d*\.?\d+(?:e-?\d+)?/g;
-  const frame = (text) => text.replace(number, "0");
-  checkEqual(frame(actual), frame(expected), `${what}, but for numbers`);
-  const [a, b] = [actual, expected].map((text) => (text.match(number) ?? []).map(Number));
-  const far = a.findIndex((value, k) => Math.abs(value - b[k]) > 0.5);
-  check(far < 0, `${what}: ${a[far]}, expected ${b[far]}`);
 }
 
 export async function testSunset(tap, given) {

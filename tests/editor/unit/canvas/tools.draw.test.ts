@@ -380,12 +380,37 @@ describe("the pencil", () => {
 
   test("uses_all_moments_between_two_events", async () => {
     const pencil = new PencilTool(canvas);
-    const trail = wave.map((at) => ({ at, pressure: 0.5 }));
+    const trail = wave.map((at, k) => ({ at, time: 8 * k, pressure: 0.5 }));
     const drag = begun(pencil, [wave[0]], { ctrl: true });
     drag.move(press(wave[wave.length - 1], { trail, ctrl: true }));
     drag.end(press(wave[wave.length - 1], { ctrl: true }));
     await pencil.isDone;
     expect(nearestOn(made().paths[0], wave[15]).distance).toBeLessThan(2.5);
+  });
+
+  test("has_a_corner_where_the_pointer_is_slow_also_within_one_event", async () => {
+    const bend = (50 * Math.PI) / 180;
+    const turning = Array.from({ length: 41 }, (_, k): Point => {
+      const [before, after] = [Math.min(k, 20), Math.max(k - 20, 0)];
+      return [20 + 5 * before + 5 * after * Math.cos(bend), 20 + 5 * after * Math.sin(bend)];
+    });
+    const hasCorner = async (pause: number) => {
+      const pencil = new PencilTool(canvas);
+      const timeOf = (k: number) => 8 * k + (k >= 20 ? pause : 0) + (k > 20 ? pause : 0);
+      const trail = turning.map((at, k) => ({ at, time: timeOf(k), pressure: 0.5 }));
+      const drag = begun(pencil, [turning[0]], { ctrl: true });
+      drag.move(press(turning[40], { trail, ctrl: true }));
+      drag.end(press(turning[40], { ctrl: true }));
+      await pencil.isDone;
+      const { points } = made().paths[0];
+      return points.some(([x, y], k) => {
+        if (k % 3 !== 0 || Math.hypot(x - 120, y - 20) > 5) return false;
+        const [before, after] = [points[k - 1], points[k + 1]];
+        return Math.abs((x - before[0]) * (after[1] - y) - (y - before[1]) * (after[0] - x)) > 1;
+      });
+    };
+    expect(await hasCorner(200)).toBe(true);
+    expect(await hasCorner(0)).toBe(false);
   });
 });
 

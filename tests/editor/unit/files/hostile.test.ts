@@ -108,7 +108,7 @@ class Hand {
   private moment(at: Point, keys: Pick<StagePointer, "shift" | "alt" | "ctrl">, more: Partial<StagePointer> = {}): StagePointer {
     this.time += this.random.pick([5, 50, 900]);
     const pressure = this.random.next();
-    return { id: 1, kind: "mouse", button: 0, at, pressure, time: this.time, trail: [{ at, pressure }], ...keys, ...more };
+    return { id: 1, kind: "mouse", button: 0, at, pressure, time: this.time, trail: [{ at, time: this.time, pressure }], ...keys, ...more };
   }
 
   private keys() {

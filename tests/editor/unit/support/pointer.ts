@@ -6,7 +6,8 @@ import type { Pointers, StagePointer } from "../../../../web/editor/src/canvas/p
 export function press(at: Point, more: Partial<Press> = {}): Press {
   return {
     at,
-    trail: [{ at, pressure: more.pressure ?? 0.5 }],
+    time: 0,
+    trail: [{ at, time: more.time ?? 0, pressure: more.pressure ?? 0.5 }],
     pressure: 0.5,
     kind: "mouse",
     shift: false,

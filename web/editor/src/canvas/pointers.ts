@@ -86,9 +86,9 @@ export class Pointers {
   }
 
   private press(e: StagePointer, clicks = 1): Press {
-    const { at, pressure, kind, shift, alt, ctrl } = e;
-    const trail = e.trail.length > 0 ? e.trail : [{ at, pressure }];
-    return { at, pressure, kind, shift, alt, ctrl, clicks, trail };
+    const { at, time, pressure, kind, shift, alt, ctrl } = e;
+    const trail = e.trail.length > 0 ? e.trail : [{ at, time, pressure }];
+    return { at, time, pressure, kind, shift, alt, ctrl, clicks, trail };
   }
 
   private countClicks(e: StagePointer): number {

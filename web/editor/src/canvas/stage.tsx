@@ -129,7 +129,11 @@ function pointerOf(root: HTMLElement, event: PointerEvent): StagePointer {
     alt: event.altKey,
     ctrl: event.ctrlKey || event.metaKey,
     time: event.timeStamp,
-    trail: moments.map((moment) => ({ at: placeOf(root, moment), pressure: moment.pressure })),
+    trail: moments.map((moment) => ({
+      at: placeOf(root, moment),
+      time: moment.timeStamp,
+      pressure: moment.pressure,
+    })),
   };
 }
 

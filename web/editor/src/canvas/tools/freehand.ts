@@ -6,7 +6,7 @@ import type { Sample } from "../../geometry/sample.js";
 import { withEnds } from "../../geometry/ends.js";
 import type { Canvas } from "../canvas.js";
 import type { CurveGrid } from "../hit.js";
-import type { Press } from "./tool.js";
+import type { Press, TrailPoint } from "./tool.js";
 
 /** A way that comes back so near to its beginning is closed, CSS pixels; and how long it has to be. */
 const CLOSING = 8;
@@ -32,7 +32,7 @@ export class Way {
   ) {
     this.grid = canvas.curves();
     this.last = start.at;
-    this.raw.push(this.sample(start.at, start.pressure));
+    this.raw.push(this.sample(start));
     this.begin = this.snapped(start);
   }
 
@@ -42,15 +42,16 @@ export class Way {
     return at === p.at ? null : this.canvas.toArtboard(at);
   }
 
-  private sample(at: Point, pressure: number): Sample {
-    return { point: this.canvas.toArtboard(at), pressure, time: performance.now() };
+  private sample({ at, time, pressure }: TrailPoint): Sample {
+    return { point: this.canvas.toArtboard(at), time, pressure };
   }
 
   add(p: Press): void {
-    for (const { at, pressure } of p.trail) {
+    for (const moment of p.trail) {
+      const { at } = moment;
       this.length += Math.hypot(at[0] - this.last[0], at[1] - this.last[1]);
       this.last = at;
-      this.raw.push(this.sample(at, pressure));
+      this.raw.push(this.sample(moment));
     }
   }
 

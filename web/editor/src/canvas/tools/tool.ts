@@ -10,6 +10,8 @@ import { NO_SKETCH } from "../sketch.js";
 /** A moment of a pointer. Points are of the stage, CSS pixels. */
 export interface Press {
   readonly at: Point;
+  /** When it was there, milliseconds. */
+  readonly time: number;
   /** Where it was since the last moment, `at` last. */
   readonly trail: readonly TrailPoint[];
   readonly pressure: number;
@@ -23,6 +25,7 @@ export interface Press {
 
 export interface TrailPoint {
   readonly at: Point;
+  readonly time: number;
   readonly pressure: number;
 }
 
