@@ -90,9 +90,9 @@ test("the fix of a seam loses no colour, wherever the last one stands", () => {
   };
   expect(repaired("#c33, #fa8 40%, #612 70%, #00f 85%")).toBe("#c33, #fa8 40%, #612 70%, #00f 85%, #c33");
   expect(repaired("#c33 10%, #00f 85%")).toBe("#c33 10%, #00f 85%, #c33");
-  expect(repaired("#c33, #fa8 40%, #00f")).toBe("#c33, #fa8 40%, #c33");
+  expect(repaired("#c33, #fa8 40%, #00f")).toBe("#c33, #fa8 40%, #00f 70%, #c33");
   expect(repaired("#c33 @0, #00f @2.5")).toBe("#c33 @0, #00f @2.5, #c33 @4");
-  expect(repaired("#c33 @0, #00f @4")).toBe("#c33 @0, #c33 @4");
+  expect(repaired("#c33 @0, #00f @4")).toBe("#c33 @0, #00f @2, #c33 @4");
   // A list of two subpaths ends with the longer one.
   expect(repaired("#c33 @0, #00f @3", `${square}M150 150H200L170 190Z`)).toBe("#c33 @0, #00f @3, #c33 @4");
 });

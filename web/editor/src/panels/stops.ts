@@ -8,6 +8,7 @@ import {
 } from "../geometry/length.js";
 import { setColor, setSideOpacity } from "../model/commands/index.js";
 import type { Rgb } from "../geometry/color.js";
+import { ringed, shownStops } from "../model/seams.js";
 import type {
   CurveItem,
   Drawing,
@@ -93,6 +94,22 @@ export function movedStop<Value>(list: Stops<Value>, index: number, offset: numb
   );
   const to = place < 0 ? rest.stops.length : place;
   return { value: { ...list, stops: inserted(rest.stops, to, stop) }, index: to };
+}
+
+/**
+ * Returns a side's list as the drawing takes it: on a closed curve a stop may have to close the ring. A stop that only
+ * closes it is the first one.
+ */
+export function settled<Value extends Rgb | number>(
+  item: CurveItem,
+  before: Stops<Value>,
+  placed: Placed<Value>,
+): Placed<Value> {
+  const value = ringed(item, before, placed.value);
+  if (value.kind !== "stops") return placed;
+  const moved = value.stops.indexOf(placed.value.stops[placed.index]);
+  const index = moved < 0 ? placed.index : moved;
+  return { value, index: index < shownStops(item, value) ? index : 0 };
 }
 
 export function withValue<Value>(list: Stops<Value>, index: number, value: Value): Stops<Value> {
