@@ -213,6 +213,26 @@ async function testRingOfStops(editor) {
 
 const placeOn = ({ x, width }, share) => x + 7 + (width - 14) * share;
 
+/** The side's menu distributes its stops and reverses them, each in one step of undo. */
+async function testOrderOfStops(editor) {
+  const { page } = editor;
+  const before = "#c33, #0a0 10%, #00f 20%, #c33";
+  await loaded(editor, text(`${frame}<path id="ring" d="${ring}" sf:left="#eee" sf:right="${before}"/>`));
+  await editor.key("v");
+  await editor.click(200, 100);
+  const choose = (name) =>
+    changing(editor, name, async () => {
+      await page.getByRole("button", { name: "Type of the inside" }).click();
+      await page.getByRole("menuitem", { name }).click();
+    });
+  await choose("Distribute stops evenly");
+  checkEqual(await colorsOf(editor), "#c33, #0a0 33.33%, #00f 66.67%, #c33", "distributed");
+  await choose("Reverse colours");
+  checkEqual(await colorsOf(editor), "#c33, #00f 33.33%, #0a0 66.67%, #c33", "reversed");
+  for (let step = 0; step < 2; step += 1) await changing(editor, "undo", () => editor.key("Control+z"));
+  checkEqual(await colorsOf(editor), before, "after two steps of undo");
+}
+
 async function testRing(editor) {
   const { page } = editor;
   const seam = text(`${frame}<path id="ring" d="${ring}" sf:left="#eee" sf:right="#c33, #00f"/>`);
@@ -484,6 +504,7 @@ export async function testTrial(tap, { browser, address, oneFile }) {
     "the repair of a seam keeps every colour": testSeam,
     "a closed curve stays without a seam when a stop gets another colour": testClosedRibbon,
     "the stops of a closed curve are a ring": testRingOfStops,
+    "the stops of a side are distributed and reversed": testOrderOfStops,
     "a hint's ring goes with the hint": testRing,
     "no hints are said to be only where they were looked for": testHintsLooking,
     "500 layers are drawn": testManyLayers,

@@ -4,6 +4,8 @@ import { withOffset } from "../../../web/editor/src/canvas/sides.js";
 import { openDrawing } from "../../../web/editor/src/model/drawing.js";
 import type { CurveItem } from "../../../web/editor/src/model/types.js";
 import {
+  backwards,
+  distributed,
   mixNumbers,
   movedStop,
   settled,
@@ -32,6 +34,21 @@ function curveOfText(d: string): CurveItem {
 }
 
 describe("the stops of a side", () => {
+  it("are distributed from end to end, and around a ring", () => {
+    expect(offsets(distributed(LINE, list([0.1, 1], [0.2, 2], [0.3, 3])))).toEqual([0, 0.5, 1]);
+    expect(offsets(distributed(SQUARE, list([0, 1], [0.1, 2], [0.2, 3], [1, 1])))).toEqual([0, 0.3333, 0.6667, 1]);
+    expect(offsets(distributed(LINE, list([0.7, 1])))).toEqual([0]);
+    const segments = { ...list([0, 1], [1, 2], [2, 3]), space: "parameter" as const };
+    expect(offsets(distributed(LINE, segments))[1]).toBeCloseTo(1 + 100 / 300, 4);
+  });
+
+  it("are reversed, and twice reversed as they were", () => {
+    const before = list([0, 1], [0.3, 2], [0.3, 3], [0.9, 4]);
+    const once = backwards(LINE, before);
+    expect(once).toEqual(list([0.1, 4], [0.7, 3], [0.7, 2], [1, 1]));
+    expect(backwards(LINE, once)).toEqual(before);
+  });
+
   it("close a ring: a new one at the end stands before that, and the one that closes it is the first", () => {
     const ring = list([0, 1], [0.5, 2], [1, 1]);
     const added = settled(SQUARE, ring, withStop(ring, { offset: 1, value: 7 }));

@@ -116,6 +116,25 @@ export function withValue<Value>(list: Stops<Value>, index: number, value: Value
   return { ...list, stops: list.stops.map((stop, k) => (k === index ? { ...stop, value } : stop)) };
 }
 
+/** Returns stops at equal distances from the curve's start to its end; on a closed curve, around the ring. */
+export function distributed<Value>(item: CurveItem, list: Stops<Value>): Stops<Value> {
+  const last = Math.max(list.stops.length - 1, 1);
+  const stops = list.stops.map((stop, k) => ({
+    ...stop,
+    offset: offsetAt(item, list.space, Number((k / last).toFixed(4))),
+  }));
+  return { ...list, stops };
+}
+
+/** Returns stops in the other order, at places that are counted from the other end. */
+export function backwards<Value>(item: CurveItem, list: Stops<Value>): Stops<Value> {
+  const stops = list.stops.map((stop) => ({
+    ...stop,
+    offset: offsetAt(item, list.space, Number((1 - fractionOf(item, list.space, stop.offset)).toFixed(5))),
+  }));
+  return { ...list, stops: stops.reverse() };
+}
+
 /** One value all along. */
 export const constant = <Value>(value: Value): Stops<Value> => ({
   kind: "stops",
