@@ -281,6 +281,27 @@ async function testHintsLooking(editor) {
   checkEqual((await page.evaluate(() => window.said)).slice(-2), ["Hints…", "No hints"], "what is said of a drawing without hints");
 }
 
+/** A new layer is no hint until something is drawn in another one. */
+async function testNewLayer(editor) {
+  const { page } = editor;
+  const button = (name) => page.getByRole("button", { name });
+  const afterLint = async (action) => {
+    const looks = await callsOf(page, "lint");
+    await action();
+    await askedAgain(page, "lint", looks);
+  };
+  await hintsOf(editor, text(`<path id="ring" d="${ring}" sf:left="#eee" sf:right="#c33"/>`));
+  await button("No hints").waitFor();
+  await afterLint(() => button("New layer").click());
+  await button("No hints").waitFor();
+  await afterLint(async () => {
+    await editor.key("v");
+    await editor.click(200, 100);
+    await editor.key("Shift+v");
+  });
+  await button("1 hint").waitFor();
+}
+
 // Pictures of an earlier drawing.
 
 async function pixelAt(editor, x, y) {
@@ -507,6 +528,7 @@ export async function testTrial(tap, { browser, address, oneFile }) {
     "the stops of a side are distributed and reversed": testOrderOfStops,
     "a hint's ring goes with the hint": testRing,
     "no hints are said to be only where they were looked for": testHintsLooking,
+    "a new layer is no hint until another one is edited": testNewLayer,
     "500 layers are drawn": testManyLayers,
     "a closed curve can be opened, and says so": testOpenCurve,
     "a placed photo is locked, and lets the drawing show": testPlacedPhoto,

@@ -98,10 +98,19 @@ test("the fix of a seam loses no colour, wherever the last one stands", () => {
 });
 
 test("a layer of a drawing without curves is not told to be empty", () => {
-  const told = (source: string) => isWorthTelling(openDrawing(source), { rule: "empty-layer" });
+  const told = (source: string) => isWorthTelling(openDrawing(source), { rule: "empty-layer" }, null);
   expect(told(text(""))).toBe(false);
   expect(told(FAULTY["empty-layer"])).toBe(true);
-  expect(isWorthTelling(openDrawing(text("")), { rule: "leak" })).toBe(true);
+  expect(isWorthTelling(openDrawing(text("")), { rule: "leak" }, null)).toBe(true);
+});
+
+test("an empty layer is not told while it is the layer at work", () => {
+  const d = openDrawing(FAULTY["empty-layer"]);
+  const layers = [...d.all()].filter(({ kind }) => kind === "layer");
+  const told = layers.map((layer) => isWorthTelling(d, { rule: "empty-layer" }, layer));
+  expect(told).toEqual(layers.map(({ children }) => children.length > 0));
+  expect(told).toContain(false);
+  expect(told).toContain(true);
 });
 
 test("a hint that has no curve any more, or a rule without a fix, has none", () => {
