@@ -165,10 +165,72 @@ async function testClosedRibbon(editor) {
   });
   check(/sf:right="#c33, #00f 50%, #c33"/.test(colored), `a seam: ${colored}`);
   await editor.shot("closed-ribbon");
-  // Without the stop at the end, the stop at the start goes too.
-  const deleted = await changing(editor, "Delete", () => side.locator(".stop").last().press("Delete"));
+  checkEqual(await side.locator(".stop").count(), 2, "stops: that at the end is the one at the start");
+  // Without the stop at the start, the one that closes the ring goes too.
+  const deleted = await changing(editor, "Delete", () => side.locator(".stop").first().press("Delete"));
   check(/sf:right="#00f"/.test(deleted), `after Delete: ${deleted}`);
   checkEqual(await side.locator(".stop[aria-pressed=true]").count(), 1, "a stop that is chosen");
+}
+
+const colorsOf = async (editor) => /id="ring"[^>]* sf:right="([^"]*)"/.exec(await editor.text)[1];
+
+/** Stops of a closed curve are moved, on the ribbon and on the stage: the colours still meet where it begins. */
+async function testRingOfStops(editor) {
+  const { page } = editor;
+  await loaded(editor, text(`${frame}<path id="ring" d="${ring}" sf:left="#eee" sf:right="#c33, #0a0 30%, #00f 60%, #c33"/>`));
+  await editor.key("a");
+  await editor.click(200, 100);
+  const side = page.getByRole("group", { name: "Inside", exact: true }).first();
+  const band = await side.locator(".band").boundingBox();
+  const drag = async (from, to) => {
+    await page.mouse.move(...from);
+    await page.mouse.down();
+    await page.mouse.move((from[0] + to[0]) / 2, (from[1] + to[1]) / 2, { steps: 3 });
+    await page.mouse.move(...to, { steps: 3 });
+    await page.mouse.up();
+  };
+  const middle = async (index) => {
+    const { x, y, width, height } = await side.locator(".stop").nth(index).boundingBox();
+    return [x + width / 2, y + height / 2];
+  };
+  const right = [band.x + band.width + 30, band.y + band.height / 2];
+  await changing(editor, "a drag beyond the end", async () => drag(await middle(2), right));
+  checkEqual(await colorsOf(editor), "#c33, #0a0 30%, #00f 100%, #c33", "a hard step at the end");
+  await editor.shot("ring-hard-step");
+  await changing(editor, "undo", () => editor.key("Control+z"));
+  await changing(editor, "the first stop past another", async () => drag(await middle(0), [placeOn(band, 0.45), right[1]]));
+  checkEqual(await colorsOf(editor), "#0a0 30%, #c33 45%, #00f 60%, #0a0", "the other one is the first");
+  await changing(editor, "undo", () => editor.key("Control+z"));
+  // On the stage: the stop at the start, beside the curve's first node, follows the pointer to both sides of it.
+  const [x, y] = await editor.at(200, 100);
+  await changing(editor, "a drag on the stage", () => drag([x, y + 18], [x + 40, y + 24]));
+  const moved = /^#c33 (\d+\.?\d*)%, #0a0 30%, #00f 60%, #c33$/.exec(await colorsOf(editor));
+  check(moved && moved[1] > 2 && moved[1] < 15, `on the stage: ${await colorsOf(editor)}`);
+  await editor.shot("ring-stage");
+  await changing(editor, "back past the start", () => drag([x + 40, y + 24], [x - 60, y + 30]));
+  checkEqual(await colorsOf(editor), "#c33, #0a0 30%, #00f 60%, #c33", "it waits at the start");
+}
+
+const placeOn = ({ x, width }, share) => x + 7 + (width - 14) * share;
+
+/** The side's menu distributes its stops and reverses them, each in one step of undo. */
+async function testOrderOfStops(editor) {
+  const { page } = editor;
+  const before = "#c33, #0a0 10%, #00f 20%, #c33";
+  await loaded(editor, text(`${frame}<path id="ring" d="${ring}" sf:left="#eee" sf:right="${before}"/>`));
+  await editor.key("v");
+  await editor.click(200, 100);
+  const choose = (name) =>
+    changing(editor, name, async () => {
+      await page.getByRole("button", { name: "Type of the inside" }).click();
+      await page.getByRole("menuitem", { name }).click();
+    });
+  await choose("Distribute stops evenly");
+  checkEqual(await colorsOf(editor), "#c33, #0a0 33.33%, #00f 66.67%, #c33", "distributed");
+  await choose("Reverse colours");
+  checkEqual(await colorsOf(editor), "#c33, #00f 33.33%, #0a0 66.67%, #c33", "reversed");
+  for (let step = 0; step < 2; step += 1) await changing(editor, "undo", () => editor.key("Control+z"));
+  checkEqual(await colorsOf(editor), before, "after two steps of undo");
 }
 
 async function testRing(editor) {
@@ -217,6 +279,27 @@ async function testHintsLooking(editor) {
   await askedAgain(page, "lint", again);
   await button("No hints").waitFor();
   checkEqual((await page.evaluate(() => window.said)).slice(-2), ["Hints…", "No hints"], "what is said of a drawing without hints");
+}
+
+/** A new layer is no hint until something is drawn in another one. */
+async function testNewLayer(editor) {
+  const { page } = editor;
+  const button = (name) => page.getByRole("button", { name });
+  const afterLint = async (action) => {
+    const looks = await callsOf(page, "lint");
+    await action();
+    await askedAgain(page, "lint", looks);
+  };
+  await hintsOf(editor, text(`<path id="ring" d="${ring}" sf:left="#eee" sf:right="#c33"/>`));
+  await button("No hints").waitFor();
+  await afterLint(() => button("New layer").click());
+  await button("No hints").waitFor();
+  await afterLint(async () => {
+    await editor.key("v");
+    await editor.click(200, 100);
+    await editor.key("Shift+v");
+  });
+  await button("1 hint").waitFor();
 }
 
 // Pictures of an earlier drawing.
@@ -441,8 +524,11 @@ export async function testTrial(tap, { browser, address, oneFile }) {
     "pencil and stroke end where they snap, without a spike": testSnappedEnds,
     "the repair of a seam keeps every colour": testSeam,
     "a closed curve stays without a seam when a stop gets another colour": testClosedRibbon,
+    "the stops of a closed curve are a ring": testRingOfStops,
+    "the stops of a side are distributed and reversed": testOrderOfStops,
     "a hint's ring goes with the hint": testRing,
     "no hints are said to be only where they were looked for": testHintsLooking,
+    "a new layer is no hint until another one is edited": testNewLayer,
     "500 layers are drawn": testManyLayers,
     "a closed curve can be opened, and says so": testOpenCurve,
     "a placed photo is locked, and lets the drawing show": testPlacedPhoto,

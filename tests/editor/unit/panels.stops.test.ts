@@ -1,8 +1,14 @@
 // Edits of stop lists in ribbons and profiles.
 import { describe, expect, it } from "vitest";
+import { withOffset } from "../../../web/editor/src/canvas/sides.js";
+import { openDrawing } from "../../../web/editor/src/model/drawing.js";
+import type { CurveItem } from "../../../web/editor/src/model/types.js";
 import {
+  backwards,
+  distributed,
   mixNumbers,
   movedStop,
+  settled,
   valueAt,
   withStop,
   withoutStop,
@@ -18,6 +24,51 @@ const list = (...stops: readonly [number, number][]): Stops<number> => ({
 });
 const offsets = ({ stops }: Stops<number>) => stops.map(({ offset }) => offset);
 const values = ({ stops }: Stops<number>) => stops.map(({ value }) => value);
+
+const SQUARE = curveOfText("M0 0H100V100H0Z");
+const LINE = curveOfText("M0 0H100H400");
+
+function curveOfText(d: string): CurveItem {
+  const source = `<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1" viewBox="0 0 400 400"><g sf:diffuse="true"><path d="${d}" sf:left="red"/></g></svg>`;
+  return [...openDrawing(source).all()].find(({ kind }) => kind === "curve") as CurveItem;
+}
+
+describe("the stops of a side", () => {
+  it("are distributed from end to end, and around a ring", () => {
+    expect(offsets(distributed(LINE, list([0.1, 1], [0.2, 2], [0.3, 3])))).toEqual([0, 0.5, 1]);
+    expect(offsets(distributed(SQUARE, list([0, 1], [0.1, 2], [0.2, 3], [1, 1])))).toEqual([0, 0.3333, 0.6667, 1]);
+    expect(offsets(distributed(LINE, list([0.7, 1])))).toEqual([0]);
+    const segments = { ...list([0, 1], [1, 2], [2, 3]), space: "parameter" as const };
+    expect(offsets(distributed(LINE, segments))[1]).toBeCloseTo(1 + 100 / 300, 4);
+  });
+
+  it("are reversed, and twice reversed as they were", () => {
+    const before = list([0, 1], [0.3, 2], [0.3, 3], [0.9, 4]);
+    const once = backwards(LINE, before);
+    expect(once).toEqual(list([0.1, 4], [0.7, 3], [0.7, 2], [1, 1]));
+    expect(backwards(LINE, once)).toEqual(before);
+  });
+
+  it("close a ring: a new one at the end stands before that, and the one that closes it is the first", () => {
+    const ring = list([0, 1], [0.5, 2], [1, 1]);
+    const added = settled(SQUARE, ring, withStop(ring, { offset: 1, value: 7 }));
+    expect([values(added.value), added.index]).toEqual([[1, 2, 7, 1], 2]);
+    expect(settled(SQUARE, list([0, 1], [0.5, 2], [0.9, 1]), movedStop(list([0, 1], [0.5, 2], [0.9, 1]), 2, 1)).index).toBe(0);
+    const opened = settled(LINE, ring, withStop(ring, { offset: 1, value: 7 }));
+    expect([values(opened.value), opened.index]).toEqual([[1, 2, 1, 7], 3]);
+  });
+
+  it("wait at the start of a closed curve when they are dragged past it on the stage", () => {
+    const to = (stops: Stops<number>, index: number, offset: number, end: number | null) =>
+      offsets(withOffset(stops, index, offset, end) as Stops<number>);
+    const ring = list([0.1, 1], [0.5, 2], [0.9, 3]);
+    expect(to(ring, 0, 0.97, 1)).toEqual([0, 0.5, 0.9]);
+    expect(to(ring, 2, 0.04, 1)).toEqual([0.1, 0.5, 1]);
+    expect(to(ring, 1, 0.95, 1)).toEqual([0.1, 0.9, 0.9]);
+    expect(to(list([0.4, 1]), 0, 0.98, 1)).toEqual([0.98]);
+    expect(to(ring, 0, 0.97, null)).toEqual([0.5, 0.5, 0.9]);
+  });
+});
 
 describe("a list of stops", () => {
   it("is linear between stops and constant beyond them", () => {

@@ -90,18 +90,27 @@ test("the fix of a seam loses no colour, wherever the last one stands", () => {
   };
   expect(repaired("#c33, #fa8 40%, #612 70%, #00f 85%")).toBe("#c33, #fa8 40%, #612 70%, #00f 85%, #c33");
   expect(repaired("#c33 10%, #00f 85%")).toBe("#c33 10%, #00f 85%, #c33");
-  expect(repaired("#c33, #fa8 40%, #00f")).toBe("#c33, #fa8 40%, #c33");
+  expect(repaired("#c33, #fa8 40%, #00f")).toBe("#c33, #fa8 40%, #00f 70%, #c33");
   expect(repaired("#c33 @0, #00f @2.5")).toBe("#c33 @0, #00f @2.5, #c33 @4");
-  expect(repaired("#c33 @0, #00f @4")).toBe("#c33 @0, #c33 @4");
+  expect(repaired("#c33 @0, #00f @4")).toBe("#c33 @0, #00f @2, #c33 @4");
   // A list of two subpaths ends with the longer one.
   expect(repaired("#c33 @0, #00f @3", `${square}M150 150H200L170 190Z`)).toBe("#c33 @0, #00f @3, #c33 @4");
 });
 
 test("a layer of a drawing without curves is not told to be empty", () => {
-  const told = (source: string) => isWorthTelling(openDrawing(source), { rule: "empty-layer" });
+  const told = (source: string) => isWorthTelling(openDrawing(source), { rule: "empty-layer" }, null);
   expect(told(text(""))).toBe(false);
   expect(told(FAULTY["empty-layer"])).toBe(true);
-  expect(isWorthTelling(openDrawing(text("")), { rule: "leak" })).toBe(true);
+  expect(isWorthTelling(openDrawing(text("")), { rule: "leak" }, null)).toBe(true);
+});
+
+test("an empty layer is not told while it is the layer at work", () => {
+  const d = openDrawing(FAULTY["empty-layer"]);
+  const layers = [...d.all()].filter(({ kind }) => kind === "layer");
+  const told = layers.map((layer) => isWorthTelling(d, { rule: "empty-layer" }, layer));
+  expect(told).toEqual(layers.map(({ children }) => children.length > 0));
+  expect(told).toContain(false);
+  expect(told).toContain(true);
 });
 
 test("a hint that has no curve any more, or a rule without a fix, has none", () => {

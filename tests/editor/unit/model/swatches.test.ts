@@ -28,6 +28,21 @@ describe("a palette", () => {
     expect(found.map(({ name, color }) => [name, hexOf(color)])).toEqual([["new", "#ff0000"], ["old", "#ffd700"]]);
   });
 
+  test("is read again when its elements change, and not for an edit of a curve", () => {
+    const drawing = openDrawing(inkscapes);
+    const before = swatchesOf(drawing);
+    const edit = (from: string, to: string) => drawing.apply([{ at: drawing.text.indexOf(from), removed: from, inserted: to }]);
+    edit('d="M0 0L9 9"', 'd="M0 0L5 5"');
+    expect(swatchesOf(drawing)).toBe(before);
+    edit('stop-color="gold"', 'stop-color="tan"');
+    expect(hexes(drawing)).toEqual(["#ff0000", "#d2b48c"]);
+    edit('id="old"', 'id="tan"');
+    expect(swatchesOf(drawing).map(({ name }) => name)).toEqual(["new", "tan"]);
+    edit('stop-color="tan"', 'stop-color="currentColor"');
+    edit('viewBox="0 0 9 9"', 'viewBox="0 0 9 9" color="blue"');
+    expect(hexes(drawing)).toEqual(["#ff0000", "#0000ff"]);
+  });
+
   test("gets each colour once, in a file that had none", () => {
     const drawing = openDrawing(documentOf('<path d="M0 0L9 9"/>'));
     const next = after(drawing, addSwatches(drawing, [RED, BLUE, RED]));

@@ -367,7 +367,7 @@ export class DrawingEditor implements Editor {
       const hints = await this.engine.lint();
       if (!hints || this.#revision.peek() !== revision) return;
       batch(() => {
-        this.hints.value = hints.filter((hint) => isWorthTelling(this.#drawing, hint));
+        this.hints.value = hints.filter((hint) => isWorthTelling(this.#drawing, hint, this.activeLayer));
         this.#hintedRevision.value = revision;
       });
     } catch {

@@ -1,14 +1,22 @@
 // A stop that is chosen on the canvas or in a panel, as a command.
 import { setBoth, setColor, setGradientStops, setNumbers, setRadius, together } from "../model/commands/index.js";
 import { gradientOf } from "../model/gradients.js";
+import { shownStops } from "../model/seams.js";
+import type { Rgb } from "../geometry/color.js";
 import type { CurveItem, Drawing, Outcome, Part, Side, SideValue } from "../model/types.js";
 
 type StopPart = Part & { kind: "stop" };
 
-function without<Value>(value: SideValue<Value>, index: number): SideValue<Value> | null {
-  if (value.kind !== "stops" || index >= value.stops.length) return null;
-  const stops = value.stops.filter((_, i) => i !== index);
-  return stops.length > 0 ? { ...value, stops } : { kind: "open" };
+/** Returns a side without some of its stops. Without any that is shown, the side is open. */
+export function withoutStops<Value extends Rgb | number>(
+  curve: CurveItem,
+  value: SideValue<Value>,
+  indices: readonly number[],
+): SideValue<Value> | null {
+  const gone = new Set(indices);
+  if (value.kind !== "stops" || indices.some((index) => index >= value.stops.length)) return null;
+  if (gone.size >= shownStops(curve, value)) return { kind: "open" };
+  return { ...value, stops: value.stops.filter((_, i) => !gone.has(i)) };
 }
 
 /** Deletes a stop of a gradient; a gradient keeps at least one. */
@@ -23,16 +31,16 @@ export function deleteStop(drawing: Drawing, curve: CurveItem, part: StopPart): 
   const { handle } = curve;
   const { side, attribute, index } = part;
   if (attribute === "radius") {
-    const radius = without(curve.radius, index);
+    const radius = withoutStops(curve, curve.radius, [index]);
     return radius && radius.kind === "stops" ? setRadius(drawing, handle, radius) : null;
   }
   const now = curve[side][attribute];
   if (now.kind === "paint") return withoutGradientStop(drawing, now.href, index);
   if (attribute === "color") {
-    const color = without(curve[side].color, index);
+    const color = withoutStops(curve, curve[side].color, [index]);
     return color && setColor(drawing, handle, side, color);
   }
-  const numbers = without(curve[side][attribute], index);
+  const numbers = withoutStops(curve, curve[side][attribute], [index]);
   if (!numbers) return null;
   const isShared = JSON.stringify(curve.left[attribute]) === JSON.stringify(curve.right[attribute]);
   return isShared && attribute === "blur"

@@ -36,13 +36,13 @@ import type {
 } from "../model/types.js";
 import { gripPlace } from "../model/paint-frames.js";
 import { takeInHandle } from "../app/handles.js";
-import { deleteStop } from "../app/stops.js";
+import { deleteStop, withoutStops } from "../app/stops.js";
 import * as en from "../strings/en.js";
 import { pathInLayer } from "./along.js";
 import { movable } from "./box.js";
 import { withHandle } from "./nodes.js";
 import { isCurve, isLocked } from "./places.js";
-import { stopsOf, withOffset, withoutStops, type StopKind, type Value } from "./sides.js";
+import { sideValue, stopsOf, withOffset, type StopKind, type Value } from "./sides.js";
 import { mappedPath } from "../geometry/cubic.js";
 import { nodePath } from "../geometry/natural.js";
 import { offsetOfPlace, pathLength, placeOfOffset } from "../geometry/length.js";
@@ -170,9 +170,9 @@ function deleteStops(editor: Editor, handle: Handle, parts: readonly Part[]): vo
   const gone = parts.flatMap((part) =>
     part.kind === "stop" && part.side === side && part.attribute === attribute ? [part.index] : [],
   );
-  const value = withoutStops(list, new Set(gone));
+  const value = withoutStops(item, sideValue(item, side, attribute), gone);
   // A local curve without a radius would be none.
-  if (attribute === "radius" && value.kind === "open") return;
+  if (!value || (attribute === "radius" && value.kind === "open")) return;
   taken(setSide(editor.drawing, item, side, attribute, value));
 }
 
@@ -237,7 +237,7 @@ function nudgedStop(
     "arc",
     Math.min(1, Math.max(0, share + pixels / Math.max(length, 1))),
   );
-  const value = withOffset(list, part.index, offsetOfPlace(inLayer, list.space, at));
+  const value = withOffset(list, part.index, offsetOfPlace(inLayer, list.space, at), null);
   return setSide(editor.drawing, item, part.side, part.attribute, value);
 }
 

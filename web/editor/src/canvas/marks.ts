@@ -15,6 +15,7 @@ import type {
   Selection,
   Side,
 } from "../model/types.js";
+import { shownStops } from "../model/seams.js";
 import type { PaintKind } from "../model/paint-frames.js";
 import * as en from "../strings/en.js";
 import { pathInLayer, placesOfStops, standing } from "./along.js";
@@ -172,7 +173,7 @@ function sideMarks(
 ): StopMark[] {
   const places = placesOfStops(pathInLayer(item, path), list);
   const isBracket = kind === "blur" || kind === "radius";
-  return list.stops.map(({ value }, index) => {
+  return list.stops.slice(0, shownStops(item, list)).map(({ value }, index) => {
     const { foot, normal } = standing(path, map, places[index], side === "left" ? 1 : -1);
     const off = isBracket ? Math.max(BRACKET_OFF, Number(value) * lengthScale(map)) : STOP_OFF;
     // Two at one place, a hard step, stand side by side.
@@ -196,7 +197,7 @@ function sideMarks(
       handle: item.handle,
       part,
       isChosen: parts.some((one) => isSamePart(one, part)),
-      label: stopLabel(nameOfSide(item, side), kind, list, index),
+      label: stopLabel(item, side, kind, list, index),
     };
   });
 }
@@ -207,14 +208,15 @@ function slideOf(list: Stops<Value>, index: number): number {
   return list.stops[index - 1]?.offset === offset ? STOP_APART / 2 : 0;
 }
 
-function stopLabel(name: string, kind: StopKind, list: Stops<Value>, index: number): string {
+function stopLabel(item: CurveItem, side: Side, kind: StopKind, list: Stops<Value>, index: number): string {
   const { offset, value } = list.stops[index];
+  const name = nameOfSide(item, side);
   const place =
     list.space === "arc" ? en.canvas.offset(percent(offset)) : en.canvas.segment(shown(offset));
   if (kind === "blur" || kind === "radius")
     return en.canvas.bracket(kind, name, shown(Number(value)), place);
   const said = kind === "color" ? hexOf(value as Rgb) : en.canvas.opacity(percent(Number(value)));
-  return en.canvas.stop(name, index + 1, list.stops.length, said, place);
+  return en.canvas.stop(name, index + 1, shownStops(item, list), said, place);
 }
 
 /** The blur's or radius's edge along a side of a path, as points of the stage. */

@@ -37,13 +37,17 @@ export function stopsOf(item: CurveItem, side: Side, kind: StopKind): Stops<Valu
   return value.kind === "stops" && value.stops.length > 0 ? value : null;
 }
 
-/** A list with a stop elsewhere, between its neighbours: stops never pass each other. */
-export function withOffset<V>(list: Stops<V>, index: number, offset: number): SideValue<V> {
+/**
+ * A list with a stop elsewhere, between its neighbours: stops never pass each other.
+ * @param end the offset of a closed curve's end: beyond it the curve goes on at its start, where the stop waits
+ */
+export function withOffset<V>(list: Stops<V>, index: number, offset: number, end: number | null): SideValue<V> {
   const low = list.stops[index - 1]?.offset ?? 0;
-  const high = list.stops[index + 1]?.offset ?? Infinity;
-  const stops = list.stops.map((stop, k) =>
-    k === index ? { ...stop, offset: Math.min(high, Math.max(low, offset)) } : stop,
-  );
+  const high = list.stops[index + 1]?.offset ?? end ?? Infinity;
+  const held = (to: number) => Math.min(high, Math.max(low, to));
+  const ways = end === null ? [offset] : [offset, offset - end, offset + end];
+  const way = ways.reduce((a, b) => (Math.abs(b - held(b)) < Math.abs(a - held(a)) ? b : a));
+  const stops = list.stops.map((stop, k) => (k === index ? { ...stop, offset: held(way) } : stop));
   return { kind: "stops", space: list.space, stops };
 }
 
@@ -62,12 +66,6 @@ export function withStop<V>(
   const index = after < 0 ? list.stops.length : after;
   const stops = [...list.stops.slice(0, index), { offset, value }, ...list.stops.slice(index)];
   return { value: { kind: "stops", space: list.space, stops }, index };
-}
-
-/** A list without some stops; without any the side is open. */
-export function withoutStops<V>(list: Stops<V>, indices: ReadonlySet<number>): SideValue<V> {
-  const stops = list.stops.filter((_, k) => !indices.has(k));
-  return stops.length > 0 ? { kind: "stops", space: list.space, stops } : { kind: "open" };
 }
 
 /** The value at an offset: linear between stops, constant beyond the ends. */

@@ -1,19 +1,20 @@
-// Colours that the picture has beside a curve: what a new curve bears, so that nothing changes.
+// Colours that the picture has beside a curve: a new curve has few stops with them, so that little changes.
 import type { Editor } from "../app/types.js";
 import { determinant, inverted, lengthScale, mapped, type Point } from "../geometry/affine.js";
-import { clampedRgb, oklabFromRgb, type Rgb } from "../geometry/color.js";
-import type { CubicPath } from "../geometry/cubic.js";
+import { axesOf, clampedRgb, colorOfAxes, type MixSpace, type Rgb } from "../geometry/color.js";
+import { isOpen, type CubicPath } from "../geometry/cubic.js";
 import {
   parameterAtFraction,
   pathDirectionAt,
   pathLength,
   pathPointAt,
 } from "../geometry/length.js";
-import { simplifiedGraph } from "../geometry/simplify.js";
+import { nearestGraph } from "../geometry/simplify.js";
 import { leftOf } from "../geometry/vector.js";
 import type { CurveItem, Item, SideValue, Stop } from "../model/types.js";
 import { pathInLayer } from "./along.js";
 import { outermostLayer } from "./hit.js";
+import { mixer, valueAt } from "./sides.js";
 
 /** How far beside the curve colours are sampled, and how far apart, CSS pixels. */
 const BESIDE = 1.5;
@@ -21,8 +22,12 @@ const APART = 4;
 /** Places along a curve, whatever its length. */
 const FEWEST = 8;
 const MOST = 160;
-/** How far stops may be from the colours that they stand for, in OKLab: hardly seen. */
-const TOLERANCE = 0.008;
+/** Stops of a side; on a closed curve those at its start and its end count as one. */
+const MOST_STOPS = 3;
+/** How far stops may be from the colours that they stand for, if fewer would do: two code values. */
+const TOLERANCE = 2 / 255;
+/** Two sides that differ by less get stops at the same places, so that no line shows between them. */
+const ALIKE = 8 / 255;
 /** A smaller coverage counts as none. */
 const NOTHING = 1 / 255;
 
@@ -111,30 +116,65 @@ export async function takenSides(
     ...beside.map(([, right]) => right),
   ]);
   if (!colors || colors.every((color) => color === null)) return null;
-  return {
-    left: sideOf(shares, colors.slice(0, shares.length)),
-    right: sideOf(shares, colors.slice(shares.length)),
-  };
+  const sides = [colors.slice(0, shares.length), colors.slice(shares.length)].map((list) =>
+    shares.flatMap((offset, k): Stop<Rgb>[] => {
+      const value = list[k];
+      return value ? [{ offset, value }] : [];
+    }),
+  );
+  const fitted = (lists: readonly (readonly Stop<Rgb>[])[]) =>
+    fittedSides(lists, !isOpen(path), editor.drawing.interpolation);
+  const [left, right] = areAlike(sides) ? fitted(sides) : sides.flatMap((one) => fitted([one]));
+  return { left, right };
 }
 
-/** As few stops as stand for colours along a side. */
-function sideOf(shares: readonly number[], colors: readonly (Rgb | null)[]): SideValue<Rgb> {
-  const stops = shares.flatMap((offset, k): Stop<Rgb>[] => {
-    const value = colors[k];
-    return value ? [{ offset, value }] : [];
-  });
-  if (stops.length === 0) return { kind: "open" };
-  const rows = stops.map(({ offset, value }) => {
-    const { l, a, b } = oklabFromRgb(value);
-    return [offset, l, a, b];
-  });
-  const kept = simplifiedGraph(rows, TOLERANCE).map((k) => stops[k]);
-  const isEven = kept.length <= 2 && distance(rows[0], rows[rows.length - 1]) < TOLERANCE;
-  return { kind: "stops", space: "arc", stops: isEven ? [{ ...kept[0], offset: 0 }] : kept };
+type Colors = readonly Stop<Rgb>[];
+
+/** Returns whether sides have about the same colours at the same places. */
+function areAlike([left, right]: readonly Colors[]): boolean {
+  return (
+    left.length === right.length &&
+    left.every(({ offset, value }, k) => offset === right[k].offset && apart(value, right[k].value) <= ALIKE)
+  );
 }
 
-function distance(a: readonly number[], b: readonly number[]): number {
-  return Math.hypot(a[1] - b[1], a[2] - b[2], a[3] - b[3]);
+/**
+ * Returns the stops that are nearest to colours along sides, at the same places: as few as stay within the tolerance, at
+ * most MOST_STOPS.
+ */
+function fittedSides(sides: readonly Colors[], isRing: boolean, space: MixSpace): readonly SideValue<Rgb>[] {
+  if (sides[0].length === 0) return sides.map(() => ({ kind: "open" }));
+  const known = sides.map((colors) => (isRing ? asRing(colors) : colors));
+  const rows = known[0].map(({ offset }, k) => [offset, ...known.flatMap((colors) => axesOf(colors[k].value, space))]);
+  const mix = mixer(space);
+  let lists: readonly Colors[] = [];
+  for (let count = 1; count <= MOST_STOPS; ++count) {
+    const graph = nearestGraph(rows, count, isRing);
+    lists = known.map((_, side) => {
+      const color = (row: readonly number[]) => inBytes(colorOfAxes(row.slice(1 + 3 * side), space));
+      return count === 1
+        ? [{ offset: 0, value: color(graph[0]) }]
+        : graph.map((row) => ({ offset: row[0], value: color(row) }));
+    });
+    const isNear = lists.every((stops, side) =>
+      known[side].every(
+        ({ offset, value }) => apart(valueAt({ space: "arc", stops }, offset, mix) as Rgb, value) <= TOLERANCE,
+      ),
+    );
+    if (isNear) break;
+  }
+  return lists.map((stops) => ({ kind: "stops", space: "arc", stops }));
+}
+
+/** Returns colours that end as they begin. If the start has none, the first colour reaches back to it. */
+function asRing(colors: Colors): Colors {
+  const within = colors.filter(({ offset }) => offset > 0 && offset < 1);
+  return [{ ...colors[0], offset: 0 }, ...within, { ...colors[0], offset: 1 }];
+}
+
+/** The largest difference between two colours' channels. */
+function apart(a: Rgb, b: Rgb): number {
+  return Math.max(Math.abs(a.r - b.r), Math.abs(a.g - b.g), Math.abs(a.b - b.b));
 }
 
 /** The colours beside one place of a curve; null: there are none. @param at piece + t */

@@ -147,16 +147,29 @@ export function hsvFromRgb(color: Rgb): Hsv {
 
 export const rgbFromHsv = (color: Hsv): Rgb => clampedRgb(convertHsvToRgb(color));
 
-/** Between two colours, where the document mixes them. */
-export function mixed(a: Rgb, b: Rgb, t: number, space: "srgb" | "linear" | "oklab"): Rgb {
-  const between = (p: number, q: number) => p + (q - p) * t;
+/** The spaces in which documents mix colours. */
+export type MixSpace = "srgb" | "linear" | "oklab";
+
+/** Returns a colour's three coordinates in a space. */
+export function axesOf(color: Rgb, space: MixSpace): readonly number[] {
   if (space === "oklab") {
-    const [p, q] = [oklabFromRgb(a), oklabFromRgb(b)];
-    return clampedRgb(
-      rgbFromOklab({ l: between(p.l, q.l), a: between(p.a, q.a), b: between(p.b, q.b) }),
-    );
+    const { l, a, b } = oklabFromRgb(color);
+    return [l, a, b];
   }
-  const [p, q] = space === "linear" ? [linearFromRgb(a), linearFromRgb(b)] : [a, b];
-  const mix = { r: between(p.r, q.r), g: between(p.g, q.g), b: between(p.b, q.b) };
-  return space === "linear" ? clampedRgb(rgbFromLinear(mix)) : mix;
+  const { r, g, b } = space === "linear" ? linearFromRgb(color) : color;
+  return [r, g, b];
+}
+
+/** The colour of coordinates in a space. It may be outside of sRGB. */
+export function colorOfAxes([x, y, z]: readonly number[], space: MixSpace): Rgb {
+  if (space === "oklab") return rgbFromOklab({ l: x, a: y, b: z });
+  const color = { r: x, g: y, b: z };
+  return space === "linear" ? rgbFromLinear(color) : color;
+}
+
+/** Between two colours, where the document mixes them. */
+export function mixed(a: Rgb, b: Rgb, t: number, space: MixSpace): Rgb {
+  const [p, q] = [axesOf(a, space), axesOf(b, space)];
+  const mix = colorOfAxes(p.map((from, axis) => from + (q[axis] - from) * t), space);
+  return space === "srgb" ? mix : clampedRgb(mix);
 }

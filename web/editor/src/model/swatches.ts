@@ -34,14 +34,28 @@ export function* definitionsOf({ root }: Drawing): Generator<ElementNode> {
   for (const child of root.children) if (child.local !== "g") yield* within(child);
 }
 
-/** Returns the palette, in the order of the text. */
+/** The palettes that were read, by the root of their document, with the objects that say whether they are the same. */
+const read = new WeakMap<ElementNode, { readonly parts: readonly unknown[]; readonly swatches: readonly Swatch[] }>();
+
+/** Returns an element with the attributes of its stop and of the elements around that: edits replace them. */
+function partsOf(element: ElementNode): readonly unknown[] {
+  const parts: unknown[] = [element];
+  for (let at: ElementNode | null = stopsWithin(element)[0]; at; at = at.parent) parts.push(at.attributes);
+  return parts;
+}
+
+/** Returns the palette, in the order of the text. It is read again only when its elements change. */
 export function swatchesOf(d: Drawing): readonly Swatch[] {
   const elements = [...definitionsOf(d)].filter(isSwatch);
-  if (elements.length === 0) return [];
+  const parts = elements.flatMap(partsOf);
+  const known = read.get(d.root);
+  if (known?.parts.length === parts.length && known.parts.every((part, k) => part === parts[k])) return known.swatches;
   const styles = new Styles(d.text, d.root);
-  return elements.map((element) => ({
+  const swatches = elements.map((element) => ({
     name: valueOf(element, "id") ?? "",
     color: stopColor(styles, stopsWithin(element)[0]).rgb,
     element,
   }));
+  read.set(d.root, { parts, swatches });
+  return swatches;
 }

@@ -1,6 +1,6 @@
 // contract: what panels, tools and the engine's side know of a drawing.
 import type { Affine, Box } from "../geometry/affine.js";
-import type { Rgb } from "../geometry/color.js";
+import type { MixSpace, Rgb } from "../geometry/color.js";
 import type { CubicPath } from "../geometry/cubic.js";
 import type { Patch } from "../source/patch.js";
 import type { SideValue } from "../source/stops.js";
@@ -132,7 +132,7 @@ export interface Drawing {
   /** The visible or selectable items of the outermost level, the last on top. */
   readonly items: readonly Item[];
   readonly artboard: Box;
-  readonly interpolation: "srgb" | "linear" | "oklab";
+  readonly interpolation: MixSpace;
   /** null: not given. */
   readonly background: Rgb | null;
   /** Why it may not be edited, or null: a DOCTYPE that defines entities. */

@@ -8,6 +8,7 @@ import {
 } from "../geometry/length.js";
 import { setColor, setSideOpacity } from "../model/commands/index.js";
 import type { Rgb } from "../geometry/color.js";
+import { ringed, shownStops } from "../model/seams.js";
 import type {
   CurveItem,
   Drawing,
@@ -95,8 +96,43 @@ export function movedStop<Value>(list: Stops<Value>, index: number, offset: numb
   return { value: { ...list, stops: inserted(rest.stops, to, stop) }, index: to };
 }
 
+/**
+ * Returns a side's list as the drawing takes it: on a closed curve a stop may have to close the ring. A stop that only
+ * closes it is the first one.
+ */
+export function settled<Value extends Rgb | number>(
+  item: CurveItem,
+  before: Stops<Value>,
+  placed: Placed<Value>,
+): Placed<Value> {
+  const value = ringed(item, before, placed.value);
+  if (value.kind !== "stops") return placed;
+  const moved = value.stops.indexOf(placed.value.stops[placed.index]);
+  const index = moved < 0 ? placed.index : moved;
+  return { value, index: index < shownStops(item, value) ? index : 0 };
+}
+
 export function withValue<Value>(list: Stops<Value>, index: number, value: Value): Stops<Value> {
   return { ...list, stops: list.stops.map((stop, k) => (k === index ? { ...stop, value } : stop)) };
+}
+
+/** Returns stops at equal distances from the curve's start to its end; on a closed curve, around the ring. */
+export function distributed<Value>(item: CurveItem, list: Stops<Value>): Stops<Value> {
+  const last = Math.max(list.stops.length - 1, 1);
+  const stops = list.stops.map((stop, k) => ({
+    ...stop,
+    offset: offsetAt(item, list.space, Number((k / last).toFixed(4))),
+  }));
+  return { ...list, stops };
+}
+
+/** Returns stops in the other order, at places that are counted from the other end. */
+export function backwards<Value>(item: CurveItem, list: Stops<Value>): Stops<Value> {
+  const stops = list.stops.map((stop) => ({
+    ...stop,
+    offset: offsetAt(item, list.space, Number((1 - fractionOf(item, list.space, stop.offset)).toFixed(5))),
+  }));
+  return { ...list, stops: stops.reverse() };
 }
 
 /** One value all along. */

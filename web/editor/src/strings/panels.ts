@@ -253,6 +253,8 @@ export const panels = {
   hex: "Colour, hex",
   hexOfSide: (side: string) => `Colour of the whole ${sideNoun(side)}, hex`,
   oneColor: shared.oneColor,
+  distributeStops: "Distribute stops evenly",
+  reverseColors: "Reverse colours",
   at: "At",
   atOf: (side: string, index: number) => `Position of ${side.toLowerCase()} stop ${index}`,
   pickFromPicture: "Pick from the picture",

@@ -1,7 +1,8 @@
 // Gestures with stops, which several tools share: along the curve, across it, new ones.
 import { lengthScale, type Point } from "../../geometry/affine.js";
 import { offsetOfPlace, placeOfOffset } from "../../geometry/length.js";
-import type { CurveItem, Drawing, Outcome, Side, SideValue } from "../../model/types.js";
+import { endOffset, isRing } from "../../model/seams.js";
+import type { CurveItem, Drawing, Outcome, Side, SideValue, StopSpace } from "../../model/types.js";
 import * as en from "../../strings/en.js";
 import { nearestAt, pathInLayer, standing } from "../along.js";
 import type { Canvas } from "../canvas.js";
@@ -63,12 +64,14 @@ function slidStop(canvas: Canvas, mark: StopMark, p: Press, before: Drawing): Ou
   const item = curveOf(before, mark);
   const list = item && stopsOf(item, mark.side, mark.attribute);
   if (!item || !list) return null;
-  const value = withOffset(
-    list,
-    mark.index,
-    offsetUnder(canvas, item, mark.path, list.space, p.at),
-  );
+  const offset = offsetUnder(canvas, item, mark.path, list.space, p.at);
+  const value = withOffset(list, mark.index, offset, ringEnd(item, list.space));
   return setSide(before, item, mark.side, mark.attribute, value);
+}
+
+/** The offset of a closed curve's end; null: the curve is open. */
+function ringEnd(item: CurveItem, space: StopSpace): number | null {
+  return isRing(item) ? endOffset(item, space) : null;
 }
 
 /** The offset of the place on a subpath that is nearest to a point of the stage. */
@@ -76,7 +79,7 @@ function offsetUnder(
   canvas: Canvas,
   item: CurveItem,
   path: number,
-  space: "arc" | "parameter",
+  space: StopSpace,
   at: Point,
 ): number {
   const { at: place } = nearestAt(
@@ -110,7 +113,8 @@ function pulledBracket(canvas: Canvas, mark: StopMark, p: Press, before: Drawing
   );
   let value = withValue(list, mark.index, radius);
   if (p.alt && value.kind === "stops") {
-    value = withOffset(value, mark.index, offsetUnder(canvas, item, mark.path, list.space, p.at));
+    const offset = offsetUnder(canvas, item, mark.path, list.space, p.at);
+    value = withOffset(value, mark.index, offset, ringEnd(item, list.space));
   }
   tellRadius(canvas, mark.attribute, radius, p);
   return setSide(before, item, mark.side, mark.attribute, value, p.shift);

@@ -43,8 +43,8 @@ function tidyNumber(value: number): number {
   return Number(value.toPrecision(6));
 }
 
-/** Writes a side into one attribute; open takes it away. */
-function write<Value>(
+/** Writes a side into one attribute; open takes it away. No edit makes a seam in a closed curve. */
+function write<Value extends Rgb | number>(
   d: Drawing,
   item: CurveItem,
   name: string,
@@ -54,19 +54,19 @@ function write<Value>(
   tidy: (value: Value) => Value,
 ): Edit[] {
   const { element } = item;
-  const side = tidied(to, before, tidy, notation.isSame);
+  const side = tidied(ringed(item, before, to), before, tidy, notation.isSame);
   // Another attribute may have said it so far: its notation is kept.
   const [, own = ""] = /^(?:left|right)-(\w+)$/.exec(name) ?? [];
   const text = valueOf(element, sf(name)) ?? valueOf(element, sf(own));
   return setAttribute(d.text, element, sf(name), sideText(side, notation, text));
 }
 
-/** The colour of one side; the other one stays as it is seen. No edit makes a seam in a closed curve. */
+/** The colour of one side; the other one stays as it is seen. */
 export function setColor(d: Drawing, h: Handle, side: Side, to: SideValue<Rgb>): Outcome | null {
   const item = curveOf(d, h);
   if (!item) return null;
   const before = item[side].color;
-  const edits = write(d, item, side, ringed(item, before, to), before, COLORS, (color) => color);
+  const edits = write(d, item, side, to, before, COLORS, (color) => color);
   const other = otherSide(side);
   const shared = valueOf(item.element, sf(side));
   const isShared = shared !== undefined && !attributeOf(item.element, sf(other));

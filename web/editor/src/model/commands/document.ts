@@ -141,7 +141,7 @@ export function setArtboard(
 }
 
 /** Where colours are mixed; "srgb" is the default and not written. */
-export function setInterpolation(d: Drawing, to: "srgb" | "linear" | "oklab"): Outcome | null {
+export function setInterpolation(d: Drawing, to: Drawing["interpolation"]): Outcome | null {
   if (d.interpolation === to) return null;
   const value = to === "srgb" ? null : to;
   return outcomeOf(setAttribute(d.text, d.root, sf("interpolation"), value));

@@ -1,5 +1,6 @@
 // Opacity of both sides: a number each, stops on a ribbon where it varies, or a gradient.
 import { nameOfSide } from "../../app/side-names.js";
+import type { Rgb } from "../../geometry/color.js";
 import { setBoth } from "../../model/commands/index.js";
 import { sidesInOrder } from "../../model/sides.js";
 import type { CurveItem, Drawing, Side } from "../../model/types.js";
@@ -97,7 +98,7 @@ function openKinds(shell: Shell, item: CurveItem, anchor: HTMLElement) {
   openMenu(words.kindsOfOpacity, items, anchor);
 }
 
-interface RibbonProps<Value> extends SideProps {
+interface RibbonProps<Value extends Rgb | number> extends SideProps {
   readonly list: Stops<Value>;
   readonly mix: Mix<Value>;
   readonly put: Put<Value>;
@@ -107,7 +108,7 @@ interface RibbonProps<Value> extends SideProps {
 }
 
 /** Stops of a side, or of the gradient that it shows, by what they are as opacity. */
-function OpacityRibbon<Value>({ opacityOf, ...props }: RibbonProps<Value>) {
+function OpacityRibbon<Value extends Rgb | number>({ opacityOf, ...props }: RibbonProps<Value>) {
   const { item, side, list } = props;
   const stops = list.stops.map(({ offset, value }) => ({
     at: fractionOf(item, list.space, offset),

@@ -3,6 +3,7 @@ import { useRef } from "preact/hooks";
 import type { TargetedKeyboardEvent, TargetedPointerEvent } from "preact";
 import { nameOfSide } from "../../app/side-names.js";
 import type { Gesture } from "../../app/types.js";
+import { shownStops } from "../../model/seams.js";
 import type { CurveItem, Drawing, Outcome, Side, SideValue } from "../../model/types.js";
 import * as en from "../../strings/en.js";
 import { follow } from "../controls/follow.js";
@@ -15,10 +16,12 @@ import {
   movedStop,
   offsetAt,
   rounded,
+  settled,
   valueAt,
   withoutStop,
   withStop,
   withValue,
+  type Placed,
   type Stops,
 } from "../stops.js";
 
@@ -105,7 +108,8 @@ function useProfileDrag(
         : list;
     const first = base.stops[index];
     let gesture: Gesture | null = null;
-    const show = (value: Stops<number>, chosen: number) => {
+    const show = (placed: Placed<number>) => {
+      const { value, index: chosen } = settled(item, list, placed);
       gesture ??= editor.gesture(start === null ? words.addRadius : words.moveRadius);
       gesture.show((before) => put(before, side, value));
       choose(side, chosen);
@@ -114,8 +118,7 @@ function useProfileDrag(
       const now = placeAt(holder, side, to);
       const radius = Number(Math.max(first.value + now.radius - grip.radius, 0).toPrecision(3));
       const offset = place(fractionOf(item, list.space, first.offset) + now.at - grip.at);
-      const placed = movedStop(withValue(base, index, radius), index, offset);
-      show(placed.value, placed.index);
+      show(movedStop(withValue(base, index, radius), index, offset));
     };
     const end = (isKept: boolean) => {
       freeze(false);
@@ -123,7 +126,7 @@ function useProfileDrag(
       else gesture?.drop();
     };
     freeze(true);
-    if (start === null) show(base, index);
+    if (start === null) show({ value: base, index });
     else choose(side, index);
     follow(holder, event, { slop: SLOP, onMove: move, onEnd: end });
   };
@@ -149,12 +152,13 @@ function useProfileKeys(props: ProfileProps, choose: (side: Side, index: number)
         );
       } else if (along !== 0) {
         const fraction = fractionOf(item, list.space, list.stops[index].offset) + along;
-        const placed = movedStop(list, index, offsetAt(item, list.space, rounded(fraction)));
+        const moved = movedStop(list, index, offsetAt(item, list.space, rounded(fraction)));
+        const placed = settled(item, list, moved);
         editor.run(words.moveRadius, put(editor.drawing, side, placed.value), words.moveRadius);
         choose(side, placed.index);
-      } else if ((event.key === "Delete" || event.key === "Backspace") && list.stops.length > 1) {
+      } else if ((event.key === "Delete" || event.key === "Backspace") && shownStops(item, list) > 1) {
         editor.run(words.removeRadius, put(editor.drawing, side, withoutStop(list, index)));
-        choose(side, Math.min(index, list.stops.length - 2));
+        choose(side, Math.min(index, shownStops(item, list) - 2));
       } else return;
       event.preventDefault();
       event.stopPropagation();
@@ -195,7 +199,7 @@ export function Profile(props: ProfileProps) {
         <path class="axis" d={`M0 ${HEIGHT / 2}H${WIDTH}`} />
       </svg>
       {sides.map((side) =>
-        lists[side].stops.map((stop, index) => {
+        lists[side].stops.slice(0, shownStops(item, lists[side])).map((stop, index) => {
           const at = fractionOf(item, lists[side].space, stop.offset);
           const height = Math.min(stop.value * scale, 0.5) * (side === "left" ? 1 : -1);
           const isOn = chosen?.index === index && (linked || chosen.side === side);

@@ -1,20 +1,22 @@
 // The values of one side from the curve's start to its end, with its stops.
 import { useLayoutEffect, useRef } from "preact/hooks";
 import type { TargetedKeyboardEvent, TargetedPointerEvent } from "preact";
+import type { Rgb } from "../../geometry/color.js";
 import { nameOfSide } from "../../app/side-names.js";
 import type { Gesture } from "../../app/types.js";
-import type { CurveItem, Side } from "../../model/types.js";
+import { shownStops } from "../../model/seams.js";
+import type { CurveItem, Side, Stop } from "../../model/types.js";
 import * as en from "../../strings/en.js";
 import { follow } from "../controls/follow.js";
 import { decimal } from "../format.js";
 import { useShell } from "../services.js";
 import { chosenStops, chooseStop, toggleStop } from "./chosen.js";
 import {
-  curveOf,
   fractionOf,
   movedStop,
   offsetAt,
   rounded,
+  settled,
   valueAt,
   withoutStop,
   withStop,
@@ -31,7 +33,7 @@ const SLOP = 3;
 /** The band stands this far within the ribbon. */
 const INSET = 7;
 
-export interface RibbonProps<Value> {
+export interface RibbonProps<Value extends Rgb | number> {
   readonly item: CurveItem;
   readonly side: Side;
   readonly attribute: "color" | "opacity";
@@ -51,15 +53,26 @@ export interface RibbonProps<Value> {
 type Dragged<Value> = (fraction: number) => Placed<Value>;
 
 /** Neighbours at one place stand side by side, so that both can be taken. */
-function sidestep<Value>(list: Stops<Value>, index: number): number {
-  const { offset } = list.stops[index];
-  const first = list.stops.findIndex((stop) => stop.offset === offset);
-  const count = list.stops.filter((stop) => stop.offset === offset).length;
+function sidestep<Value>(stops: readonly Stop<Value>[], index: number): number {
+  const { offset } = stops[index];
+  const first = stops.findIndex((stop) => stop.offset === offset);
+  const count = stops.filter((stop) => stop.offset === offset).length;
   return count < 2 ? 0 : (index - first - (count - 1) / 2) * 6;
 }
 
+/** Returns the stops that are shown: all of a gradient, and all of a side but the one that closes a ring. */
+function shownOf<Value extends Rgb | number>({ item, side, attribute, list }: RibbonProps<Value>) {
+  const isOwn = item[side][attribute].kind === "stops";
+  return isOwn ? list.stops.slice(0, shownStops(item, list)) : list.stops;
+}
+
+/** Returns a side's list as the drawing takes it; a gradient's list stays. */
+function taken<Value extends Rgb | number>({ item, side, attribute, list }: RibbonProps<Value>, placed: Placed<Value>) {
+  return item[side][attribute].kind === "stops" ? settled(item, list, placed) : placed;
+}
+
 /** Gestures on the stops: add, move, copy, pull away. */
-function useStopDrag<Value>(props: RibbonProps<Value>, ribbon: { current: HTMLDivElement | null }) {
+function useStopDrag<Value extends Rgb | number>(props: RibbonProps<Value>, ribbon: { current: HTMLDivElement | null }) {
   const { editor } = useShell();
   const { item, side, attribute, list, put } = props;
   const choose = (index: number) => chooseStop(editor, item, attribute, { side, index });
@@ -88,7 +101,7 @@ function useStopDrag<Value>(props: RibbonProps<Value>, ribbon: { current: HTMLDi
       gesture ??= editor.gesture(label);
       const box = holder.getBoundingClientRect();
       isGone = without !== null && (clientY < box.top - PULLED || clientY > box.bottom + PULLED);
-      const placed = dragged(fractionAt(clientX));
+      const placed = taken(props, dragged(fractionAt(clientX)));
       gesture.show((before) => put(before, side, isGone && without ? without : placed.value));
       if (isGone) editor.selection.value = [{ handle: item.handle, part: { kind: "whole" } }];
       else choose(placed.index);
@@ -132,7 +145,7 @@ function useStopDrag<Value>(props: RibbonProps<Value>, ribbon: { current: HTMLDi
         false,
       );
     }
-    const without = list.stops.length > 1 ? withoutStop(list, index) : null;
+    const without = shownOf(props).length > 1 ? withoutStop(list, index) : null;
     drag(event, words.moveStop, (f) => movedStop(list, index, offsetHere(f)), without, false);
   };
   return { choose, pressBand, pressStop };
@@ -150,7 +163,7 @@ function halfway<Value>({ stops, space }: Stops<Value>, index: number, item: Cur
  * A key on a stop: arrows move it, Insert adds another, Delete removes it, Enter opens it, Shift and Space select it
  * beside others.
  */
-function useStopKeys<Value>(
+function useStopKeys<Value extends Rgb | number>(
   props: RibbonProps<Value>,
   ribbon: { current: HTMLElement | null },
   chooseStop: (index: number) => void,
@@ -167,31 +180,26 @@ function useStopKeys<Value>(
     focused.current = index;
     chooseStop(index);
   };
-  const { item, side, attribute, list, put } = props;
-  const remove = (index: number) => {
-    editor.run(words.removeStop, put(editor.drawing, side, withoutStop(list, index)));
-    // The stops at the start and the end of a closed curve go together.
-    const now = curveOf(editor.drawing, item.handle)?.[side][attribute];
-    const count = now?.kind === "stops" ? now.stops.length : list.stops.length - 1;
-    choose(Math.min(index, count - 1));
-  };
+  const { item, side, list, put } = props;
+  const count = shownOf(props).length;
   return (index: number) => (event: TargetedKeyboardEvent<HTMLElement>) => {
     const step =
       (event.shiftKey ? 0.1 : 0.01) *
       (event.key === "ArrowRight" ? 1 : event.key === "ArrowLeft" ? -1 : 0);
     if (step !== 0) {
       const fraction = fractionOf(item, list.space, list.stops[index].offset) + step;
-      const placed = movedStop(list, index, offsetAt(item, list.space, rounded(fraction)));
+      const placed = taken(props, movedStop(list, index, offsetAt(item, list.space, rounded(fraction))));
       editor.run(words.moveStop, put(editor.drawing, side, placed.value), words.moveStop);
       choose(placed.index);
       editor.announcement.value = words.stopAt(
         decimal(Math.min(Math.max(fraction, 0), 1) * 100, 1),
       );
-    } else if ((event.key === "Delete" || event.key === "Backspace") && list.stops.length > 1) {
-      remove(index);
+    } else if ((event.key === "Delete" || event.key === "Backspace") && count > 1) {
+      editor.run(words.removeStop, put(editor.drawing, side, withoutStop(list, index)));
+      choose(Math.min(index, count - 2));
     } else if (event.key === "Insert") {
       const offset = offsetAt(item, list.space, halfway(list, index, item));
-      const placed = withStop(list, { offset, value: valueAt(list.stops, offset, props.mix) });
+      const placed = taken(props, withStop(list, { offset, value: valueAt(list.stops, offset, props.mix) }));
       editor.run(words.addStop, put(editor.drawing, side, placed.value));
       choose(placed.index);
     } else if (event.key === " " && (event.shiftKey || event.ctrlKey)) {
@@ -213,11 +221,12 @@ export function bandOf(
   return `linear-gradient(90deg in ${space}, ${parts.join(", ")})`;
 }
 
-export function Ribbon<Value>(props: RibbonProps<Value>) {
+export function Ribbon<Value extends Rgb | number>(props: RibbonProps<Value>) {
   const { item, side, list, css } = props;
   const { editor } = useShell();
   const selected = chosenStops(editor, item, props.attribute);
   const chosen = selected?.side === side ? selected.indices : [];
+  const stops = shownOf(props);
   const ribbon = useRef<HTMLDivElement>(null);
   const { choose, pressBand, pressStop } = useStopDrag(props, ribbon);
   const keys = useStopKeys(props, ribbon, choose);
@@ -232,7 +241,7 @@ export function Ribbon<Value>(props: RibbonProps<Value>) {
     >
       <div class="band" onPointerDown={pressBand} />
       <div class="stops">
-        {list.stops.map((stop, index) => {
+        {stops.map((stop, index) => {
           const at = fractionOf(item, list.space, stop.offset);
           return (
             <button
@@ -242,13 +251,13 @@ export function Ribbon<Value>(props: RibbonProps<Value>) {
               style={{
                 "--at": at,
                 "--c": css(stop.value),
-                translate: `${sidestep(list, index)}px 0`,
+                translate: `${sidestep(stops, index)}px 0`,
               }}
               aria-pressed={chosen.includes(index)}
               aria-label={words.stopName(
                 nameOfSide(item, side),
                 index + 1,
-                list.stops.length,
+                stops.length,
                 props.describe(stop.value),
                 decimal(at * 100, 1),
               )}

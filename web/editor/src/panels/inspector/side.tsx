@@ -2,6 +2,7 @@
 import { nameOfSide } from "../../app/side-names.js";
 import { setColor } from "../../model/commands/index.js";
 import { partnerOf, type Rgb } from "../../geometry/color.js";
+import type { Tint } from "../../model/gradients.js";
 import type { CurveItem, Drawing, Outcome, Side } from "../../model/types.js";
 import * as en from "../../strings/en.js";
 import { Icon } from "../../icons.js";
@@ -9,7 +10,7 @@ import { hexOf } from "../../geometry/colortext.js";
 import { cssSpaces } from "../color.js";
 import { openMenu, type MenuItem } from "../controls/menu.js";
 import { useShell, type Shell } from "../services.js";
-import { constant, fractionOf, putColor, rounded } from "../stops.js";
+import { backwards, constant, distributed, fractionOf, putColor, rounded, type Stops } from "../stops.js";
 import { tinted, tintsOf, type Tints } from "../tints.js";
 import { cssOf, describeTint } from "./gradient.js";
 import { documentPaints, gradientItems, textureItem, type NewStop } from "./paints.js";
@@ -53,12 +54,15 @@ function sideMenu(shell: Shell, item: CurveItem, side: Side): readonly MenuItem[
   const put = putColor(item.handle);
   const local = item.kind === "stroke";
   const tints = tintsOf(editor.drawing, item, side);
+  const change = (label: string, make: (tints: Tints) => Stops<Tint>): MenuItem => ({
+    label,
+    disabled: !tints || tints.list.stops.length < 2,
+    run: run(label, (before) => tints && tints.put(before, side, make(tints))),
+  });
   return [
-    {
-      label: words.oneColor,
-      disabled: !tints || tints.list.stops.length < 2,
-      run: run(words.oneColor, (before) => tints && tints.put(before, side, tinted(tints, null, tints.list.stops[0].value))),
-    },
+    change(words.oneColor, (now) => tinted(now, null, now.list.stops[0].value)),
+    change(words.distributeStops, ({ list }) => distributed(item, list)),
+    change(words.reverseColors, ({ list }) => backwards(item, list)),
     "line",
     {
       label: words.sideStops,
