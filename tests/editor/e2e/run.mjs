@@ -17,6 +17,7 @@ import { testForeign } from "./foreign.mjs";
 import { testGradients } from "./gradients.mjs";
 import { testPaints } from "./paints.mjs";
 import { testGestures } from "./gestures.mjs";
+import { testIsolation } from "./isolation.mjs";
 import { testKeys } from "./keys.mjs";
 import { testLayers } from "./layers.mjs";
 import { testPanels } from "./panels.mjs";
@@ -46,6 +47,7 @@ const themes = [
   testFocus,
   testForeign,
   testLayers,
+  testIsolation,
   testGradients,
   testShapes,
   testPaints,

@@ -39,7 +39,7 @@ function Tag({ at, text }: { readonly at: Point; readonly text: string }) {
 function BoxTag({ canvas, map }: { readonly canvas: Canvas; readonly map: Affine }) {
   const { editor } = canvas;
   if (editor.tool.value !== "select") return null;
-  const box = selectionBox(editor.drawing, editor.selection.value);
+  const box = selectionBox(editor);
   if (!box) return null;
   const [x0, , x1, y1] = drawnBox(box, map);
   return (
