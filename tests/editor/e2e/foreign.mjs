@@ -116,6 +116,50 @@ async function testPasted(editor) {
   await page.keyboard.press("Escape");
 }
 
+const MEGABYTES = 60;
+
+/** Drops or pastes 60 MB of SVG, which the page itself puts together. */
+function giveLarge(page, how) {
+  return page.locator(".canvas-stage").evaluate(
+    (stage, [way, megabytes]) => {
+      const shape = `<path fill="#e33" d="M9 9${"l3 4-2 1".repeat(600)}z"/>\n`;
+      const chunk = shape.repeat(Math.floor(2 ** 20 / shape.length));
+      const parts = ['<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 640 480">', ...Array(megabytes).fill(chunk), "</svg>"];
+      const data = new DataTransfer();
+      if (way === "drop") data.items.add(new File(parts, "large.svg", { type: "image/svg+xml" }));
+      else data.setData("text/plain", parts.join(""));
+      stage.focus();
+      const more = { bubbles: true, cancelable: true };
+      if (way === "drop") stage.dispatchEvent(new DragEvent("drop", { dataTransfer: data, ...more }));
+      else stage.dispatchEvent(new ClipboardEvent("paste", { clipboardData: data, ...more }));
+    },
+    [how, MEGABYTES],
+  );
+}
+
+/** The answer names the limit; both ways can be cancelled, and nothing is lost. */
+async function testLarge(editor) {
+  const { page } = editor;
+  await editor.load(drawing);
+  await giveLarge(page, "drop");
+  await question(page).waitFor();
+  await choose(page, "Convert");
+  await choose(page, "Cancel");
+  await choose(page, "Convert");
+  await said(page, /more than the limit of 4000000 control points/, "dialog [role=alert]");
+  checkEqual(await editor.text, drawing, "the text after a large file");
+  await page.keyboard.press("Escape");
+  await question(page).waitFor({ state: "detached" });
+  await giveLarge(page, "paste");
+  await page.getByRole("status").getByRole("button", { name: "Stop" }).click();
+  await page.getByText("Converting SVG…").waitFor({ state: "detached" });
+  checkEqual(await page.getByRole("dialog").count(), 0, "complaints after Stop");
+  // The page works on.
+  await page.locator(".canvas-stage").focus();
+  await editor.key("Control+a");
+  await changing(editor, "an arrow", () => editor.key("ArrowRight"));
+}
+
 export async function testForeign(tap, { browser, address }) {
   const editor = await EditorPage.open(browser, address);
   await tap.test("foreign: on the first page a file becomes a drawing", () => testFirst(editor));
@@ -124,6 +168,7 @@ export async function testForeign(tap, { browser, address }) {
   await tap.test("foreign: the omitted parts are listed", () => testLeftOut(editor));
   await tap.test("foreign: a file becomes layers of the drawing, in one step of undo", () => testInserted(editor));
   await tap.test("foreign: pasted SVG becomes layers, and the omitted parts are listed", () => testPasted(editor));
+  await tap.test("foreign: 60 MB of SVG get an answer, can be stopped, and lose nothing", () => testLarge(editor));
   await tap.test("foreign: nothing was complained of", () => editor.checkQuiet());
   await editor.close();
 }

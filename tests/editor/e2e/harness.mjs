@@ -149,7 +149,7 @@ export class EditorPage {
     await this.settled();
     await this.page.evaluate(() => {
       const sheet = new CSSStyleSheet();
-      sheet.replaceSync(".canvas-stage > :not(canvas), .toasts, .tooltip, .resizer { visibility: hidden !important }");
+      sheet.replaceSync(".canvas-stage > :not(canvas), .isolation, .toasts, .tooltip, .resizer { visibility: hidden !important }");
       document.adoptedStyleSheets = [sheet];
     });
     const png = await this.pictureOf(".canvas-stage > canvas");

@@ -175,6 +175,7 @@ const shows = {
     await keys.fresh();
     await keys.toggles(key, () => keys.page.locator(".canvas-overlay path").count());
   },
+  isolate: (keys, key) => keys.fresh("low").then(() => keys.toggles(key, () => keys.isShown(".isolation"))),
   reference: (keys, key) => keys.tool("b", "pencil").then(() =>
     keys.toggles(key, () => keys.page.getByRole("button", { name: /^Reference photo/ }).getAttribute("aria-pressed"))),
   rulers: (keys, key) => keys.toggles(key, () => keys.isShown(".rulers")),

@@ -18,6 +18,7 @@ import { testGradients } from "./gradients.mjs";
 import { testPaints } from "./paints.mjs";
 import { testGestures } from "./gestures.mjs";
 import { testGuides } from "./guides.mjs";
+import { testIsolation } from "./isolation.mjs";
 import { testKeys } from "./keys.mjs";
 import { testLayers } from "./layers.mjs";
 import { testPanels } from "./panels.mjs";
@@ -50,6 +51,7 @@ const themes = [
   testFocus,
   testForeign,
   testLayers,
+  testIsolation,
   testGradients,
   testShapes,
   testPaints,

@@ -243,6 +243,54 @@ async function testPolygon(given) {
   await editor.close();
 }
 
+/** Arrow keys move the corner, Enter and Space set it; Shift makes a square while it is held. */
+async function testKeysAlone(given) {
+  const editor = await blank(given);
+  const { page } = editor;
+  const tag = () => page.locator(".canvas-tag-line").textContent();
+  await page.locator(".canvas-stage").focus();
+  const before = await editor.text;
+  await editor.key("r", "ArrowLeft", "Enter", "Shift+ArrowRight", "Shift+ArrowRight", "ArrowDown");
+  const [width, height] = (await tag()).split(" × ").map(Number);
+  check(Math.abs(width / height - 10) < 0.2, `100 by 10 pixels are ${width} by ${height}`);
+  await page.keyboard.down("Shift");
+  await until("a square is shown", async () => (await tag()) === `${width} × ${width}`);
+  await page.keyboard.up("Shift");
+  await until("the shape is as before", async () => (await tag()) === `${width} × ${height}`);
+  await said(page, new RegExp(`Rectangle, ${width} × ${height}`), "[role=status].visually-hidden");
+  await editor.key("Escape");
+  checkEqual(await editor.text, before, "the text after Escape");
+  checkEqual(await page.locator(".canvas-tag-line").count(), 0, "tags after Escape");
+  await editor.key("ArrowLeft", " ", "Shift+ArrowRight", "Shift+ArrowDown");
+  const drawn = await changing(editor, "Space", () => editor.key(" "));
+  check(filled("rect").test(drawn), `no filled rectangle: ${drawn}`);
+  // The shape is selected: arrows move it. Without a selection they move the corner of the next one.
+  await changing(editor, "an arrow", () => editor.key("ArrowLeft"));
+  await editor.key("l", "Escape", "Escape", "ArrowUp", "Enter", "ArrowUp", "ArrowLeft");
+  const both = await changing(editor, "Enter", () => editor.key("Enter"));
+  check(filled("(circle|ellipse)").test(both), `no filled circle: ${both}`);
+  editor.checkQuiet();
+  await editor.close();
+}
+
+/** At the right edge of a phone the size stands before the edge. */
+async function testTagAtEdge(given) {
+  const editor = await blank(given, { size: [390, 844] });
+  const { page } = editor;
+  await editor.key("l");
+  const stage = await page.locator(".canvas-stage").boundingBox();
+  await page.mouse.move(stage.x + 100, stage.y + 100);
+  await page.mouse.down();
+  await page.mouse.move(stage.x + stage.width - 4, stage.y + 200.5, { steps: 3 });
+  const tag = await page.locator(".canvas-tag-line .tag").boundingBox();
+  check(tag.x + tag.width <= stage.x + stage.width, `the tag ends at ${tag.x + tag.width} of ${stage.x + stage.width}`);
+  check(tag.width > 40, `the tag is ${tag.width} wide`);
+  await editor.shot("shapes-tag-phone");
+  await page.mouse.up();
+  editor.checkQuiet();
+  await editor.close();
+}
+
 /** Clicks, flat drags, Escape, undo, locked layers, read-only drawings and tiny places: no fault, nothing lost. */
 async function testBadInput(given) {
   const editor = await blank(given);
@@ -318,6 +366,8 @@ export async function testShapes(tap, given) {
     "a closed curve becomes a shape of its own": testOwnShape,
     "the sides of a closed curve are called inside and outside": testWords,
     "the sides of a polygon change while it is drawn": testPolygon,
+    "shapes are drawn by keys alone": testKeysAlone,
+    "the size of a shape is seen at the edge of a phone": testTagAtEdge,
     "shapes withstand bad input": testBadInput,
     "shapes while they are drawn, in both themes": testLooks,
   };

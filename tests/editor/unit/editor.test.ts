@@ -2,6 +2,7 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { DrawingEditor } from "../../../web/editor/src/app/editor.js";
 import type { Engine, LayerCurves, QuickChange } from "../../../web/editor/src/engine/types.js";
+import { addLayer, deleteItems, restack, setHidden } from "../../../web/editor/src/model/commands/index.js";
 import type { Drawing, Outcome } from "../../../web/editor/src/model/types.js";
 import { setAttribute, sf } from "../../../web/editor/src/source/attributes.js";
 
@@ -67,6 +68,59 @@ it("commands that are asked for before there are any are done in their order whe
   expect(done).toEqual(["a", "b"]);
   early.command("a");
   expect(done).toEqual(["a", "b", "a"]);
+});
+
+describe("an isolated layer", () => {
+  const two = text.replace("</svg>", `  <g id="top" sf:diffuse="true"><path id="c" d="M0 0 L9 9" sf:left="red" sf:right="blue"/></g>\n</svg>`);
+  const isolated = () => editor.isolated.value !== null && editor.drawing.item(editor.isolated.value)?.name;
+  beforeEach(() => {
+    editor.open(two, "two.svg");
+    editor.isolate(handleOf("layer"));
+  });
+
+  it("stays isolated when it moves in the stack, and when that is undone and done again", () => {
+    expect(isolated()).toBe("layer");
+    editor.run("move", restack(editor.drawing, [handleOf("layer")], 1));
+    expect(editor.drawing.items.map(({ name }) => name)).toEqual(["top", "layer"]);
+    expect(isolated()).toBe("layer");
+    editor.undo();
+    expect([editor.drawing.text, isolated()]).toEqual([two, "layer"]);
+    editor.redo();
+    expect(isolated()).toBe("layer");
+    editor.run("bend", bent(editor.drawing, "a", "M1 1L5 5"));
+    expect(isolated()).toBe("layer");
+  });
+
+  it("takes new curves, whatever is selected", () => {
+    editor.selection.value = [{ handle: handleOf("top"), part: { kind: "whole" } }];
+    expect(editor.activeLayer?.name).toBe("layer");
+    editor.isolate(null);
+    expect(editor.activeLayer?.name).toBe("top");
+  });
+
+  it("is no longer isolated when it is hidden, deleted, or another object is made", () => {
+    editor.run("hide", setHidden(editor.drawing, [handleOf("layer")], true));
+    expect(isolated()).toBe(false);
+    editor.undo();
+    expect(isolated()).toBe(false);
+    editor.isolate(handleOf("layer"));
+    editor.run("delete", deleteItems(editor.drawing, [handleOf("layer")]));
+    expect(isolated()).toBe(false);
+    editor.undo();
+    editor.isolate(handleOf("layer"));
+    editor.run("new", addLayer(editor.drawing, null, ""));
+    expect(isolated()).toBe(false);
+  });
+
+  it("cannot be a hidden one, nor one that is not there", () => {
+    editor.isolate(null);
+    editor.run("hide", setHidden(editor.drawing, [handleOf("top")], true));
+    editor.isolate(handleOf("top"));
+    editor.run("show", setHidden(editor.drawing, [handleOf("top")], false));
+    expect(isolated()).toBe(false);
+    editor.isolate(123456);
+    expect(isolated()).toBe(false);
+  });
 });
 
 describe("the engine", () => {

@@ -1,3 +1,4 @@
+import { signal } from "@preact/signals";
 import { describe, expect, test } from "vitest";
 import {
   composed,
@@ -10,8 +11,9 @@ import { pieceCount, type CubicPath } from "../../../../web/editor/src/geometry/
 import { pathPointAt } from "../../../../web/editor/src/geometry/length.js";
 import { CurveGrid, layerAt, markAt } from "../../../../web/editor/src/canvas/hit.js";
 import type { Mark } from "../../../../web/editor/src/canvas/marks.js";
-import { editedAt, placesOf, type Place } from "../../../../web/editor/src/canvas/places.js";
+import { editedAt, isOutOfReach, type Place } from "../../../../web/editor/src/canvas/places.js";
 import { curve, FakeDrawing, layer, line, use } from "../support/drawing.js";
+import { placesIn } from "../support/editor.js";
 import { randomFrom } from "../random.js";
 
 const STAGE = { width: 800, height: 600 };
@@ -54,7 +56,7 @@ describe("curves near a point", () => {
         { ...path, points: path.points.map(([x, y]): Point => [x / zoom, y / zoom]) },
       ]);
     });
-    const places = placesOf(new FakeDrawing([layer("l", curves)]));
+    const places = placesIn(new FakeDrawing([layer("l", curves)]));
     const grid = gridOf(places, map);
     const points = places.map(({ item }) => pointsOf(item.paths[0], map, 2000));
     let found = 0;
@@ -89,7 +91,7 @@ describe("curves near a point", () => {
         [next() * 3000 - 1000, next() * 3000 - 1000],
         [next() * 3000 - 1000, next() * 3000 - 1000],
       );
-      const grid = gridOf(placesOf(new FakeDrawing([curve("c", [path])])), [1, 0, 0, 1, 0, 0]);
+      const grid = gridOf(placesIn(new FakeDrawing([curve("c", [path])])), [1, 0, 0, 1, 0, 0]);
       for (let share = 0; share <= 1; share += 0.01) {
         const [x, y] = pathPointAt(path, share);
         if (x < 0 || y < 0 || x > STAGE.width || y > STAGE.height) continue;
@@ -103,7 +105,7 @@ describe("curves near a point", () => {
       curve("low", [line([0, 50], [100, 50])]),
       curve("high", [line([0, 50], [100, 50])]),
     ];
-    const grid = gridOf(placesOf(new FakeDrawing([low, high])), [1, 0, 0, 1, 0, 0]);
+    const grid = gridOf(placesIn(new FakeDrawing([low, high])), [1, 0, 0, 1, 0, 0]);
     expect(grid.near([50, 52], 6).map(({ place }) => place.item.name)).toEqual(["high", "low"]);
   });
 
@@ -119,7 +121,7 @@ describe("curves near a point", () => {
       ]),
     ]);
     expect(
-      gridOf(placesOf(drawing), [1, 0, 0, 1, 0, 0])
+      gridOf(placesIn(drawing), [1, 0, 0, 1, 0, 0])
         .near([50, 50], 6)
         .map(({ place }) => place.item.name),
     ).toEqual(["e"]);
@@ -129,7 +131,7 @@ describe("curves near a point", () => {
     const flat = curve("flat", [line([0, 50], [100, 50])], {
       artboardFromItem: [1, 0, 0, 0, 0, 0],
     });
-    expect(placesOf(new FakeDrawing([flat]))).toEqual([]);
+    expect(placesIn(new FakeDrawing([flat]))).toEqual([]);
   });
 
   test("numbers_that_are_none_hit_nothing_and_stop_nothing", () => {
@@ -145,7 +147,7 @@ describe("curves near a point", () => {
       },
     ]);
     const grid = gridOf(
-      placesOf(new FakeDrawing([bad, curve("good", [line([0, 50], [100, 50])])])),
+      placesIn(new FakeDrawing([bad, curve("good", [line([0, 50], [100, 50])])])),
       [1, 0, 0, 1, 0, 0],
     );
     expect(grid.near([50, 50], 6)).toHaveLength(1);
@@ -164,7 +166,7 @@ describe("copies by <use>", () => {
       x: "10",
       y: "20",
     });
-    const grid = gridOf(placesOf(new FakeDrawing([group, copy])), [1, 0, 0, 1, 0, 0]);
+    const grid = gridOf(placesIn(new FakeDrawing([group, copy])), [1, 0, 0, 1, 0, 0]);
     expect(grid.near([40, 10], 2).map(({ place }) => place.owner.name)).toEqual(["fin"]);
     // (30, 10) of the curve is (35, 10) of the artboard, and through the use 2 (35 + 10, 10 + 20) + (100, 200).
     const hits = grid.near([190, 260], 2);
@@ -180,15 +182,29 @@ describe("copies by <use>", () => {
       use("here", group, translation(7, 0)),
       use("there", group, translation(0, 90)),
     ];
-    const places = placesOf(new FakeDrawing([here, there]));
+    const places = placesIn(new FakeDrawing([here, there]));
     expect(places.map(({ owner }) => owner.name)).toEqual(["here", "there"]);
     expect(places.map((place) => editedAt(place).name)).toEqual(["fin", "there"]);
+  });
+
+  test("outside_an_isolated_layer_are_out_of_reach", () => {
+    const [low, high] = ["low", "high"].map((name) => layer(name, [curve(`${name}-curve`, [line([0, 0], [9, 9])])]));
+    const copy = use("copy", low, translation(20, 0));
+    const drawing = new FakeDrawing([low, high, copy]);
+    const owners = (isolated: number | null) => placesIn(drawing, isolated).map(({ owner }) => owner.name);
+    expect(owners(null)).toEqual(["low-curve", "high-curve", "copy"]);
+    expect(owners(low.handle)).toEqual(["low-curve"]);
+    expect(owners(high.handle)).toEqual(["high-curve"]);
+    expect(owners(copy.handle)).toEqual(["copy"]);
+    const isReached = (item: typeof low, isolated: number) => !isOutOfReach({ isolated: signal(isolated) }, item);
+    expect(isReached(low.children[0] as typeof low, low.handle)).toBe(true);
+    expect(isReached(low, high.handle)).toBe(false);
   });
 
   test("of_copies_of_themselves_end", () => {
     const round = use("round", curve("c", []), [1, 0, 0, 1, 0, 0]);
     (round as { target: unknown }).target = round;
-    expect(placesOf(new FakeDrawing([round]))).toEqual([]);
+    expect(placesIn(new FakeDrawing([round]))).toEqual([]);
   });
 });
 
@@ -229,7 +245,7 @@ test("an_empty_place_means_the_topmost_layer_around_it", () => {
   const ring = (name: string, size: number) =>
     layer(name, [curve(name, [line([0, 0], [size, size])])]);
   const drawing = new FakeDrawing([ring("large", 200), ring("small", 100)]);
-  const places = placesOf(drawing);
+  const places = placesIn(drawing);
   expect(layerAt(places, [50, 50])?.name).toBe("small");
   expect(layerAt(places, [150, 20])?.name).toBe("large");
   expect(layerAt(places, [250, 20])).toBeNull();
@@ -240,7 +256,7 @@ test("a_rectangle_touches_what_crosses_it_and_nothing_else", () => {
   const curves = Array.from({ length: 80 }, (_, k) =>
     curve(`c${k}`, [line([next() * 800, next() * 600], [next() * 800, next() * 600])]),
   );
-  const grid = gridOf(placesOf(new FakeDrawing(curves)), [1, 0, 0, 1, 0, 0]);
+  const grid = gridOf(placesIn(new FakeDrawing(curves)), [1, 0, 0, 1, 0, 0]);
   const points = curves.map(({ paths }) => pointsOf(paths[0], [1, 0, 0, 1, 0, 0], 1000));
   for (let k = 0; k < 40; k += 1) {
     const low: Point = [next() * 600, next() * 400];

@@ -133,7 +133,7 @@ describe("a mouse", () => {
     expect(pointers.cursor.value).toBe("grab");
     hand.down([100, 100]);
     hand.move([90, 100]);
-    releaseKey(pointers, key(" "));
+    releaseKey(pointers, tool, key(" "));
     hand.up([90, 100]);
     hand.down([90, 100]);
     expect(editor.view.value.x).toBe(210);
@@ -182,7 +182,7 @@ describe("a drag", () => {
     pressKey(canvas, pointers, tool, key("Shift", { shift: true }));
     expect(tool.last?.shift).toBe(true);
     expect(tool.last?.at).toEqual([30, 30]);
-    releaseKey(pointers, key("Shift"));
+    releaseKey(pointers, tool, key("Shift"));
     expect(tool.last?.shift).toBe(false);
   });
 
@@ -302,7 +302,7 @@ test("whatever_comes_in_whatever_order_each_press_ends_once", () => {
       else if (act === 2) pointers.lost(hand.id);
       else if (act === 3) pressKey(canvas, pointers, tool, key("Escape"));
       else if (act === 4) pressKey(canvas, pointers, tool, key(" "));
-      else if (act === 5) releaseKey(pointers, key(" "));
+      else if (act === 5) releaseKey(pointers, tool, key(" "));
       else hand.move(at);
       expect(tool.open).toBeGreaterThanOrEqual(0);
       expect(tool.open).toBeLessThanOrEqual(1);

@@ -2,13 +2,13 @@ import { describe, expect, test } from "vitest";
 import type { Lines } from "../../../../web/editor/src/geometry/box-snap.js";
 import type { Point } from "../../../../web/editor/src/geometry/affine.js";
 import { CurveGrid } from "../../../../web/editor/src/canvas/hit.js";
-import { placesOf } from "../../../../web/editor/src/canvas/places.js";
 import { gridStep, snapped } from "../../../../web/editor/src/canvas/snap.js";
 import { curve, FakeDrawing, line } from "../support/drawing.js";
+import { placesIn } from "../support/editor.js";
 
 const a = curve("a", [line([100, 100], [200, 100])]);
 const b = curve("b", [line([204, 60], [204, 160])]);
-const grid = new CurveGrid(placesOf(new FakeDrawing([a, b])), [1, 0, 0, 1, 0, 0], 400, 300);
+const grid = new CurveGrid(placesIn(new FakeDrawing([a, b])), [1, 0, 0, 1, 0, 0], 400, 300);
 const none: Lines = [[], []];
 const wish = { snaps: true, grid: false, lines: none, unit: 0, zoom: 1, origin: [0, 0] as Point, isWanted: () => true, also: [] };
 

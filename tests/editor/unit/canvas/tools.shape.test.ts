@@ -108,3 +108,85 @@ test("undo_and_escape_drop_it", () => {
   expect(canvas.sketch.value.draft).toBeNull();
   expect(editor.draft.value).toBeNull();
 });
+
+/** The tool with a caret at the middle of the stage, after a step right and back. */
+function caretOf(kind: ShapeKind) {
+  const shape = tool(kind);
+  const keys = (...names: string[]) => names.map((key) => shape.key({ ...plain, key }));
+  keys("ArrowRight", "ArrowLeft");
+  return { shape, keys };
+}
+
+test("keys_set_both_corners", () => {
+  const { keys } = caretOf("rectangle");
+  expect(canvas.sketch.value.brush?.at).toEqual([200, 150]);
+  expect(keys("Enter", "ArrowRight", "ArrowRight", "ArrowDown")).toEqual([true, true, true, true]);
+  expect(canvas.sketch.value).toMatchObject({ draft: { closes: false }, tag: { text: "20 × 10" } });
+  expect(editor.announcement.value).toBe("Rectangle, 20 × 10");
+  expect(keys("Enter")).toEqual([true]);
+  expect(added).toEqual([{ kind: "rectangle", sides: 6, box: [200, 150, 220, 160] }]);
+  expect(editor.steps).toEqual(["draw rectangle"]);
+  expect(canvas.sketch.value).toMatchObject({ draft: null, tag: null, brush: null });
+  expect(editor.draft.value).toBeNull();
+});
+
+test("space_sets_corners_too_and_shift_takes_large_steps", () => {
+  const { shape, keys } = caretOf("polygon");
+  keys(" ");
+  shape.key({ ...plain, key: "ArrowRight", shift: true });
+  shape.key({ ...plain, key: "ArrowDown", shift: true });
+  shape.key({ ...plain, key: "ArrowDown" });
+  keys(" ");
+  expect(added[0].box).toEqual([200, 150, 250, 210]);
+});
+
+test("shift_and_alt_count_while_they_are_held", () => {
+  const { shape, keys } = caretOf("ellipse");
+  keys("Enter", "ArrowRight", "ArrowDown", "ArrowDown");
+  const size = () => canvas.sketch.value.tag?.text;
+  expect(size()).toBe("10 × 20");
+  shape.modifiers({ ...plain, shift: true });
+  expect(size()).toBe("20 × 20");
+  shape.modifiers(plain);
+  expect(size()).toBe("10 × 20");
+  shape.key({ ...plain, key: "Enter", shift: true, alt: true });
+  expect(added[0].box).toEqual([180, 130, 220, 170]);
+});
+
+test("escape_and_undo_drop_a_shape_of_keys_and_another_tool_does", () => {
+  const { shape, keys } = caretOf("rectangle");
+  const begin = () => keys("Enter", "ArrowRight", "ArrowDown");
+  begin();
+  expect(keys("Escape", "Escape")).toEqual([true, false]);
+  keys("ArrowLeft");
+  begin();
+  editor.draft.value?.undo();
+  expect(canvas.sketch.value.draft).toBeNull();
+  begin();
+  shape.leave();
+  expect(editor.draft.value).toBeNull();
+  expect([added, editor.steps]).toEqual([[], []]);
+});
+
+test("a_flat_shape_of_keys_waits_for_its_second_direction", () => {
+  const { keys } = caretOf("rectangle");
+  keys("Enter", "Enter", "ArrowRight", "Enter");
+  expect([added.length, said.length]).toEqual([0, 2]);
+  keys("ArrowUp", "Enter");
+  expect(added[0].box).toEqual([200, 140, 210, 150]);
+});
+
+test("keys_are_the_selections_while_there_is_one", () => {
+  editor.selection.value = [{ handle: editor.drawing.items[0].handle, part: { kind: "whole" } }];
+  const { keys } = caretOf("rectangle");
+  expect(keys("ArrowRight", "Enter", " ")).toEqual([false, false, false]);
+});
+
+test("a_pointer_takes_the_place_of_keys", () => {
+  const { shape, keys } = caretOf("rectangle");
+  keys("Enter", "ArrowRight", "ArrowDown");
+  shape.hover(press([10, 10]));
+  expect(canvas.sketch.value.draft).not.toBeNull();
+  dragThrough(shape, [[20, 30], [60, 40], [120, 90]]);
+  expect(added.map(({ box }) => box)).toEqual([[20, 30, 120, 90]]);
+});

@@ -142,8 +142,9 @@ class Hand {
 
   private key(key: string) {
     const press = { key, ...this.keys() };
-    pressKey(this.canvas, this.pointers, this.tools[this.editor.tool.peek()], press);
-    releaseKey(this.pointers, press);
+    const tool = this.tools[this.editor.tool.peek()];
+    pressKey(this.canvas, this.pointers, tool, press);
+    releaseKey(this.pointers, tool, press);
   }
 
   /** Does one random action and records it. */

@@ -8,6 +8,9 @@ const svg = (inner: string, more = "") => `<svg xmlns="http://www.w3.org/2000/sv
 const SF = ' xmlns:sf="urn:sfumato:1"';
 const path = '<path d="M0 0H9V9Z" fill="red"/>';
 
+/** Longer than what is parsed to find out. */
+const long = "\n".repeat(4e6);
+
 describe("a file is of another program", () => {
   test.each([
     ["with a shape", svg(path)],
@@ -17,6 +20,8 @@ describe("a file is of another program", () => {
     ["with a prefix that is not Sfumato's", svg(path.replace("fill", "sf:left"), ' xmlns:sf="urn:other"')],
     ["with Sfumato's version alone", svg(path, `${SF} sf:version="1"`)],
     ["with a prefix for SVG", '<s:svg xmlns:s="http://www.w3.org/2000/svg"><s:rect width="1" height="1"/></s:svg>'],
+    ["where it is long", svg(long + path)],
+    ["where it is long and has a prefix for SVG", `<s:svg xmlns:s="http://www.w3.org/2000/svg">${long}<s:rect width="1" height="1"/></s:svg>`],
     ["without a namespace", "<svg><circle r='2'/></svg>"],
   ])("%s", (_, text) => expect(isForeign(text)).toBe(true));
 });
@@ -29,6 +34,8 @@ describe("a file is not", () => {
     ["where it shows nothing", svg('<defs><linearGradient id="g"/></defs><title>a</title>')],
     ["where it shows what is not SVG's", svg('<a:path xmlns:a="urn:a"/>')],
     ["where it cannot be read", svg("<g>")],
+    ["where it is long and a curve has a side", svg(long + path.replace("fill", "sf:left"), SF)],
+    ["where it is long and shows nothing", svg(`${long}<defs/><pathology/>`)],
     ["where it is ours", blankText(9, 9, "#fff")],
   ])("%s", (_, text) => expect(isForeign(text)).toBe(false));
 

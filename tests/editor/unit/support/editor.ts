@@ -3,8 +3,9 @@ import { signal } from "@preact/signals";
 import type { Editor, Gesture, Settings } from "../../../../web/editor/src/app/types.js";
 import type { Box, Point } from "../../../../web/editor/src/geometry/affine.js";
 import type { Engine } from "../../../../web/editor/src/engine/types.js";
-import type { Drawing, Item, Outcome } from "../../../../web/editor/src/model/types.js";
+import type { Drawing, Handle, Item, Outcome } from "../../../../web/editor/src/model/types.js";
 import { Canvas } from "../../../../web/editor/src/canvas/canvas.js";
+import { placesOf, type Place } from "../../../../web/editor/src/canvas/places.js";
 import {
   Navigation,
   artboardFromStage,
@@ -115,6 +116,7 @@ export function fakeEditor(items: readonly Item[], width = 400, height = 300): F
     tool: signal("select"),
     attribute: signal("color"),
     hovered: signal(null),
+    isolated: signal(null),
     pointer: signal(null),
     settings: settings(),
     picker: signal(null),
@@ -158,6 +160,10 @@ export function fakeEditor(items: readonly Item[], width = 400, height = 300): F
   };
   return editor as unknown as FakeEditor;
 }
+
+/** The places of a drawing that the tools can reach. */
+export const placesIn = (drawing: Drawing, isolated: Handle | null = null): readonly Place[] =>
+  placesOf({ drawing, isolated: signal(isolated) });
 
 /** Motions of the view are jumps, because tests draw no frames. */
 export function canvasOf(editor: Editor): Canvas {

@@ -32,7 +32,7 @@ import type { DrawingEditor } from "./editor.js";
 import { guiding } from "./guiding.js";
 import { takeInHandle } from "./handles.js";
 import { deleteStop, oneColor } from "./stops.js";
-import { chosen, chosenCurves, chosenItems, chosenNodes, chosenStop, isPrimaryClosed, primaryCurve } from "./selected.js";
+import { chosen, chosenCurves, chosenItems, chosenNodes, chosenStop, isolatedBy, isPrimaryClosed, primaryCurve, primaryItem } from "./selected.js";
 import type { ToolName } from "./types.js";
 
 type Command = (editor: DrawingEditor) => void;
@@ -136,11 +136,22 @@ function selectAll(editor: DrawingEditor) {
   const isFree = (item: Item) => !item.locked && !item.hidden;
   const inLayer = layer?.children.filter(isFree) ?? [];
   const handles = new Set(chosen(editor));
-  // Once all of the layer is selected, the next step is the whole drawing.
+  // Once all of the layer is selected, the next step is the whole drawing, or the isolated part of it.
   const isMore = handles.size > 0 && inLayer.some(({ handle }) => !handles.has(handle));
-  const within = isMore ? inLayer : editor.drawing.items.filter(isFree);
+  const { drawing, isolated } = editor;
+  const all = isolated.value === null ? drawing.items : drawing.item(isolated.value)?.children;
+  const within = isMore ? inLayer : (all ?? []).filter(isFree);
   editor.selection.value = within
     .map(({ handle }) => ({ handle, part: { kind: "whole" } }));
+}
+
+/** Isolates the layer of the selection, or the group where no layer is around it; or ends the isolation. */
+function toggleIsolation(editor: DrawingEditor) {
+  if (editor.isolated.value !== null) return editor.isolate(null);
+  const item = isolatedBy(primaryItem(editor));
+  if (!item) return editor.say(words.isolateWantsLayer);
+  editor.isolate(item.handle);
+  if (editor.isolated.value === null) editor.say(words.isolateWantsSeen);
 }
 
 function zoomToSelection(editor: DrawingEditor) {
@@ -227,6 +238,7 @@ const table: readonly (readonly [string, Command])[] = [
   ["exact-pixels", toggleExact],
   ["mesh", toggle("showMesh")],
   ["outlines", toggle("showOutlines")],
+  ["isolate", toggleIsolation],
   ["reference", toggle("showReference")],
   ["hide-handles", toggle("hideHandles")],
   ["hints", toggle("hintsShown")],

@@ -22,6 +22,7 @@ import { united } from "./changes.js";
 import { expectDrags } from "./expected.js";
 import { LiveGesture } from "./gesture.js";
 import { History, type HistoryLog, type Places } from "./history.js";
+import { Isolation } from "./isolation.js";
 import { openSettings } from "./settings.js";
 import { quickChanges } from "./sync.js";
 import type {
@@ -56,6 +57,8 @@ export class DrawingEditor implements Editor {
   readonly navigation: Navigation;
   readonly opened = signal(0);
   readonly selection: Signal<Selection> = signal<Selection>([]);
+  readonly #isolation = new Isolation(() => this.drawing);
+  readonly isolated = this.#isolation.handle;
   readonly tool = signal<ToolName>("select");
   readonly attribute = signal<Attribute>("color");
   readonly hovered = signal<Handle | null>(null);
@@ -145,6 +148,7 @@ export class DrawingEditor implements Editor {
       this.#drawing = drawing;
       this.#history.restore(log);
       this.selection.value = [];
+      this.#isolation.set(null);
       this.hovered.value = null;
       this.picker.value = null;
       this.hints.value = [];
@@ -211,7 +215,7 @@ export class DrawingEditor implements Editor {
 
   #record(label: string, outcome: Outcome, before: Places, merge: string) {
     batch(() => {
-      if (outcome.select) this.#select(outcome.select);
+      if (outcome.select) this.#selectMade(outcome.select);
       else this.#prune();
       this.#history.push({ label, patch: outcome.patch, before, after: this.#places() }, merge);
       this.file.value = { ...this.file.value, isChanged: true };
@@ -304,6 +308,7 @@ export class DrawingEditor implements Editor {
     batch(() => {
       this.#revision.value += 1;
       if (change.isStructural) this.#prune();
+      this.#isolation.follow();
     });
     const quick = quickChanges(this.#drawing, change, (handle) => this.#engineCurves(handle));
     this.#showText(moving, quick);
@@ -392,6 +397,21 @@ export class DrawingEditor implements Editor {
     });
   }
 
+  /** Selects what an edit has made. An object outside the isolated item ends the isolation. */
+  #selectMade(places: readonly { readonly at: number; readonly part?: Part }[]) {
+    this.#select(places);
+    const isWithin = ({ handle }: { readonly handle: Handle }) => this.#isolation.has(this.#drawing.item(handle) ?? null);
+    if (!this.selection.value.every(isWithin)) this.isolate(null);
+  }
+
+  isolate(handle: Handle | null): void {
+    const before = this.isolated.value;
+    this.#isolation.set(handle);
+    const now = this.isolated.value;
+    const item = now === null ? undefined : this.#drawing.item(now);
+    if (now !== before) this.announcement.value = en.commands.isolation(item?.name ?? null);
+  }
+
   /** Removes items that no longer exist from the selection. */
   #prune() {
     const { value } = this.selection;
@@ -407,9 +427,10 @@ export class DrawingEditor implements Editor {
     for (const { handle } of [...this.selection.value].reverse()) {
       let item: Item | null = drawing.item(handle) ?? null;
       while (item && item.kind !== "layer") item = item.parent;
-      if (item && !item.locked) return item;
+      if (item && !item.locked && this.#isolation.has(item)) return item;
     }
-    const layers = [...drawing.all()].filter((item) => item.kind === "layer" && !item.locked && !item.hidden);
+    const isFree = (item: Item) => item.kind === "layer" && !item.locked && !item.hidden && this.#isolation.has(item);
+    const layers = [...drawing.all()].filter(isFree);
     return layers.at(-1) ?? null;
   }
 

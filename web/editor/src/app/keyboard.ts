@@ -16,6 +16,13 @@ function leaveField({ key, target }: KeyboardEvent): boolean {
   return true;
 }
 
+/** Ends the isolation, because no part of the page had another use for Escape. @returns whether there was one */
+function leaveIsolation(editor: DrawingEditor, { key }: KeyboardEvent): boolean {
+  if (key !== "Escape" || editor.isolated.peek() === null) return false;
+  editor.isolate(null);
+  return true;
+}
+
 /** The field that somebody types into, or null. */
 function fieldNow(): HTMLElement | null {
   const { activeElement } = document;
@@ -44,6 +51,7 @@ export function listenToKeys(editor: DrawingEditor): void {
     if (event.defaultPrevented || event.isComposing) return;
     const isInDialog = document.querySelector("dialog[open]") !== null;
     if (!isInDialog && leaveField(event)) return event.preventDefault();
+    if (!isInDialog && leaveIsolation(editor, event)) return event.preventDefault();
     if (event.key === HIDE_KEY && !isTyping(event.target)) editor.hideHandles.value = true;
     const command = commandOfKey(event);
     if (!command || BROWSERS.has(command)) return;

@@ -33,6 +33,7 @@ export const defaultKeys: readonly KeyBinding[] = [
   binding("view", "exact-pixels", "E"),
   binding("view", "mesh", "M"),
   binding("view", "outlines", "O"),
+  binding("view", "isolate", "Q"),
   binding("view", "reference", "Shift+R"),
   binding("view", "difference", "D"),
   binding("view", "rulers", "Alt+R"),

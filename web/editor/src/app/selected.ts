@@ -1,4 +1,5 @@
 // The selection, in the forms that commands need.
+import { layerOf } from "../model/commands/structure/items.js";
 import type { CurveItem, Handle, Item, Part } from "../model/types.js";
 import type { Editor } from "./types.js";
 
@@ -15,6 +16,12 @@ export function chosenItems(editor: Editor): readonly Item[] {
 export function primaryItem(editor: Editor): Item | null {
   const last = editor.selection.value.at(-1);
   return (last && editor.drawing.item(last.handle)) ?? null;
+}
+
+/** Returns what is isolated for an item: its layer, or the group that is it or around it. null: nothing can be. */
+export function isolatedBy(item: Item | null): Item | null {
+  const isGroup = item?.kind === "group" || item?.kind === "layer";
+  return layerOf(item) ?? (isGroup ? item : (item?.parent ?? null));
 }
 
 export function primaryCurve(editor: Editor): CurveItem | null {

@@ -155,6 +155,8 @@ export interface Editor {
   /** The engine's number of the text that it began with: pictures of earlier ones are of another drawing. */
   readonly opened: ReadonlySignal<number>;
   readonly selection: Signal<Selection>;
+  /** The layer or group outside of which the tools edit nothing, and which alone is not faded; null: none. */
+  readonly isolated: ReadonlySignal<Handle | null>;
   readonly tool: Signal<ToolName>;
   /** Which stops stand on the curve: keys 1 2 3. */
   readonly attribute: Signal<Attribute>;
@@ -209,7 +211,9 @@ export interface Editor {
   redo(): void;
   /** A new document takes the place of this one. */
   open(text: string, name: string): void;
-  /** The layer that new curves go into: the selection's, else the topmost that is not locked. */
+  /** Isolates a layer or group; null: ends the isolation. */
+  isolate(handle: Handle | null): void;
+  /** The layer that new curves go into: the selection's, else the topmost that is not locked, within the isolated item. */
   readonly activeLayer: Item | null;
   /** The engine's number of a layer, or null where it has no curves that the engine has read. */
   engineLayer(layer: Item): number | null;

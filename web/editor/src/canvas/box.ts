@@ -8,10 +8,12 @@ import {
   type Point,
 } from "../geometry/affine.js";
 import { boundsOf, mappedPath, unionOf, type CubicPath } from "../geometry/cubic.js";
-import type { Drawing, Handle, Item, Selection } from "../model/types.js";
+import type { Editor } from "../app/types.js";
+import { isHidden } from "../model/standing.js";
+import type { Handle, Item, Selection } from "../model/types.js";
 import * as en from "../strings/en.js";
 import type { BoxMark } from "./marks.js";
-import { isHidden, isLocked, placesOf, type Place } from "./places.js";
+import { isOutOfReach, placesOf, type Place } from "./places.js";
 
 /** The box stands off what it holds, and the handle that turns it off the box, CSS pixels. */
 export const BOX_OFF = 8;
@@ -41,28 +43,28 @@ export function wholes(selection: Selection): Handle[] {
   return selection.filter(({ part }) => part.kind === "whole").map(({ handle }) => handle);
 }
 
-/** Returns the items of a selection that may be moved: none that is locked or lies within another of them. */
-export function movable(drawing: Drawing, selection: Selection): Item[] {
-  const chosen = new Set(wholes(selection));
+/** Returns the selected items that may be moved: none that is out of reach or lies within another of them. */
+export function movable(editor: Editor): Item[] {
+  const chosen = new Set(wholes(editor.selection.value));
   const isInside = (item: Item | null): boolean =>
     item !== null && (chosen.has(item.handle) || isInside(item.parent));
   return [...chosen].flatMap((handle) => {
-    const item = drawing.item(handle);
-    return item && !isLocked(item) && !isInside(item.parent) ? [item] : [];
+    const item = editor.drawing.item(handle);
+    return item && !isOutOfReach(editor, item) && !isInside(item.parent) ? [item] : [];
   });
 }
 
 /** Around what is selected and seen, artboard units; null: nothing is. */
-export function selectionBox(drawing: Drawing, selection: Selection): Box | null {
-  const chosen = new Set(wholes(selection));
+export function selectionBox(editor: Editor): Box | null {
+  const chosen = new Set(wholes(editor.selection.value));
   if (chosen.size === 0) return null;
   const isChosen = (item: Item | null): boolean =>
     item !== null && (chosen.has(item.handle) || isChosen(item.parent));
-  const boxes = placesOf(drawing)
+  const boxes = placesOf(editor)
     .filter(({ owner }) => isChosen(owner))
     .map(placeBounds);
   for (const handle of chosen) {
-    const item = drawing.item(handle);
+    const item = editor.drawing.item(handle);
     if (item?.kind === "reference" && !isHidden(item))
       boxes.push(mappedBox(item.artboardFromItem, item.box));
   }

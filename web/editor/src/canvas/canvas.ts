@@ -4,13 +4,14 @@ import { inverted, mapped, type Affine, type Point } from "../geometry/affine.js
 import type { Editor } from "../app/types.js";
 import type { Lines } from "../geometry/box-snap.js";
 import { guidelinesOf, type Guidelines } from "../model/guidelines.js";
+import { isHidden, isWithin } from "../model/standing.js";
 import type { Attribute, CurveItem, Handle, Item, Selection } from "../model/types.js";
 import { boxMarks, selectionBox } from "./box.js";
 import { Grips } from "./grips.js";
 import { CurveGrid, markAt, REACH, type CurveHit, type PointerKind } from "./hit.js";
 import { chosenParts, nodeMarks, stageFromItem, stopMarks, type Mark } from "./marks.js";
 import { paintMarks } from "./paint-marks.js";
-import { isCurve, isHidden, isLocked, isWithin, placesOf, type Place } from "./places.js";
+import { isCurve, isOutOfReach, placesOf, type Place } from "./places.js";
 import { NO_SKETCH, type Sketch } from "./sketch.js";
 import { snapped, type Snapped } from "./snap.js";
 import { keyOf } from "./walk.js";
@@ -98,7 +99,10 @@ export class Canvas {
     return curves
       .filter(isCurve)
       .filter(
-        (item) => !isHidden(item) && !isLocked(item) && inverted(item.artboardFromItem) !== null,
+        (item) =>
+          !isHidden(item) &&
+          !isOutOfReach(this.editor, item) &&
+          inverted(item.artboardFromItem) !== null,
       );
   }
 
@@ -117,9 +121,8 @@ export class Canvas {
     const map = this.stageFromArtboard();
     const tool = editor.tool.value;
     if (tool === "select") {
-      const selection = editor.selection.value;
-      const box = selectionBox(editor.drawing, selection);
-      const last = selection.at(-1);
+      const box = selectionBox(editor);
+      const last = editor.selection.value.at(-1);
       const isChosen = (mark: Mark) => this.grips.isChosen(mark.handle, keyOf(mark));
       return box && last ? boxMarks(box, map, last.handle, isChosen) : [];
     }
@@ -150,12 +153,12 @@ export class Canvas {
 
   /** The curves on the stage, as they are now. */
   curves(): CurveGrid {
-    const { drawing, view, stage } = this.editor;
+    const { drawing, isolated, view, stage } = this.editor;
     const { width, height } = stage.peek();
-    const key = [drawing, drawing.revision, view.peek(), width, height];
+    const key = [drawing, drawing.revision, isolated.peek(), view.peek(), width, height];
     if (!this.grid || !this.grid.key.every((value, k) => value === key[k])) {
       const map = stageFromArtboard(view.peek(), width, height);
-      this.grid = { key, grid: new CurveGrid(placesOf(drawing), map, width, height) };
+      this.grid = { key, grid: new CurveGrid(placesOf(this.editor), map, width, height) };
     }
     return this.grid.grid;
   }

@@ -66,7 +66,7 @@ async function curveSides(editor: Editor, layer: Item | null, inLayer: CubicPath
 function meetsEnd(editor: Editor, { points }: CubicPath): boolean {
   const near = SAME_PX / editor.view.peek().zoom;
   const ends = [points[0], points[points.length - 1]];
-  return placesOf(editor.drawing).some(({ item, artboardFromItem }) =>
+  return placesOf(editor).some(({ item, artboardFromItem }) =>
     item.paths.some(
       (path) =>
         !path.closed &&
@@ -82,10 +82,10 @@ function isBlank({ drawing }: Editor): boolean {
   return ![...drawing.all()].some(({ kind }) => kind === "curve" || kind === "stroke");
 }
 
-/** Where a local stroke goes: on top of the stroke or into the group that is selected. */
+/** Where a local stroke goes: on top of the selected stroke, or into the group that is selected, else isolated. */
 function strokeParent(editor: Editor): { into: Handle | null; map: Affine } {
-  const last = editor.selection.peek().at(-1);
-  const item = last && editor.drawing.item(last.handle);
+  const handle = editor.selection.peek().at(-1)?.handle ?? editor.isolated.peek();
+  const item = handle === null ? undefined : editor.drawing.item(handle);
   if (item?.kind === "stroke")
     return { into: item.handle, map: item.parent?.artboardFromItem ?? IDENTITY };
   if (item?.kind === "group" && !isInLayer(item))

@@ -41,7 +41,7 @@ import * as en from "../strings/en.js";
 import { pathInLayer } from "./along.js";
 import { movable } from "./box.js";
 import { withHandle } from "./nodes.js";
-import { isCurve, isLocked } from "./places.js";
+import { isCurve, isOutOfReach, type Reach } from "./places.js";
 import { sideValue, stopsOf, withOffset, type StopKind, type Value } from "./sides.js";
 import { mappedPath } from "../geometry/cubic.js";
 import { nodePath } from "../geometry/natural.js";
@@ -79,33 +79,33 @@ function nodesOf(selection: readonly Selected[]): Map<Handle, Map<number, number
 
 /** A command for the chosen nodes of each curve, as one outcome. */
 function forNodes(
-  drawing: Drawing,
+  reach: Reach,
   selection: readonly Selected[],
   make: (item: CurveItem, nodes: NodesBySubpath) => Outcome | null,
 ): Outcome | null {
   const outcomes: (Outcome | null)[] = [];
   for (const [handle, nodes] of nodesOf(selection)) {
-    const item = drawing.item(handle);
-    if (isCurve(item) && !isLocked(item)) outcomes.push(make(item, nodes));
+    const item = reach.drawing.item(handle);
+    if (isCurve(item) && !isOutOfReach(reach, item)) outcomes.push(make(item, nodes));
   }
   return outcomes.length > 0 ? together(outcomes) : null;
 }
 
 /** Moves the chosen nodes, with their handles. @param by artboard units */
 export function movedNodes(
-  drawing: Drawing,
+  reach: Reach,
   selection: readonly Selected[],
   by: Point,
   step: (item: CurveItem) => number,
 ): Outcome | null {
-  return forNodes(drawing, selection, (item, nodes) => {
+  return forNodes(reach, selection, (item, nodes) => {
     const back = inverted(item.artboardFromItem);
-    return back && moveNodes(drawing, item.handle, nodes, mappedVector(back, by), step(item));
+    return back && moveNodes(reach.drawing, item.handle, nodes, mappedVector(back, by), step(item));
   });
 }
 
 export function setKinds(editor: Editor, kind: NodeKind): boolean {
-  const made = forNodes(editor.drawing, editor.selection.peek(), (item, nodes) =>
+  const made = forNodes(editor, editor.selection.peek(), (item, nodes) =>
     setNodeKind(editor.drawing, item.handle, nodes, kind, editor.step(item)),
   );
   return editor.run(en.tools.undo.kind, made);
@@ -122,7 +122,7 @@ export function deleteParts(editor: Editor): boolean {
   if (primary?.part.kind === "paint") return isShown(editor, primary.handle, primary.part);
   if (primary?.part.kind === "handle") {
     const item = editor.drawing.item(primary.handle);
-    if (item && !isLocked(item)) takeInHandle(editor, primary.handle, primary.part);
+    if (item && !isOutOfReach(editor, item)) takeInHandle(editor, primary.handle, primary.part);
     return true;
   }
   const stops = selection.filter(({ part }) => part.kind === "stop");
@@ -137,7 +137,7 @@ export function deleteParts(editor: Editor): boolean {
   }
   if (!selection.some(({ part }) => part.kind === "node")) return false;
   const whole = selection.map(({ handle }): Selected => ({ handle, part: { kind: "whole" } }));
-  const made = forNodes(editor.drawing, selection, (item, nodes) =>
+  const made = forNodes(editor, selection, (item, nodes) =>
     deleteNodes(editor.drawing, item.handle, nodes, editor.step(item)),
   );
   if (editor.run(en.tools.undo.deleteNodes, made)) {
@@ -158,7 +158,7 @@ function isShown(editor: Editor, handle: Handle, part: Part & { kind: "paint" })
 function deleteStops(editor: Editor, handle: Handle, parts: readonly Part[]): void {
   const item = editor.drawing.item(handle);
   const primary = parts[parts.length - 1];
-  if (!isCurve(item) || isLocked(item) || primary?.kind !== "stop") return;
+  if (!isCurve(item) || isOutOfReach(editor, item) || primary?.kind !== "stop") return;
   const { side, attribute } = primary;
   const list = stopsOf(item, side, attribute);
   const taken = (outcome: Outcome | null) => {
@@ -190,7 +190,7 @@ export function nudge(editor: Editor, [dx, dy]: Point): boolean {
   const item = editor.drawing.item(primary.handle);
   const { part } = primary;
   if (part.kind === "stop" || part.kind === "handle") {
-    if (!isCurve(item) || isLocked(item)) return false;
+    if (!isCurve(item) || isOutOfReach(editor, item)) return false;
     const made =
       part.kind === "stop"
         ? nudgedStop(editor, item, part, dx - dy)
@@ -202,14 +202,14 @@ export function nudge(editor: Editor, [dx, dy]: Point): boolean {
     );
   }
   if (part.kind === "paint") {
-    if (!isCurve(item) || isLocked(item)) return false;
+    if (!isCurve(item) || isOutOfReach(editor, item)) return false;
     return editor.run(en.tools.undo.movePaint, nudgedPaint(editor, item, part, by), "nudge");
   }
   if (part.kind === "node") {
-    const made = movedNodes(editor.drawing, selection, by, (curve) => editor.step(curve));
+    const made = movedNodes(editor, selection, by, (curve) => editor.step(curve));
     return editor.run(en.tools.undo.moveNodes, made, "nudge");
   }
-  const handles = movable(editor.drawing, selection).map(({ handle }) => handle);
+  const handles = movable(editor).map(({ handle }) => handle);
   if (handles.length === 0) return false;
   const made = transform(editor.drawing, handles, translation(...by), editor.step(null));
   return editor.run(en.tools.undo.move, made, "nudge");

@@ -101,9 +101,8 @@ export class Grips {
   arrow([dx, dy]: Point, keys: GripKeys): boolean {
     const mark = this.current();
     const { editor } = this.canvas;
-    const selection = editor.selection.peek();
-    const box = mark && selectionBox(editor.drawing, selection);
-    const handles = movable(editor.drawing, selection).map(({ handle }) => handle);
+    const box = mark && selectionBox(editor);
+    const handles = movable(editor).map(({ handle }) => handle);
     if (!mark || !box || handles.length === 0) return false;
     const key = `${keyOf(mark)} of ${handles.join()}`;
     if (mark.kind === "turn") this.turn(box, handles, key, (dx + dy) * TURN[size(keys)]);
@@ -135,7 +134,7 @@ export class Grips {
 
   private tellSize(): void {
     const { editor } = this.canvas;
-    const box = selectionBox(editor.drawing, editor.selection.peek());
+    const box = selectionBox(editor);
     if (box)
       editor.announcement.value = en.canvas.size(shown(box[2] - box[0]), shown(box[3] - box[1]));
   }

@@ -4,15 +4,8 @@ import type { Canvas } from "./canvas.js";
 import { deleteParts, nudge } from "./edits.js";
 import { guideKey } from "./guides/keys.js";
 import type { Pointers } from "./pointers.js";
-import type { Tool } from "./tools/tool.js";
+import type { KeyPress, Tool } from "./tools/tool.js";
 import { goIn, goOut, walk } from "./walk.js";
-
-export interface StageKey {
-  readonly key: string;
-  readonly shift: boolean;
-  readonly alt: boolean;
-  readonly ctrl: boolean;
-}
 
 const ARROWS: Readonly<Record<string, Point>> = {
   ArrowLeft: [-1, 0],
@@ -24,24 +17,25 @@ const ARROWS: Readonly<Record<string, Point>> = {
 const LARGE_STEP = 10;
 
 /** @returns whether the key was the stage's */
-export function pressKey(canvas: Canvas, pointers: Pointers, tool: Tool, key: StageKey): boolean {
+export function pressKey(canvas: Canvas, pointers: Pointers, tool: Tool, key: KeyPress): boolean {
   pointers.modifiers(key);
+  tool.modifiers?.(key);
   if (key.key === "Escape" && pointers.cancel()) return true;
+  if (!pointers.isDragging && tool.key?.(key)) return true;
   if (key.key === " ") {
     pointers.space(true);
     return true;
   }
-  if (pointers.isDragging) return pointers.key(key);
-  if (tool.key?.(key)) return true;
-  return pressPlainKey(canvas, key);
+  return pointers.isDragging ? pointers.key(key) : pressPlainKey(canvas, key);
 }
 
-export function releaseKey(pointers: Pointers, key: StageKey): void {
+export function releaseKey(pointers: Pointers, tool: Tool, key: KeyPress): void {
   pointers.modifiers(key);
+  tool.modifiers?.(key);
   if (key.key === " ") pointers.space(false);
 }
 
-function pressPlainKey(canvas: Canvas, { key, shift, alt, ctrl }: StageKey): boolean {
+function pressPlainKey(canvas: Canvas, { key, shift, alt, ctrl }: KeyPress): boolean {
   const { editor, grips } = canvas;
   const arrow = ARROWS[key];
   const pixels = shift ? LARGE_STEP : 1;

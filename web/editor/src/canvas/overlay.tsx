@@ -103,7 +103,7 @@ function Grid({ canvas, map }: { readonly canvas: Canvas; readonly map: Affine }
 function AllOutlines({ canvas, map }: { readonly canvas: Canvas; readonly map: Affine }) {
   const { editor } = canvas;
   const data = useComputed(() => {
-    const places = placesOf(editor.drawing);
+    const places = placesOf(editor);
     return { path: outlineOf(places), isMany: places.length > MANY };
   });
   const { path, isMany } = data.value;
@@ -158,7 +158,7 @@ function Curves({ canvas, map }: { readonly canvas: Canvas; readonly map: Affine
   const { editor } = canvas;
   const selected = useComputed(() => {
     const handles = new Set(editor.selection.value.map(({ handle }) => handle));
-    const found = selectedPlaces(placesOf(editor.drawing), handles);
+    const found = selectedPlaces(placesOf(editor), handles);
     const isMany = found.selected.length + found.within.length > MANY;
     return { own: outlineOf(found.selected), within: outlineOf(found.within), isMany };
   });
@@ -166,7 +166,7 @@ function Curves({ canvas, map }: { readonly canvas: Canvas; readonly map: Affine
     const over = editor.hovered.value;
     const isSelected = editor.selection.value.some(({ handle }) => handle === over);
     if (over === null || isSelected) return "";
-    return outlineOf(placesOf(editor.drawing).filter(({ owner }) => owner.handle === over));
+    return outlineOf(placesOf(editor).filter(({ owner }) => owner.handle === over));
   });
   const { own, within, isMany } = selected.value;
   return (
@@ -181,7 +181,7 @@ function Curves({ canvas, map }: { readonly canvas: Canvas; readonly map: Affine
 function SelectionBox({ canvas, map }: { readonly canvas: Canvas; readonly map: Affine }) {
   const { editor } = canvas;
   if (editor.tool.value !== "select") return null;
-  const box = selectionBox(editor.drawing, editor.selection.value);
+  const box = selectionBox(editor);
   if (!box) return null;
   const [x0, y0, x1, y1] = drawnBox(box, map);
   const sides = { x: x0, y: y0, width: x1 - x0, height: y1 - y0 };

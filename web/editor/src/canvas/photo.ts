@@ -10,8 +10,9 @@ import {
 } from "../geometry/affine.js";
 import type { Photo } from "../geometry/photo.js";
 import { isLowest } from "../model/commands/structure/items.js";
+import { isHidden } from "../model/standing.js";
 import type { Drawing, ReferenceItem } from "../model/types.js";
-import { isHidden, isLocked } from "./places.js";
+import { isOutOfReach, type Reach } from "./places.js";
 
 /** A photo in its place. */
 export interface PlacedPhoto extends Photo {
@@ -53,9 +54,10 @@ export function isSeenThrough({ drawing, showReference }: Editor): boolean {
 }
 
 /** The topmost photo that may be moved, at a point of the artboard. */
-export function loosePhotoAt(drawing: Drawing, point: Point): ReferenceItem | null {
+export function loosePhotoAt(reach: Reach, point: Point): ReferenceItem | null {
+  const { drawing } = reach;
   const loose = [...photosOf(drawing, true), ...photosOf(drawing, false)].filter(
-    (item) => !isLocked(item) && isWithin(item, point),
+    (item) => !isOutOfReach(reach, item) && isWithin(item, point),
   );
   return loose.at(-1) ?? null;
 }

@@ -1,7 +1,12 @@
 // Where the curves of a drawing are seen: each in its place, and through every <use> once more.
 import { composed, inverted, type Affine } from "../geometry/affine.js";
+import type { Editor } from "../app/types.js";
 import { shiftOf } from "../model/commands/structure/items.js";
+import { isHidden, isLocked, isWithin } from "../model/standing.js";
 import type { CurveItem, Drawing, Handle, Item } from "../model/types.js";
+
+/** A drawing, and the item outside of which nothing is edited. */
+export type Reach = Pick<Editor, "drawing" | "isolated">;
 
 export interface Place {
   readonly item: CurveItem;
@@ -30,30 +35,28 @@ export function isCurve(item: Item | undefined): item is CurveItem {
   return item?.kind === "curve" || item?.kind === "stroke";
 }
 
-/** Whether it, or something around it, is locked. */
-export function isLocked(item: Item): boolean {
-  return item.locked || (item.parent !== null && isLocked(item.parent));
+/** Whether an item is out of reach of the tools: locked, or outside the isolated item. */
+export function isOutOfReach({ isolated: { value: handle } }: Pick<Reach, "isolated">, item: Item): boolean {
+  return isLocked(item) || (handle !== null && !isWithin(item, new Set([handle])));
 }
 
-export function isHidden(item: Item): boolean {
-  return item.hidden || (item.parent !== null && isHidden(item.parent));
-}
+const kept = new WeakMap<Drawing, { key: string; places: readonly Place[] }>();
 
-/** Whether an item, or something around it, is one of these. */
-export function isWithin(item: Item | null, handles: ReadonlySet<Handle>): boolean {
-  return item !== null && (handles.has(item.handle) || isWithin(item.parent, handles));
-}
-
-const kept = new WeakMap<Drawing, { revision: number; places: readonly Place[] }>();
-
-/** The places that can be seen and are not locked, the last on top. */
-export function placesOf(drawing: Drawing): readonly Place[] {
+/** The places that can be seen and are in reach of the tools, the last on top. */
+export function placesOf({ drawing, isolated: { value: handle } }: Reach): readonly Place[] {
+  const key = `${drawing.revision} ${handle}`;
   const known = kept.get(drawing);
-  if (known?.revision === drawing.revision) return known.places;
+  if (known?.key === key) return known.places;
   const places: Place[] = [];
-  for (const item of drawing.items) collect(item, null, null, 0, places);
-  kept.set(drawing, { revision: drawing.revision, places });
+  for (const item of itemsWithin(drawing, handle)) collect(item, null, null, 0, places);
+  kept.set(drawing, { key, places });
   return places;
+}
+
+function itemsWithin(drawing: Drawing, handle: Handle | null): readonly Item[] {
+  const item = handle === null ? undefined : drawing.item(handle);
+  if (!item) return drawing.items;
+  return isHidden(item) || isLocked(item) ? [] : [item];
 }
 
 /** Curves where the text has them: of thousands one has changed, and is another object. */

@@ -7,7 +7,7 @@ import type { CursorName } from "./cursors.js";
 import { rulerAt, rulerDrag } from "./guides/drag.js";
 import type { PointerKind } from "./hit.js";
 import { PanDrag } from "./tools/hand.js";
-import type { Drag, KeyPress, Press, Tool, TrailPoint } from "./tools/tool.js";
+import type { Drag, KeyPress, Modifiers, Press, Tool, TrailPoint } from "./tools/tool.js";
 
 /** A pointer event, with its place on the stage in CSS pixels. */
 export interface StagePointer {
@@ -23,12 +23,6 @@ export interface StagePointer {
   readonly time: number;
   /** Moments since the last event, the last of them `at`. */
   readonly trail: readonly TrailPoint[];
-}
-
-export interface Modifiers {
-  readonly shift: boolean;
-  readonly alt: boolean;
-  readonly ctrl: boolean;
 }
 
 /** A palm that touches the screen this long after the pen is not a finger: milliseconds. */

@@ -10,7 +10,7 @@ import type { PictureUpdate } from "../engine/types.js";
 import { ExactStage } from "./exact.js";
 import { isSeenThrough } from "./photo.js";
 import { Scene, type SceneChange } from "./scene.js";
-import type { StackItem } from "./stack-parts.js";
+import { isolatedStack, type StackItem } from "./stack-parts.js";
 import { keepStill } from "./still.js";
 
 /** How long the picture must rest before it is made finer, milliseconds. */
@@ -18,7 +18,8 @@ const REST = 150;
 /** A context that is lost for longer is spoken of, milliseconds. */
 const PATIENCE = 1000;
 
-type Paints = NonNullable<Scene["picture"]>["paints"];
+type Picture = NonNullable<Scene["picture"]>;
+type Paints = Picture["paints"];
 
 export interface PictureWords {
   /** WebGL 2 is missing. */
@@ -76,7 +77,7 @@ export class PictureCanvas {
     canvas.classList.add("picture");
     this.#lastFrame = new MovedFrame(canvas);
     this.#open(canvas);
-    const stops = [effect(() => this.#watch()), effect(() => this.#watchView())];
+    const stops = [effect(() => this.#watch()), effect(() => this.#watchView()), effect(() => this.#watchIsolation())];
     this.#stop = () => stops.forEach((stop) => stop());
   }
 
@@ -100,9 +101,8 @@ export class PictureCanvas {
 
   /** Rebuilds everything from the page's data. */
   #build() {
-    const { picture } = this.#scene;
-    if (!this.#gl || this.#gl.isContextLost() || !picture || !this.#texels) return;
-    this.#renderer = new Renderer(this.#gl, picture, this.#texels.texels);
+    if (!this.#gl || this.#gl.isContextLost() || !this.#scene.picture || !this.#texels) return;
+    this.#renderer = new Renderer(this.#gl, this.#shownPicture(this.#scene.picture), this.#texels.texels);
     this.#exact.reset();
     this.change();
   }
@@ -120,6 +120,35 @@ export class PictureCanvas {
     this.change();
     // The loupe of the sample tool reads the pixels under the pointer from a drawn frame.
     this.#isOnlyMoved = isOnlyMoved && this.#editor.tool.peek() !== "sample";
+  }
+
+  /** What is shown in its own colours, with all others faded; null: everything. The sample tool takes colours of all. */
+  readonly #isolated = computed(() => {
+    const { isolated, tool } = this.#editor;
+    return isolated.value !== null && tool.value !== "sample" ? isolated.value : null;
+  });
+
+  /** Shows the picture as the isolation wants it. The engine numbers its layers anew before it reports a status. */
+  #watchIsolation() {
+    if (this.#isolated.value !== null) void this.#editor.status.value;
+    untracked(() => this.#fitIsolation());
+  }
+
+  #fitIsolation() {
+    const { picture } = this.#scene;
+    if (!this.#renderer || !this.#isWhole || !picture) return;
+    const shown = this.#shownPicture(picture);
+    if (isSameList(this.#renderer.picture.stack, shown.stack)) return;
+    this.#renderer.setPicture(shown, this.#texels!.texels);
+    this.change();
+  }
+
+  #shownPicture(picture: Picture): Picture {
+    const editor = this.#editor;
+    const handle = this.#isolated.peek();
+    const item = handle === null ? undefined : editor.drawing.item(handle);
+    const stack = item && isolatedStack(editor, picture.stack, item);
+    return stack ? { ...picture, stack } : picture;
   }
 
   take(update: PictureUpdate): void {
@@ -149,7 +178,7 @@ export class PictureCanvas {
     const { picture } = this.#scene;
     if (!this.#renderer) return this.#build();
     if (isOther || layers.length > 0) this.#renderer.setExact(null);
-    if (isOther) this.#renderer.setPicture(picture!, this.#texels!.texels);
+    if (isOther) this.#renderer.setPicture(this.#shownPicture(picture!), this.#texels!.texels);
     for (const { layer, change } of layers) this.#renderer.updateLayer(layer, change);
     this.change();
   }
@@ -302,11 +331,11 @@ function deskOf(canvas: HTMLCanvasElement): number[] {
 }
 
 function samePaints(a: Paints, b: Paints): boolean {
-  const isSame = a.texelCount === b.texelCount && a.paint.length === b.paint.length && sameNumbers(a.table, b.table);
-  return isSame && a.paint.every(({ file }, i) => file?.bytes.length === b.paint[i].file?.bytes.length && sameNumbers(file?.bytes ?? [], b.paint[i].file?.bytes ?? []));
+  const isSame = a.texelCount === b.texelCount && a.paint.length === b.paint.length && isSameList(a.table, b.table);
+  return isSame && a.paint.every(({ file }, i) => file?.bytes.length === b.paint[i].file?.bytes.length && isSameList(file?.bytes ?? [], b.paint[i].file?.bytes ?? []));
 }
 
-function sameNumbers(a: ArrayLike<number>, b: ArrayLike<number>): boolean {
+function isSameList<T>(a: ArrayLike<T>, b: ArrayLike<T>): boolean {
   if (a.length !== b.length) return false;
   for (let i = 0; i < a.length; ++i) if (a[i] !== b[i]) return false;
   return true;

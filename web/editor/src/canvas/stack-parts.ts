@@ -105,6 +105,22 @@ export function partsOf(editor: Editor, stack: readonly StackItem[]): ReadonlyMa
   return parts;
 }
 
+/** The group of all that is not isolated. */
+const FADED: StackItem = { kind: "begin", opacity: 0.25, blend: 0 };
+const END: StackItem = { kind: "end" };
+
+/**
+ * Returns a stack that shows an item in its own colours above all others, which are faded; null: the text is another
+ * one.
+ */
+export function isolatedStack(editor: Editor, stack: readonly StackItem[], item: Item): StackItem[] | null {
+  const parts = partsOf(editor, stack);
+  if (!parts) return null;
+  const own = new Set(parts.get(item)?.items);
+  const others = stack.filter((one) => !own.has(one));
+  return [FADED, ...others, END, ...own];
+}
+
 /**
  * Returns the item of the document that put an object on the stack, an instance as a whole; null: it cannot
  * be determined.

@@ -8,13 +8,13 @@ import { Canvas } from "./canvas.js";
 import "./canvas.css";
 import { cssCursor } from "./cursors.js";
 import type { PointerKind } from "./hit.js";
-import { pressKey, releaseKey, type StageKey } from "./keyboard.js";
+import { pressKey, releaseKey } from "./keyboard.js";
 import { Overlay } from "./overlay.js";
 import { Ground } from "./photos.js";
 import { Pointers, type StagePointer } from "./pointers.js";
 import { NO_SKETCH } from "./sketch.js";
 import { makeTools } from "./tools/index.js";
-import type { Tool } from "./tools/tool.js";
+import type { KeyPress, Tool } from "./tools/tool.js";
 import { turnWheel, type Navigation } from "../app/view.js";
 import { Rulers } from "./guides/rulers.js";
 import { keyOf, letGoOfParts } from "./walk.js";
@@ -137,7 +137,7 @@ function pointerOf(root: HTMLElement, event: PointerEvent): StagePointer {
   };
 }
 
-function keyOfEvent(event: KeyboardEvent): StageKey {
+function keyOfEvent(event: KeyboardEvent): KeyPress {
   return {
     key: event.key,
     shift: event.shiftKey,
@@ -187,7 +187,7 @@ function useListeners(parts: Parts, root: { current: HTMLDivElement | null }): v
       event.preventDefault();
       event.stopPropagation();
     });
-    on("keyup", (event) => releaseKey(pointers, keyOfEvent(event)));
+    on("keyup", (event) => releaseKey(pointers, tool(), keyOfEvent(event)));
     on("focusin", ({ target }) => {
       const key = target instanceof SVGElement && target.dataset.mark;
       if (key) canvas.grips.focused(key);

@@ -30,8 +30,8 @@ export function Tags({
 
 function Tag({ at, text }: { readonly at: Point; readonly text: string }) {
   return (
-    <span class="tag canvas-tag" style={`left:${at[0] + 16}px;top:${at[1] + 16}px`}>
-      {text}
+    <span class="canvas-tag-line" style={`--x:${at[0] + 16}px;--y:${at[1] + 16}px`}>
+      <span class="tag">{text}</span>
     </span>
   );
 }
@@ -39,7 +39,7 @@ function Tag({ at, text }: { readonly at: Point; readonly text: string }) {
 function BoxTag({ canvas, map }: { readonly canvas: Canvas; readonly map: Affine }) {
   const { editor } = canvas;
   if (editor.tool.value !== "select") return null;
-  const box = selectionBox(editor.drawing, editor.selection.value);
+  const box = selectionBox(editor);
   if (!box) return null;
   const [x0, , x1, y1] = drawnBox(box, map);
   return (

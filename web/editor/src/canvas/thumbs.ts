@@ -4,6 +4,7 @@ import { effect, signal, untracked, type Signal } from "@preact/signals";
 import type { Editor } from "../app/types.js";
 import { mappedBox, type Box } from "../geometry/affine.js";
 import { boundsOf } from "../geometry/cubic.js";
+import { isHidden } from "../model/standing.js";
 import type { Drawing, Handle, Item } from "../model/types.js";
 import type { PictureCanvas } from "./renderer.js";
 import { lookOf, partsOf, type Part } from "./stack-parts.js";
@@ -153,8 +154,6 @@ export class Thumbs {
     this.#keys.delete(handle);
   }
 }
-
-const isHidden = (item: Item): boolean => item.hidden || (item.parent !== null && isHidden(item.parent));
 
 /** Around the curves within, with some room; null: there are none, or they have no extent. */
 function curvesBox(item: Item): Box | null {

@@ -21,7 +21,7 @@ export function keyOf(mark: Mark): string {
 
 /** Returns the items that the keyboard walks through: curves, and copies by <use>, each once. */
 function owners(editor: Editor): Item[] {
-  return [...new Set(placesOf(editor.drawing).map(({ owner }) => owner))];
+  return [...new Set(placesOf(editor).map(({ owner }) => owner))];
 }
 
 /**
@@ -73,13 +73,13 @@ export function goIn(editor: Editor): boolean {
   return true;
 }
 
-/** Out of what is selected: of a part to its curve, to its group and layer, to nothing. */
+/** Out of what is selected: of a part to its curve, to its group and layer, at most the isolated one, to nothing. */
 export function goOut(editor: Editor): boolean {
   const primary = editor.selection.peek().at(-1);
   if (!primary) return false;
   const item = editor.drawing.item(primary.handle);
   if (primary.part.kind !== "whole") choose(editor, primary.handle, WHOLE);
-  else if (item?.parent) choose(editor, item.parent.handle, WHOLE);
+  else if (item?.parent && item.handle !== editor.isolated.peek()) choose(editor, item.parent.handle, WHOLE);
   else editor.selection.value = [];
   const now = editor.selection.peek().at(-1);
   editor.announcement.value = (now && editor.drawing.item(now.handle)?.name) ?? "";

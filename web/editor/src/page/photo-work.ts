@@ -2,7 +2,8 @@
 import { effect } from "@preact/signals";
 import type { DrawingEditor } from "../app/editor.js";
 import { chosenCurves } from "../app/selected.js";
-import { isHidden, isLocked } from "../canvas/places.js";
+import { isOutOfReach } from "../canvas/places.js";
+import { isHidden } from "../model/standing.js";
 import { complaintOf } from "../engine/complaint.js";
 import { pageHost } from "../engine/page-host.js";
 import { fitToPhoto, snapToPhoto as movedToEdges } from "../engine/photo-trace.js";
@@ -25,13 +26,14 @@ const REACH = 16;
 const LEAST_REACH = 3;
 const MOST_REACH = 24;
 
-const free = (items: readonly CurveItem[]) => items.filter((item) => !isLocked(item) && !isHidden(item));
+const free = (editor: DrawingEditor, items: readonly CurveItem[]) =>
+  items.filter((item) => !isOutOfReach(editor, item) && !isHidden(item));
 
 /** The curves of layers that are chosen, or all where nothing is. */
 function curvesToFit(editor: DrawingEditor): CurveItem[] {
   const all = [...editor.drawing.all()].filter((item) => item.kind === "curve");
   const chosen = editor.selection.peek().length > 0 ? chosenCurves(editor) : all;
-  return free(chosen as readonly CurveItem[]).filter(({ kind }) => kind === "curve");
+  return free(editor, chosen as readonly CurveItem[]).filter(({ kind }) => kind === "curve");
 }
 
 /** The error for a user who edits meanwhile. */
@@ -149,7 +151,7 @@ export async function blurFromPhoto(editor: DrawingEditor): Promise<void> {
 
 /** The nodes of the chosen curves go to the photo's edges. */
 export async function snapToPhoto(editor: DrawingEditor): Promise<void> {
-  const items = free(chosenCurves(editor));
+  const items = free(editor, chosenCurves(editor));
   if (!isReady(editor, items, words.chooseCurves)) return;
   await withTask(editor, words.snapping, async (signal) => {
     const photo = await photoFor(editor, MOST_SNAPPED, signal);

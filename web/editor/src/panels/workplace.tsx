@@ -6,6 +6,7 @@ import { openMenu } from "./controls/menu.js";
 import { contextMenu } from "./menus/main.js";
 import { useShell } from "./services.js";
 import { HintRing, HintsDock, Picker, Tour } from "./shell/part.js";
+import { Isolation } from "./shell/isolation.js";
 import { Sheet } from "./shell/sheet.js";
 import { Side } from "./shell/side.js";
 import { StatusBar } from "./shell/statusbar.js";
@@ -40,6 +41,7 @@ export function Workplace({ children }: { readonly children: ComponentChildren }
         >
           {children}
           <HintRing />
+          <Isolation />
         </main>
         {!phone && <HintsDock />}
       </div>

@@ -3,8 +3,7 @@ import { lowered, objects, shared, sideNoun, steps } from "./shared.js";
 
 export const canvas = {
   name: shared.canvas,
-  describe: "Tab selects the next curve, Enter enters it, Escape leaves it; Shift Enter goes to the handles of the bounding box. Arrow keys move the selection; at a handle they scale or rotate it. With the pen and nothing selected, arrow keys move a point, and Enter sets a node there.",
-  caret: shared.pen,
+  describe: "Tab selects the next curve, Enter enters it, Escape leaves it; Shift Enter goes to the handles of the bounding box. Arrow keys move the selection; at a handle they scale or rotate it. With nothing selected, arrow keys move a point: with the pen, Enter sets a node there; with a shape tool, Enter sets a corner.",
   undone: (label: string) => `Undone: ${label}`,
   redone: (label: string) => `Redone: ${label}`,
   handlesOf: (curve: string) => `Handles of curve “${curve}”`,
@@ -89,6 +88,9 @@ export const tools = {
     ellipse: "Drag from corner to corner to draw an ellipse.",
     polygon: "Drag from corner to corner to draw a polygon.",
   },
+  /** The same where arrow keys move the corner. */
+  flatShape: "Move the second corner across and down with the arrow keys, then press Enter.",
+  firstCorner: "First corner set",
   noPhoto: "There is no photo to sample. Drop a picture on the canvas first.",
   photoUnread: "The photo cannot be read, so its colours cannot be sampled. Place it again as PNG or JPEG.",
 } as const;

@@ -3,10 +3,11 @@ import type { Box, Point } from "../../geometry/affine.js";
 import { mappedBox } from "../../geometry/affine.js";
 import { unionOf } from "../../geometry/cubic.js";
 import { snappedBox, type Lines } from "../../geometry/box-snap.js";
+import { isWithin } from "../../model/standing.js";
 import type { Handle } from "../../model/types.js";
 import { placeBounds } from "../box.js";
 import type { Canvas } from "../canvas.js";
-import { isWithin, placesOf } from "../places.js";
+import { placesOf } from "../places.js";
 import type { Guide } from "../sketch.js";
 import { SNAP_REACH } from "../snap.js";
 
@@ -32,7 +33,7 @@ export class AlignedMove {
     const { width, height } = editor.stage.peek();
     const own: Box[] = [];
     const others: Box[] = [];
-    for (const place of placesOf(editor.drawing)) {
+    for (const place of placesOf(editor)) {
       const box = mappedBox(map, placeBounds(place));
       if (isWithin(place.owner, moved)) own.push(box);
       else if (isOnStage(box, width, height)) others.push(box);

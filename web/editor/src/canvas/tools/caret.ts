@@ -20,7 +20,11 @@ export class Caret {
   /** Artboard units; null: it is not there. */
   at: Point | null = null;
 
-  constructor(private readonly canvas: Canvas) {}
+  /** @param name of the tool, for screen readers */
+  constructor(
+    private readonly canvas: Canvas,
+    private readonly name: string,
+  ) {}
 
   /** It begins in the middle of the stage. @returns whether the key is an arrow */
   move(key: string, isLarge: boolean): boolean {
@@ -35,7 +39,7 @@ export class Caret {
     this.at = canvas.toArtboard(to);
     canvas.draw({ brush: { at: to, radius: RING } });
     const [px, py] = this.at;
-    canvas.editor.announcement.value = en.canvas.at(en.canvas.caret, shown(px), shown(py));
+    canvas.editor.announcement.value = en.canvas.at(this.name, shown(px), shown(py));
     return true;
   }
 

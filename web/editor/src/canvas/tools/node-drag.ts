@@ -40,7 +40,7 @@ export function dragNodes(
         return closeByEnd(before, handle, part.path, part.index, step(item));
       const { zoom } = editor.view.peek();
       const vector: Point = [(to.at[0] - mark.at[0]) / zoom, (to.at[1] - mark.at[1]) / zoom];
-      return movedNodes(before, selection, vector, step);
+      return movedNodes({ drawing: before, isolated: editor.isolated }, selection, vector, step);
     },
     click,
     kept,

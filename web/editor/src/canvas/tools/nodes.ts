@@ -15,7 +15,7 @@ import { shown } from "../format.js";
 import type { CurveHit } from "../hit.js";
 import { selectedOf, stageFromItem, type Mark, type NodeMark } from "../marks.js";
 import { bent, pulledHandle, withHandle } from "../nodes.js";
-import { editedAt, isCurve, isLocked } from "../places.js";
+import { editedAt, isCurve, isOutOfReach } from "../places.js";
 import { isSamePart } from "../part.js";
 import { letGoOfParts } from "../walk.js";
 import { dragNodes } from "./node-drag.js";
@@ -199,7 +199,7 @@ export class NodesTool implements Tool {
   private split(hit: CurveHit): void {
     const { editor } = this.canvas;
     const item = editor.drawing.item(hit.place.item.handle);
-    if (!isCurve(item) || isLocked(item)) return;
+    if (!isCurve(item) || isOutOfReach(editor, item)) return;
     const path = item.paths[hit.path];
     const { piece, t } = locate(nodePath(path), placeOnNodePath(path, hit.at));
     const made = splitPiece(editor.drawing, item.handle, hit.path, piece, t, editor.step(item));

@@ -62,7 +62,7 @@ export class PenTool implements Tool {
   private readonly caret: Caret;
 
   constructor(private readonly canvas: Canvas) {
-    this.caret = new Caret(canvas);
+    this.caret = new Caret(canvas, en.panels.tool.pen);
     this.finished = new Finished(canvas, en.tools.undo.pen);
   }
 

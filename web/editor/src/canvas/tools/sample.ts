@@ -13,7 +13,7 @@ import { setSide } from "../edits.js";
 import { outermostLayer, type CurveHit } from "../hit.js";
 import { stageFromItem } from "../marks.js";
 import { photoOf, photoToTrace, type PlacedPhoto } from "../photo.js";
-import { editedAt, isCurve, placesOf } from "../places.js";
+import { editedAt, isCurve, placesOf, type Reach } from "../places.js";
 import { sampledSides, type SampledSides } from "../sampled.js";
 import { SIDES } from "../sides.js";
 import { NO_SKETCH } from "../sketch.js";
@@ -128,7 +128,7 @@ class SampleDrag implements Drag {
   ): Outcome | null {
     const curve = drawing.item(this.hit.place.item.handle);
     if (!isCurve(curve) || !curve.paths[this.hit.path]) return null;
-    const { settings, view } = this.canvas.editor;
+    const { isolated, settings, view } = this.canvas.editor;
     const pixel =
       1 /
       (view.peek().zoom *
@@ -138,7 +138,7 @@ class SampleDrag implements Drag {
       tolerance: settings.sampleTolerance.peek(),
       spacing: SPACING * pixel,
       blurs: settings.sampleBlur.peek(),
-      others: neighbours(drawing, curve),
+      others: neighbours({ drawing, isolated }, curve),
       range,
     });
     const colors = SIDES.map((side) => {
@@ -194,10 +194,10 @@ function blurring(
 }
 
 /** Curves of the same layer that may come between a curve and its samples, in the layer's frame. */
-function neighbours(drawing: Drawing, curve: CurveItem): CubicPath[] {
+function neighbours(reach: Reach, curve: CurveItem): CubicPath[] {
   const layer = outermostLayer(curve);
   const [x0, y0, x1, y1] = boundsOfCurve(curve);
-  return placesOf(drawing)
+  return placesOf(reach)
     .filter(({ item, owner }) => owner === item && item !== curve && outermostLayer(item) === layer)
     .filter(({ item }) => {
       const [a0, b0, a1, b1] = boundsOfCurve(item);

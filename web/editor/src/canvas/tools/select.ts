@@ -1,6 +1,7 @@
 // Select: click, box, move, copy, scale, rotate.
 import { mapped, translation, turning, type Affine, type Box, type Point } from "../../geometry/affine.js";
 import { duplicate, transform } from "../../model/commands/index.js";
+import { isWithin } from "../../model/standing.js";
 import type { Handle, Item, Selected } from "../../model/types.js";
 import * as en from "../../strings/en.js";
 import {
@@ -21,7 +22,7 @@ import { guideAt, GuideDrag, guideCursor } from "../guides/drag.js";
 import { layerAt } from "../hit.js";
 import type { BoxMark } from "../marks.js";
 import { loosePhotoAt } from "../photo.js";
-import { isWithin, placesOf } from "../places.js";
+import { placesOf } from "../places.js";
 import type { Guide } from "../sketch.js";
 import { AlignedMove } from "./aligned.js";
 import {
@@ -93,7 +94,7 @@ export class SelectTool implements Tool {
   private photoAt({ at }: Press): Item | null {
     const { editor } = this.canvas;
     if (!editor.showReference.peek()) return null;
-    return loosePhotoAt(editor.drawing, this.canvas.toArtboard(at));
+    return loosePhotoAt(editor, this.canvas.toArtboard(at));
   }
 
   private isSelected(item: Item): boolean {
@@ -106,7 +107,7 @@ export class SelectTool implements Tool {
 
   private isInBox([x, y]: Point): boolean {
     const { editor } = this.canvas;
-    const box = selectionBox(editor.drawing, editor.selection.peek());
+    const box = selectionBox(editor);
     if (!box || this.movedItems().length === 0) return false;
     const [x0, y0, x1, y1] = drawnBox(box, this.canvas.stageFromArtboard());
     return x >= x0 && x <= x1 && y >= y0 && y <= y1;
@@ -134,7 +135,7 @@ export class SelectTool implements Tool {
 
   private clickEmpty(p: Press): void {
     const { editor } = this.canvas;
-    const layer = layerAt(placesOf(editor.drawing), this.canvas.toArtboard(p.at));
+    const layer = layerAt(placesOf(editor), this.canvas.toArtboard(p.at));
     if (!layer) {
       if (!p.shift) editor.selection.value = [];
       return;
@@ -148,7 +149,7 @@ export class SelectTool implements Tool {
     const { editor } = this.canvas;
     const [a, b] = [this.canvas.toArtboard(low), this.canvas.toArtboard(high)];
     const handles = new Set<Handle>();
-    for (const place of placesOf(editor.drawing)) {
+    for (const place of placesOf(editor)) {
       const [x0, y0, x1, y1] = placeBounds(place);
       if (x0 >= a[0] && y0 >= a[1] && x1 <= b[0] && y1 <= b[1]) handles.add(place.owner.handle);
     }
@@ -161,15 +162,14 @@ export class SelectTool implements Tool {
   }
 
   private movedItems(): Item[] {
-    const { editor } = this.canvas;
-    return movable(editor.drawing, editor.selection.peek());
+    return movable(this.canvas.editor);
   }
 
   private move(start: Press, click: () => void): Drag {
     const { canvas } = this;
     const { editor } = canvas;
     const grid = canvas.curves();
-    const box = selectionBox(editor.drawing, editor.selection.peek());
+    const box = selectionBox(editor);
     const handles = this.movedItems().map(({ handle }) => handle);
     const ends = this.endsOf(new Set(handles));
     const aligned = new AlignedMove(canvas, new Set(handles));
@@ -200,7 +200,7 @@ export class SelectTool implements Tool {
   /** Ends of the open curves that are moved, on the stage: what snaps to others. */
   private endsOf(handles: ReadonlySet<Handle>): Point[] {
     const { canvas } = this;
-    const ends = placesOf(canvas.editor.drawing)
+    const ends = placesOf(canvas.editor)
       .filter(({ owner }) => isWithin(owner, handles))
       .flatMap(({ item, artboardFromItem }) =>
         item.paths
@@ -215,7 +215,7 @@ export class SelectTool implements Tool {
   private reshape(mark: BoxMark, start: Press): Drag | null {
     const { canvas } = this;
     const { editor } = canvas;
-    const box = selectionBox(editor.drawing, editor.selection.peek());
+    const box = selectionBox(editor);
     const handles = this.movedItems().map(({ handle }) => handle);
     if (!box || handles.length === 0) return null;
     const isTurn = mark.kind === "turn";

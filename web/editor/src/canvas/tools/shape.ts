@@ -1,4 +1,4 @@
-// Rectangle, ellipse and polygon: a drag makes a filled shape.
+// Rectangle, ellipse and polygon: a drag makes a filled shape, and so do keys.
 import { currentColor } from "../../app/colors.js";
 import { FEWEST_SIDES, MOST_SIDES } from "../../app/settings.js";
 import type { Point } from "../../geometry/affine.js";
@@ -18,26 +18,88 @@ import type { CursorName } from "../cursors.js";
 import { shown } from "../format.js";
 import type { CurveGrid } from "../hit.js";
 import { NO_SKETCH } from "../sketch.js";
-import { isBeyond, type Drag, type KeyPress, type Press, type Tool } from "./tool.js";
+import { Caret } from "./caret.js";
+import { isBeyond, type Drag, type KeyPress, type Modifiers, type Press, type Tool } from "./tool.js";
 
 /** A shape has at least this width and height, CSS pixels. */
 const LEAST = 1;
 
 export class ShapeTool implements Tool {
+  private readonly caret: Caret;
+  /** The shape that was begun by keys last. */
+  private begun: ShapeDrag | null = null;
+
   constructor(
     private readonly canvas: Canvas,
     private readonly kind: ShapeKind,
-  ) {}
+  ) {
+    this.caret = new Caret(canvas, en.panels.tool[kind]);
+  }
+
+  /** The shape that keys are drawing, or null. */
+  private get drawn(): ShapeDrag | null {
+    return this.begun?.isOver === false ? this.begun : null;
+  }
 
   hover(p: Press): CursorName {
     const { canvas } = this;
+    if (this.drawn) return "draw";
+    this.caret.hide();
     canvas.editor.hovered.value = null;
     canvas.draw({ guides: p.ctrl ? [] : canvas.snap(p.at, canvas.curves(), new Set()).guides });
     return "draw";
   }
 
   press(p: Press): Drag {
+    this.leave();
     return new ShapeDrag(this.canvas, this.kind, p);
+  }
+
+  /** Arrows move a corner where nothing is selected; Enter or Space sets the first one, then the second. */
+  key(pressed: KeyPress): boolean {
+    const { key, shift, alt, ctrl } = pressed;
+    const { caret, drawn, canvas } = this;
+    const isFree = drawn ? !ctrl : !ctrl && !alt && canvas.editor.selection.peek().length === 0;
+    if (isFree && caret.move(key, shift)) return this.follow(pressed);
+    if (key === "Escape" && drawn) this.leave();
+    else if ((key === "Enter" || key === " ") && caret.at) this.setCorner(pressed);
+    else return false;
+    return true;
+  }
+
+  modifiers(now: Modifiers): void {
+    const { at } = this.caret;
+    if (at) this.drawn?.keys(this.pressAt(at, now));
+  }
+
+  leave(): void {
+    this.drawn?.cancel();
+    this.caret.hide();
+  }
+
+  private follow(now: Modifiers): true {
+    this.drawn?.move(this.pressAt(this.caret.at!, now));
+    if (this.drawn) this.canvas.editor.announcement.value = this.drawn.name;
+    return true;
+  }
+
+  private setCorner(now: Modifiers): void {
+    const { canvas, drawn } = this;
+    const at = this.pressAt(this.caret.at!, now);
+    if (!drawn) {
+      this.begun = new ShapeDrag(canvas, this.kind, at);
+      canvas.editor.announcement.value = en.tools.firstCorner;
+    } else if (drawn.isFlat) canvas.editor.say(en.tools.flatShape);
+    else {
+      drawn.end(at);
+      this.caret.hide();
+    }
+  }
+
+  /** The corner that keys move, as a pointer. It moves by whole steps: it does not snap. */
+  private pressAt(point: Point, { shift, alt }: Modifiers): Press {
+    const at = this.canvas.toStage(point);
+    return { at, time: 0, trail: [], pressure: 0, kind: "mouse", shift, alt, ctrl: true, clicks: 1 };
   }
 }
 
@@ -50,7 +112,7 @@ class ShapeDrag implements Drag {
   private to: Point;
   private last: Press;
   private isSpace = false;
-  private isOver = false;
+  isOver = false;
 
   constructor(
     private readonly canvas: Canvas,
@@ -86,6 +148,17 @@ class ShapeDrag implements Drag {
     const sides = this.canvas.editor.settings.polygonSides.peek();
     const ratio = shift ? regularRatio({ kind, sides }) : null;
     return { kind, sides, box: boxOfDrag(this.from, this.to, { ratio, isCentred: alt }) };
+  }
+
+  /** What a screen reader announces: the kind and the size. */
+  get name(): string {
+    return `${en.panels.tool[this.kind]}, ${sizeOf(this.shapeOf(this.last))}`;
+  }
+
+  /** Whether the shape has no width or no height. */
+  get isFlat(): boolean {
+    const [x0, y0, x1, y1] = this.shapeOf(this.last).box;
+    return Math.min(x1 - x0, y1 - y0) * this.canvas.editor.view.peek().zoom < LEAST;
   }
 
   private get isClick(): boolean {
@@ -135,15 +208,14 @@ class ShapeDrag implements Drag {
     this.last = { ...p, at: this.last.at };
     this.leave();
     const shape = this.shapeOf(this.last);
-    const [x0, y0, x1, y1] = shape.box;
-    if (Math.min(x1 - x0, y1 - y0) * editor.view.peek().zoom < LEAST) {
+    if (this.isFlat) {
       editor.say(en.tools.dragShape[this.kind]);
       return;
     }
     const layer = editor.activeLayer?.handle ?? null;
     const made = addShape(editor.drawing, layer, shape, currentColor(editor.settings), editor.step(null));
     const isMade = editor.run(en.tools.undo.shape[this.kind], made);
-    if (isMade) editor.announcement.value = `${en.panels.tool[this.kind]}, ${sizeOf(shape)}`;
+    if (isMade) editor.announcement.value = this.name;
   }
 
   cancel(): void {

@@ -29,11 +29,14 @@ export interface TrailPoint {
   readonly pressure: number;
 }
 
-export interface KeyPress {
-  readonly key: string;
+export interface Modifiers {
   readonly shift: boolean;
   readonly alt: boolean;
   readonly ctrl: boolean;
+}
+
+export interface KeyPress extends Modifiers {
+  readonly key: string;
 }
 
 /** From pointer down to up. It gets no more events after `end` or `cancel`. */
@@ -57,6 +60,8 @@ export interface Tool {
   press(p: Press): Drag | null;
   /** @returns whether the key is the tool's */
   key?(key: KeyPress): boolean;
+  /** Shift, Alt or Ctrl is pressed or released. */
+  modifiers?(now: Modifiers): void;
   /** Another tool is taken up: what is unfinished is finished. */
   leave?(): void;
 }

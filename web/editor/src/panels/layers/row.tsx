@@ -24,6 +24,7 @@ export interface RowEvents {
     event: TargetedPointerEvent<HTMLElement>,
   ) => void;
   readonly onToggle: (item: Item, what: "hidden" | "locked") => void;
+  readonly onIsolate: (item: Item) => void;
   readonly onRename: (item: Item) => void;
   /** `goesOn`: the row gets the focus. */
   readonly onRenamed: (item: Item, goesOn: boolean) => void;
@@ -182,6 +183,9 @@ function PlainRow(props: RowViewProps) {
       tabIndex={props.isActive ? 0 : -1}
       style={{ "--depth": row.depth, top: `${props.top}px` }}
       onPointerDown={(event) => events.current.onPress(item, event)}
+      onDblClick={({ target }) => {
+        if (isContainer && !(target as Element).closest("button, .twist, .name")) events.current.onIsolate(item);
+      }}
       onPointerEnter={() => {
         editor.hovered.value = item.handle;
       }}

@@ -3,6 +3,7 @@
 import { useSignal } from "@preact/signals";
 import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 import type { TargetedPointerEvent } from "preact";
+import { isolatedBy } from "../../app/selected.js";
 import type { Editor } from "../../app/types.js";
 import { setHidden, setLocked } from "../../model/commands/index.js";
 import type { Handle, Item } from "../../model/types.js";
@@ -144,6 +145,10 @@ export function Tree() {
         words.set[what][item[what] ? "off" : "on"],
         setters[what](editor.drawing, [item.handle], !item[what]),
       ),
+    onIsolate: (item) => {
+      const wanted = isolatedBy(item)?.handle ?? null;
+      editor.isolate(editor.isolated.value === wanted ? null : wanted);
+    },
     onRename: (item) => {
       renamed.value = item.handle;
     },

@@ -1,5 +1,5 @@
 // Menus of ☰, the canvas, the rows and the zoom button.
-import { isPrimaryClosed } from "../../app/selected.js";
+import { isolatedBy, isPrimaryClosed, primaryItem } from "../../app/selected.js";
 import type { Editor } from "../../app/types.js";
 import { closedCurves, curvesOf } from "../../model/commands/index.js";
 import { areLocked, guidelinesOf } from "../../model/guidelines.js";
@@ -111,6 +111,12 @@ function aligning(editor: Editor): readonly MenuItem[] {
   ];
 }
 
+function isolation(editor: Editor): MenuItem {
+  if (editor.isolated.value !== null) return { label: words.leaveIsolation, command: "isolate" };
+  const isThere = isolatedBy(primaryItem(editor)) !== null;
+  return { label: words.isolate, command: "isolate", disabled: !isThere, reason: words.needsLayer };
+}
+
 /** Returns the menu of the selection, by its kind. */
 export function object(editor: Editor): readonly MenuItem[] {
   const chosen = editor.selection.value.map(({ handle }) => editor.drawing.item(handle));
@@ -121,6 +127,7 @@ export function object(editor: Editor): readonly MenuItem[] {
   return [
     { label: words.group, command: "group", disabled: nothing },
     { label: words.ungroup, command: "ungroup", disabled: !has("group", "layer") },
+    isolation(editor),
     { label: words.bringUp, command: "bring-up", disabled: nothing },
     { label: words.sendDown, command: "send-down", disabled: nothing },
     { label: words.toTop, command: "to-top", disabled: nothing },

@@ -23,6 +23,7 @@ const names: Readonly<Record<string, string>> = {
   "exact-pixels": words.exactPixels,
   mesh: words.mesh,
   outlines: words.outlines,
+  isolate: words.isolate,
   reference: words.reference,
   difference: words.difference,
   "colors-from-photo": words.colorsFromPhoto,
