@@ -84,6 +84,15 @@ const states = {
       await page.keyboard.press("Control+a");
     },
   },
+  isolation: {
+    async enter(editor) {
+      await select(editor, "front");
+      await editor.page.locator(".canvas-stage").focus();
+      await editor.page.keyboard.press("q");
+      await editor.page.locator(".isolation").waitFor();
+    },
+    leave: ({ page }) => page.getByRole("button", { name: /^Leave isolation/ }).click(),
+  },
   stroke: { enter: (editor) => select(editor, "brush", "strokes") },
   layer: { enter: (editor) => select(editor, "front") },
   group: { enter: (editor) => select(editor, "strokes") },
@@ -122,6 +131,53 @@ const states = {
     leave: ({ page }) => page.keyboard.press("F8"),
   },
   exporting: dialog("Control+e", "Export"),
+  sizes: {
+    ...dialog("", ""),
+    async enter(editor) {
+      await select(editor, "front");
+      await dialog("Control+e", "Export").enter(editor);
+      for (const name of ["@1x", "@3x", "Selected layers only"]) await editor.page.getByRole("checkbox", { name }).check();
+      await editor.page.getByRole("button", { name: "Export 3 PNG files" }).waitFor();
+    },
+  },
+  commands: {
+    ...dialog("", ""),
+    async enter(editor) {
+      await dialog("Control+k", "Find a command").enter(editor);
+      await editor.page.keyboard.type("photo");
+      await editor.page.getByRole("option", { name: /Place photo/ }).waitFor();
+    },
+  },
+  noCommand: {
+    ...dialog("", ""),
+    async enter(editor) {
+      await dialog("Control+k", "Find a command").enter(editor);
+      await editor.page.keyboard.type("zzz");
+    },
+  },
+  palette: {
+    async enter(editor) {
+      const { page } = editor;
+      await page.locator(".canvas-stage").focus();
+      await page.keyboard.press("Control+Shift+a");
+      await showCurve(page);
+      await changing(editor, "a colour for the palette", () => page.getByRole("button", { name: "Add the current colour" }).click());
+      await page.getByRole("button", { name: /^Use #/ }).waitFor();
+    },
+  },
+  grid: {
+    async enter(editor) {
+      const { page } = editor;
+      await menuCommand(editor, "File", "Document settings");
+      await page.getByRole("checkbox", { name: "Show and snap to it" }).check();
+      await page.getByLabel("Step").fill("20");
+      await page.getByLabel("Step").press("Enter");
+    },
+    async leave({ page }) {
+      await page.getByRole("checkbox", { name: "Show and snap to it" }).uncheck();
+      await page.keyboard.press("Escape");
+    },
+  },
   tracing: {
     ...dialog("", ""),
     async enter(editor) {
