@@ -16,21 +16,32 @@ async function fetched(href, base) {
 }
 
 /**
- * Adds the pictures of a text to a context. The reader reports a picture that is missing or unreadable.
+ * Adds the pictures of a text to a context. The reader refuses a drawing with a picture that is missing or
+ * unreadable, unless `leaveOut` is given.
  * @param {import("../../../web/wasm/sfumato.mjs").SfumatoContext} context
  * @param {string | Uint8Array} text
  * @param {string | URL | undefined} base address for fetching files beside the drawing; none: they are not fetched
+ * @param {((href: string) => void) | null} leaveOut called for such a picture, which becomes transparent
  * @returns {Promise<Map<string, Uint8Array>>} the fetched files, by their names in the drawing
  */
-export async function addImages(context, text, base) {
+export async function addImages(context, text, base, leaveOut = null) {
   const words = typeof text === "string" ? text : new TextDecoder().decode(text);
   const files = new Map();
   if (!/<(?:[\w.-]+:)?image/.test(words)) return files;
-  const { found } = await imagesOf(words, { bytes: (href) => fetched(href, base) });
+  const { found, missing: absent } = await imagesOf(words, { bytes: (href) => fetched(href, base) });
+  const missing = [...absent];
   for (const { href, bytes } of found) {
     files.set(href, bytes);
     const pixels = await decodeImage(bytes);
     if (pixels) context.addImage(bytes, pixels);
+    else missing.push(href);
+  }
+  if (!leaveOut) return files;
+  for (const href of missing) {
+    const bytes = files.get(href) ?? new TextEncoder().encode(href);
+    files.set(href, bytes);
+    context.addImage(bytes, { width: 1, height: 1, data: new Uint8Array(4) });
+    leaveOut(href);
   }
   return files;
 }
