@@ -1,5 +1,9 @@
 // Decodes, in the browser, the pictures that a drawing names or contains, before the drawing is read.
-import { decodeImage, imagesOf } from "../../../web/editor/src/files/images.ts";
+import { bytesOfDataUri, decodeImage, imagesOf } from "../../../web/editor/src/files/images.ts";
+
+/** A picture of one transparent pixel, for one that is left out. */
+const transparent =
+  "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAAC0lEQVR42mNgAAIAAAUAAen63NgAAAAASUVORK5CYII=";
 
 /**
  * @param {string} href
@@ -37,10 +41,10 @@ export async function addImages(context, text, base, leaveOut = null) {
     else missing.push(href);
   }
   if (!leaveOut) return files;
+  const nothing = bytesOfDataUri(transparent);
+  if (missing.length > 0) context.addImage(nothing, { width: 1, height: 1, data: new Uint8Array(4) });
   for (const href of missing) {
-    const bytes = files.get(href) ?? new TextEncoder().encode(href);
-    files.set(href, bytes);
-    context.addImage(bytes, { width: 1, height: 1, data: new Uint8Array(4) });
+    files.set(href, nothing);
     leaveOut(href);
   }
   return files;

@@ -241,5 +241,7 @@ export async function writeFiles(project, folder) {
   // A background, and a layer through which it shows.
   const clear = halves().replace("<svg ", '<svg sf:background="#00ff00" ').replace("sf:left", 'sf:opacity="0" sf:left');
   writeFileSync(join(folder, "clear.svg"), clear);
+  const textured = readFileSync(join(folder, "textured.svg"), "utf8");
+  writeFileSync(join(folder, "untextured.svg"), textured.replace(/href="[^"]*"/, 'href="gone.png"'));
 }
 

@@ -195,6 +195,7 @@ class SfumatoPicture extends Base {
     this.#name();
     observe(this, this.#box);
     if (!this.#load?.isLive) this.#load = this.hasAttribute("src") ? new Load() : null;
+    if (this.#isSeen) void this.#start(); // moved: the observer has nothing new to report
     if (this.#picture) {
       drawing?.clients.add(this.#client);
       this.#change();
