@@ -6,7 +6,7 @@ import { SfumatoError, Status } from "../../../../web/wasm/error.mjs";
 import { Access } from "./access.js";
 import { Gestures } from "./gestures.js";
 import { Load, refused } from "./load.js";
-import { hasLayout, hasSight, holdPrint, observe, unobserve } from "./screen.js";
+import { hasLayout, hasSight, observe, unobserve } from "./screen.js";
 import { dress } from "./styles.js";
 
 /** @import { Picture } from "../../../../web/viewer/payload.js" */
@@ -259,14 +259,19 @@ class SfumatoPicture extends Base {
     this.#resize();
   }
 
-  /** For screen.js: loads a picture that was never near the screen, because paper shows all. */
-  prepareForPrint() {
-    if (this.#picture) return;
-    const loading = this.#start().then(() => this.print());
-    if (this.#load?.state === "loading") drawing?.pauseUntil(holdPrint(this.#root, loading));
+  /** For paper.js: loads a picture that was never near the screen, because paper shows all. */
+  loadForPrint() {
+    if (this.#picture) return null;
+    const loading = this.#start();
+    return this.#load?.state === "loading" ? loading : null;
   }
 
-  /** For screen.js: after printing. */
+  /** For paper.js: draws no frames until a promise settles. @param {Promise<unknown>} end */
+  pause(end) {
+    drawing?.pauseUntil(end);
+  }
+
+  /** For paper.js: after printing. */
   printed() {
     this.#root.getElementById("paper")?.remove();
   }
@@ -518,7 +523,7 @@ class SfumatoPicture extends Base {
     this.#hintTimer = setTimeout(() => this.#hint.classList.remove("shown"), HINT_TIME);
   }
 
-  /** For screen.js: prints the whole page, whatever part the element shows. */
+  /** For paper.js: prints the whole page, whatever part the element shows. */
   print() {
     if (!this.#picture) return;
     const side = Math.min(PAPER_SIDE, PAPER_RATIO * Math.max(this.#view.width, this.#view.height));

@@ -1,16 +1,15 @@
 // What the elements of a page observe together: sight, sizes, the pixel ratio, and printing.
+import { clearPaper, preparePaper } from "./paper.js";
 
 /**
  * @typedef {object} Observed
  * @property {(is: boolean) => void} see near the screen, or no longer near it
  * @property {(entry?: ResizeObserverEntry) => void} measure
- * @property {() => void} prepareForPrint
+ * @property {() => Promise<void> | null} loadForPrint null: there is nothing to load
+ * @property {(end: Promise<unknown>) => void} pause
  * @property {() => void} print
  * @property {() => void} printed
  */
-
-/** Longest time for which printing is held, milliseconds; browsers go on earlier. */
-const MOST_HELD = 5000;
 
 /** Elements in the document. @type {Set<HTMLElement & Observed>} */
 const elements = new Set();
@@ -37,28 +36,24 @@ const sizes = hasLayout
 
 let isListening = false;
 
+/** How often the pixel ratio is read, milliseconds: emulated screens report no change. */
+const RATIO_TIME = 1000;
+let ratio = 0;
+let ratioTimer = 0;
+
 /** Another screen or the browser's zoom changes the ratio, and perhaps no size in CSS pixels. */
-function watchRatio() {
-  globalThis.matchMedia?.(`(resolution: ${devicePixelRatio}dppx)`).addEventListener("change", () => {
-    for (const element of elements) element.measure();
-    watchRatio();
-  }, { once: true });
+function readRatio() {
+  if (ratio === devicePixelRatio) return;
+  ratio = devicePixelRatio;
+  globalThis.matchMedia?.(`(resolution: ${ratio}dppx)`).addEventListener("change", readRatio, { once: true });
+  for (const element of elements) element.measure();
 }
 
 function listen() {
   if (isListening || !hasLayout) return;
   isListening = true;
-  watchRatio();
-  addEventListener("beforeprint", () => {
-    // Workers solve what is missing while this thread draws the others.
-    elements.forEach((element) => element.prepareForPrint());
-    elements.forEach((element) => element.print());
-  });
-  addEventListener("afterprint", () => {
-    holding?.remove();
-    holding = null;
-    elements.forEach((element) => element.printed());
-  });
+  addEventListener("beforeprint", () => preparePaper(elements));
+  addEventListener("afterprint", () => clearPaper(elements));
 }
 
 /**
@@ -67,6 +62,11 @@ function listen() {
  */
 export function observe(element, measured) {
   listen();
+  if (elements.size === 0 && hasLayout) {
+    ratio = 0;
+    readRatio();
+    ratioTimer = window.setInterval(readRatio, RATIO_TIME);
+  }
   elements.add(element);
   owners.set(measured, element);
   sight?.observe(element);
@@ -83,42 +83,7 @@ export function observe(element, measured) {
  */
 export function unobserve(element, measured) {
   elements.delete(element);
+  if (elements.size === 0) clearInterval(ratioTimer);
   sight?.unobserve(element);
   sizes?.unobserve(measured);
-}
-
-/** @type {HTMLImageElement | null} */
-let holding = null;
-/** @type {Set<Promise<unknown>>} */
-const awaited = new Set();
-
-/**
- * Holds printing until a promise settles, where browsers allow it: Chromium waits for lazy images, about two seconds
- * in all. An image that loads again and again counts as one.
- * @param {Node & ParentNode} place
- * @param {Promise<unknown>} promise
- * @returns {Promise<void>} resolves when the promise settles, or after the longest time
- */
-export function holdPrint(place, promise) {
-  awaited.add(promise);
-  holding ??= repeatingImage(place);
-  const longest = new Promise((resolve) => setTimeout(resolve, MOST_HELD));
-  return Promise.race([promise, longest]).then(() => void awaited.delete(promise));
-}
-
-/** @param {Node & ParentNode} place */
-function repeatingImage(place) {
-  const image = document.createElement("img");
-  image.loading = "lazy";
-  image.alt = "";
-  let count = 0;
-  const load = () => void (image.src = `data:image/svg+xml,<svg xmlns='http://www.w3.org/2000/svg' id='_${++count}'/>`);
-  image.addEventListener("load", () => {
-    if (image === holding && awaited.size > 0) return load();
-    image.remove();
-    if (image === holding) holding = null;
-  });
-  load();
-  place.append(image);
-  return image;
 }
