@@ -21,7 +21,7 @@ export class SfumatoDocument extends Handle {
     this.#warnings = Object.freeze(warnings);
   }
 
-  /** What the reader ignored, and probable mistakes, one message each. @type {readonly string[]} */
+  /** The content that the reader ignored, and probable mistakes, one message each. @type {readonly string[]} */
   get warnings() {
     return this.#warnings;
   }

@@ -36,7 +36,7 @@ export class SfumatoPicture extends HTMLElement {
   mesh: boolean;
   /** Whether an ordinary SVG is converted to curves; that needs sfumato.wasm. */
   import: boolean;
-  /** What the reader ignored in the drawing, one message each. */
+  /** The content that the reader ignored, one message each. */
   readonly warnings: readonly string[];
   /**
    * null until the picture is loaded. Assign a whole view or a part of one to change it; before that, the picture

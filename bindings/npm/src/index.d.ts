@@ -124,7 +124,7 @@ export class SfumatoDocument implements Handle {
   private constructor();
   free(): void;
   [Symbol.dispose](): void;
-  /** What the reader ignored, and probable mistakes, one message each; empty for a document from `create`. */
+  /** The content that the reader ignored, and probable mistakes, one message each; empty for a document from `create`. */
   readonly warnings: readonly string[];
   copy(): SfumatoDocument;
   /** Solves the drawing. @param options width, scale, maxError, viewport, … */

@@ -72,7 +72,7 @@ class SfumatoPicture extends Base {
 
   /** Number of frames shown so far. */
   frames = 0;
-  /** What the reader ignored in the drawing. @type {readonly string[]} */
+  /** The content that the reader ignored, one message each. @type {readonly string[]} */
   warnings = [];
 
   #root = this.attachShadow({ mode: "open", delegatesFocus: true });

@@ -14,7 +14,7 @@ const FIRST_TURN = 2000;
 const GRACE = 300;
 
 /**
- * What the worker needs to know, as in worker.js.
+ * The message to the worker, as in worker.js.
  * @typedef {object} Request
  * @property {Uint8Array<ArrayBuffer>} bytes
  * @property {string} name

@@ -1,4 +1,4 @@
-// What the elements of a page observe together: sight, sizes, the pixel ratio, and printing.
+// Observes for all elements of a page: sight, sizes, the pixel ratio, and printing.
 import { clearPaper, preparePaper } from "./paper.js";
 
 /**

@@ -29,7 +29,7 @@ function ownAddress(address) {
   return made;
 }
 
-/** What this file uses of Trusted Types, which TypeScript does not know. @type {any} */
+/** The interface of Trusted Types, which TypeScript does not know. @type {any} */
 const trust = globalThis;
 /** @type {any} */
 let policy = null;
