@@ -71,7 +71,8 @@ addEventListener("message", async ({ data: task }) => {
     const { payload, warnings } = await answerOf(task);
     postMessage({ id: task.id, payload, warnings }, { transfer: [payload.buffer] });
   } catch (error) {
-    const { message, code = Status.internal, reason = message, file = task.name, line = 0, column = 0 } = error;
+    const { message, code = Status.internal, reason = message, line = 0, column = 0 } = error;
+    const file = error.file || task.name;
     // A module's memory only grows. After it runs out of memory, a new worker works better.
     const isSpent = code === Status.outOfMemory;
     postMessage({ id: task.id, error: { code, reason, file, line, column }, isSpent });

@@ -9,6 +9,7 @@ import { testElement } from "./element.mjs";
 import { testLoads } from "./loads.mjs";
 import { testManners } from "./manners.mjs";
 import { writeFiles } from "./node.mjs";
+import { testPolicies } from "./policies.mjs";
 import { checkNear, packageOf, serve } from "./tools.mjs";
 
 const { chromium } = packageOf("playwright-core");
@@ -114,6 +115,7 @@ export async function testBuilds(tap, project, folder) {
       await testLoads(tap, pages, server.address, site);
       server.close();
     }
+    await testPolicies(tap, browser, project);
     await testOneBuild(tap, pages, "webpack", project, buildByWebpack);
     await testOneBuild(tap, pages, "esbuild", project, buildByEsbuild);
   } finally {

@@ -8,29 +8,34 @@ const MOST_WAIT = 1200;
 /** Whether this browser waits for lazy images before it prints. Others print what is there at once. */
 const waits = () => "userAgentData" in navigator;
 
-/** Ends the waiting; null: nothing is printed. @type {(() => void) | null} */
-let end = null;
+let isPrinting = false;
+/** @type {HTMLImageElement | null} */
+let holding = null;
 
 /** @param {Set<HTMLElement & Observed>} elements */
 export function preparePaper(elements) {
+  isPrinting = true;
   const loading = [...elements].flatMap((element) => element.loadForPrint() ?? []);
-  const print = () => elements.forEach((element) => element.print());
+  const print = () => isPrinting && elements.forEach((element) => element.print());
   const [first] = elements;
-  if (loading.length === 0 || !waits()) return print();
-  // Drawing blocks this thread, so it comes after loading; until then, workers solve.
-  const stopped = new Promise((resolve) => {
-    end = () => resolve(true);
-    setTimeout(end, MOST_WAIT);
-  });
-  const held = Promise.race([Promise.all(loading), stopped]).then(() => end && print());
-  first.pause(held);
-  hold(/** @type {ShadowRoot} */ (first.shadowRoot), held);
+  const all = Promise.all(loading);
+  if (loading.length > 0 && waits()) {
+    // Drawing blocks this thread, so it comes after loading; until then, workers solve.
+    const held = Promise.race([all, new Promise((resolve) => setTimeout(resolve, MOST_WAIT))]).then(print);
+    first.pause(held);
+    hold(/** @type {ShadowRoot} */ (first.shadowRoot), held);
+  } else {
+    print();
+  }
+  // A dialog may still be open when the last one is loaded.
+  if (loading.length > 0) void all.then(print);
 }
 
 /** @param {Set<HTMLElement & Observed>} elements */
 export function clearPaper(elements) {
-  end?.();
-  end = null;
+  isPrinting = false;
+  holding?.remove();
+  holding = null;
   elements.forEach((element) => element.printed());
 }
 
@@ -48,6 +53,7 @@ function hold(place, promise) {
   const load = () => void (image.src = `data:image/svg+xml,<svg xmlns='http://www.w3.org/2000/svg' id='_${++count}'/>`);
   image.addEventListener("load", () => (isOver ? image.remove() : load()));
   void promise.finally(() => (isOver = true));
+  holding = image;
   load();
   place.append(image);
 }

@@ -23,8 +23,11 @@ const importers = new Map();
  */
 function ownAddress(address) {
   if (isOwn(address)) return address;
+  const text = `import ${JSON.stringify(address)};`;
+  // A document without an origin may not use blob: addresses for this.
+  if (self.origin === "null") return `data:text/javascript,${encodeURIComponent(text)}`;
   const made = importers.get(address) ??
-    URL.createObjectURL(new Blob([`import ${JSON.stringify(address)};`], { type: "text/javascript" }));
+    URL.createObjectURL(new Blob([text], { type: "text/javascript" }));
   importers.set(address, made);
   return made;
 }
