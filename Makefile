@@ -9,7 +9,7 @@ fuzz_seconds := 60
 
 .DEFAULT_GOAL := help
 .PHONY: help demo build test check check-all soak leaks docs kills check-slurm sanitize fuzz fuzz-merge bench wasm hostile-growth \
-  hostile-sanitized equal equal-by-clang viewer editor editor-tests python npm deb reproducible clean
+  hostile-sanitized equal equal-by-clang viewer editor editor-tests python npm npm-bundlers deb reproducible clean
 
 help:
 	@echo 'make demo    install what the build needs, build, draw $(scene)'
@@ -35,6 +35,7 @@ help:
 	@echo 'make editor-tests   the editor in Chromium: all user actions, and the inputs of the fuzzers; its core in Firefox'
 	@echo 'make python  the wheel, $(build_folder)/python/, tested after installation'
 	@echo 'make npm     the npm package, $(build_folder)/npm/sfumato-*.tgz, tested after installation'
+	@echo 'make npm-bundlers   tests it with Vite 5 to 7, Rollup, Next.js and jsdom; needs the npm registry'
 	@echo 'make deb     the Debian packages, $(build_folder)/debian/*.deb, tested in a clean Debian'
 	@echo 'make reproducible  check that two builds in two folders give the same bytes'
 	@echo 'make clean   remove what was built'
@@ -165,6 +166,9 @@ npm:
 	@scripts/setup wasm npm cache
 	@scripts/build-wasm build-wasm
 	@scripts/check-npm $(build_folder) build-wasm
+
+npm-bundlers: npm
+	@node bindings/npm/tests/bundlers/run.mjs $(build_folder)/npm/sfumato-*.tgz $(build_folder)/npm/bundlers
 
 deb:
 	@packaging/debian/build --out $(build_folder)/debian

@@ -10,14 +10,16 @@ const { build } = createRequire(new URL("tests/package.json", import.meta.url))(
 const path = (relative) => fileURLToPath(new URL(relative, import.meta.url));
 const [modules, out] = process.argv.slice(2);
 
-/** Files that are in the package once and are imported by the others. */
-const apart = {
+/** Leaves a file out that is in the package once, and that the others import. */
+const apart = (filter, path) => ({
   name: "apart",
-  setup(building) {
-    const filter = /^\.\/(library|drawing)\.js$/;
-    building.onResolve({ filter }, ({ path }) => ({ path, external: true }));
-  },
-};
+  setup: (building) => building.onResolve({ filter }, () => ({ path, external: true })),
+});
+
+const library = apart(/^\.\/library\.js$/, "./library.js");
+const drawing = apart(/^\.\/drawing\.js$/, "./drawing.js");
+/** All parts throw the same class, so that `instanceof` holds. The worker has its own: its errors are copied. */
+const errors = apart(/\/error\.mjs$/, "./error.js");
 
 const bundle = (entry, options = {}) =>
   build({
@@ -38,12 +40,13 @@ function licences() {
 
 rmSync(out, { recursive: true, force: true });
 mkdirSync(out, { recursive: true });
-await bundle("src/library.js");
-await bundle("src/node.js", { platform: "node", plugins: [apart] });
-await bundle("src/index.js", { plugins: [apart], minify: true });
+await bundle("../../web/wasm/error.mjs", { outdir: undefined, outfile: join(out, "error.js") });
+await bundle("src/library.js", { plugins: [errors] });
+await bundle("src/node.js", { platform: "node", plugins: [library, errors] });
+await bundle("src/index.js", { plugins: [library, errors], minify: true });
 await bundle("src/worker.js", { minify: true });
-await bundle("src/element/element.js", { minify: true, plugins: [apart] });
-await bundle("src/element/drawing.js", { minify: true });
+await bundle("src/element/element.js", { minify: true, plugins: [drawing, errors] });
+await bundle("src/element/drawing.js", { minify: true, plugins: [errors] });
 for (const name of ["package.json", "README.md", "src/index.d.ts", "src/element.d.ts", "../../LICENSE"]) {
   copyFileSync(path(name), join(out, name.split("/").at(-1)));
 }

@@ -103,7 +103,8 @@ export class SfumatoContext extends Handle {
         library.withString(name, (label) =>
           this.#withLoader((loader) => {
             const call = [reader, address, count, label, loader];
-            return new SfumatoDocument(this, this.make(...call));
+            const made = this.make(...call);
+            return new SfumatoDocument(this, made, { warnings: this.warnings });
           }),
         ),
       );
@@ -426,7 +427,7 @@ export class SfumatoContext extends Handle {
     ["round", "roundCount", "curves", "controlPoints", "stops"].forEach((name, i) => {
       told[name] = this.library.u32(state + 16 + 4 * i);
     });
-    const drawing = new SfumatoDocument(this, address, false);
+    const drawing = new SfumatoDocument(this, address, { isOwn: false });
     try {
       this.#onRound(told, drawing);
     } catch (error) {

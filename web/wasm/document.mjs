@@ -12,17 +12,23 @@ export const Space = Object.freeze({ arcLength: 0, parameter: 1 });
 export class SfumatoDocument extends Handle {
   #context;
 
+  #warnings;
+
   /** Used by SfumatoContext. */
-  constructor(context, address, isOwn = true) {
+  constructor(context, address, { isOwn = true, warnings = [] } = {}) {
     super(context.library, "document", address, isOwn);
     this.#context = context;
+    this.#warnings = Object.freeze(warnings);
+  }
+
+  /** The content that the reader ignored, and probable mistakes, one message each. @type {readonly string[]} */
+  get warnings() {
+    return this.#warnings;
   }
 
   copy() {
-    return new SfumatoDocument(
-      this.#context,
-      this.#context.make("sfumato_document_copy", this.address),
-    );
+    const address = this.#context.make("sfumato_document_copy", this.address);
+    return new SfumatoDocument(this.#context, address, { warnings: this.warnings });
   }
 
   /** Calls SfumatoContext.solve() of the context that made the document. */

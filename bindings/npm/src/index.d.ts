@@ -5,6 +5,26 @@
  * otherwise garbage collection releases it later.
  */
 
+declare global {
+  // For `using`, also in projects whose "lib" has no "esnext.disposable".
+  interface SymbolConstructor {
+    readonly dispose: unique symbol;
+  }
+}
+
+/** An address: a URL, or anything else with `href`. */
+export interface Address {
+  readonly href: string;
+}
+
+/** A file, such as a Blob. */
+export interface Readable {
+  arrayBuffer(): Promise<ArrayBuffer>;
+}
+
+/** A drawing: its text, or its bytes. */
+export type Drawing = string | ArrayBuffer | ArrayBufferView | Readable;
+
 /** Options by the long names of the command, also in camel case: `{ maxError: 1 }` or `"max-error=1"`. */
 export type Options = string | Readonly<Record<string, string | number | boolean | null | undefined>> | null;
 
@@ -95,12 +115,17 @@ export interface Hint {
 interface Handle {
   /** Releases the memory. A second call does nothing; any other use afterwards throws a SfumatoError. */
   free(): void;
+  /** The same, for `using`. */
+  [Symbol.dispose](): void;
 }
 
 /** Diffusion curves as their author drew them. */
 export class SfumatoDocument implements Handle {
   private constructor();
   free(): void;
+  [Symbol.dispose](): void;
+  /** The content that the reader ignored, and probable mistakes, one message each; empty for a document from `create`. */
+  readonly warnings: readonly string[];
   copy(): SfumatoDocument;
   /** Solves the drawing. @param options width, scale, maxError, viewport, … */
   solve(options?: Options): SfumatoPicture;
@@ -133,6 +158,7 @@ export type Format = "png" | "svg" | "pdf" | "eps" | "glb" | "html" | "sfv" | "n
 export class SfumatoPicture implements Handle {
   private constructor();
   free(): void;
+  [Symbol.dispose](): void;
   /** x, y, width, height */
   readonly viewport: Box;
   readonly layerCount: number;
@@ -174,6 +200,7 @@ export class SfumatoPicture implements Handle {
 export class SfumatoField implements Handle {
   private constructor();
   free(): void;
+  [Symbol.dispose](): void;
   /** Returns red, green, blue and opacity of each point. @param xy pairs, in the frame of the layer */
   colors(xy: ArrayLike<number>): Float32Array;
 }
@@ -185,6 +212,7 @@ export type Loader = (href: string) => Uint8Array | null;
 export class SfumatoContext implements Handle {
   private constructor();
   free(): void;
+  [Symbol.dispose](): void;
   /** Called while a call works, with the name of a stage and a fraction from 0 to 1. It may call cancel(). */
   onProgress: ((stage: string, fraction: number) => void) | null;
   /** The warnings of the last read() or importSvg(). */
@@ -257,28 +285,31 @@ export class Sfumato {
 
 /**
  * Loads the module that `read` and `create` use; later calls return the same one.
- * @param source bytes, a module or an address; needed if sfumato.wasm is not beside the script
+ * @param source bytes, a WebAssembly.Module or an address; needed if sfumato.wasm is not beside the script
  */
-export function load(source?: BufferSource | WebAssembly.Module | string | URL): Promise<Sfumato>;
+export function load(source?: string | Address | ArrayBuffer | ArrayBufferView | object): Promise<Sfumato>;
 
-/**
- * Reads SVG or the XML of Orzan et al.
- * @param from `name` is for messages. `load` returns the files that the drawing names. In pages, `base` is the
- *   drawing's address: pictures that it names are fetched from there and decoded before the drawing is read.
- */
-export function read(
-  text: string | Uint8Array,
-  from?: { name?: string; load?: Loader | null; base?: string | URL | undefined },
-): Promise<SfumatoDocument>;
+/** Where a drawing comes from. */
+export interface From {
+  /** The name for messages; by default, the name of the file if `read` is given a File. */
+  name?: string;
+  /** Returns the files that the drawing names. */
+  load?: Loader | null;
+  /** In pages, the drawing's address: pictures that it names are fetched from there and decoded beforehand. */
+  base?: string | Address | undefined;
+}
+
+/** Reads SVG or the XML of Orzan et al. `warnings` of the result names what was ignored. */
+export function read(drawing: Drawing, from?: From): Promise<SfumatoDocument>;
 
 /**
  * Converts an ordinary SVG to a drawing, with curves along the boundaries of its fills and strokes. The warnings
  * name the content that was left out. The parameters are as for `read`.
  */
 export function importSvg(
-  text: string | Uint8Array,
-  from?: { name?: string; load?: Loader | null; base?: string | URL | undefined },
-): Promise<{ drawing: SfumatoDocument; warnings: string[] }>;
+  drawing: Drawing,
+  from?: From,
+): Promise<{ drawing: SfumatoDocument; warnings: readonly string[] }>;
 
 /** Creates an empty document. @param options background, interpolation */
 export function create(

@@ -3,6 +3,23 @@ import { loadSfumato } from "../../../web/wasm/sfumato.mjs";
 
 export * from "../../../web/wasm/sfumato.mjs";
 
+/** Whether a source of the module is an address. Bundlers bring a class URL of their own. @param {any} source */
+export const isAddress = (source) => typeof source === "string" || typeof source?.href === "string";
+
+/**
+ * Returns a drawing as `SfumatoContext.read` takes it. Test environments have several classes Uint8Array, so the
+ * result is of this one.
+ * @param {any} given
+ * @returns {Promise<string | Uint8Array>}
+ */
+async function drawingOf(given) {
+  if (typeof given === "string") return given;
+  if (ArrayBuffer.isView(given)) return new Uint8Array(given.buffer, given.byteOffset, given.byteLength);
+  if (/^\[object (Shared)?ArrayBuffer\]$/.test(Object.prototype.toString.call(given))) return new Uint8Array(given);
+  if (typeof given?.arrayBuffer === "function") return new Uint8Array(await given.arrayBuffer());
+  throw new TypeError("expected a drawing: a string, a Uint8Array, an ArrayBuffer or a Blob");
+}
+
 /**
  * Returns the functions of the package. The module is loaded at the first call of one of them, and loaded again
  * after a trap has ended it.
@@ -27,26 +44,25 @@ export function packageOver(bring, prepare = async () => new Map()) {
     return loaded;
   }
 
-  async function prepared(text, { name = "", load = null, base = undefined }) {
-    if (typeof text !== "string" && !(text instanceof Uint8Array)) {
-      throw new TypeError("expected a drawing: a string or a Uint8Array");
-    }
+  async function prepared(drawing, { name = drawing?.name ?? "", load = null, base = undefined }) {
+    const text = await drawingOf(drawing);
     const { context } = await instance();
     const files = await prepare(context, text, base);
-    return { context, given: { name, load: load ?? ((href) => files.get(href) ?? null) } };
+    return { context, text, given: { name, load: load ?? ((href) => files.get(href) ?? null) } };
   }
 
   return {
     async load(source) {
       return (await instance(source)).sfumato;
     },
-    async read(text, from = {}) {
-      const { context, given } = await prepared(text, from);
+    async read(drawing, from = {}) {
+      const { context, text, given } = await prepared(drawing, from);
       return context.read(text, given);
     },
-    async importSvg(text, from = {}) {
-      const { context, given } = await prepared(text, from);
-      return { drawing: context.importSvg(text, given), warnings: context.warnings };
+    async importSvg(drawing, from = {}) {
+      const { context, text, given } = await prepared(drawing, from);
+      const imported = context.importSvg(text, given);
+      return { drawing: imported, warnings: imported.warnings };
     },
     async create(width, height, options = {}) {
       if (!(width > 0 && height > 0)) throw new TypeError("expected a width and a height above 0");

@@ -6,8 +6,10 @@ import { pathToFileURL } from "node:url";
 import { launchWith } from "../../../tests/chromium.mjs";
 import { Pages } from "../../../tests/viewer/harness.mjs";
 import { testElement } from "./element.mjs";
+import { testLoads } from "./loads.mjs";
 import { testManners } from "./manners.mjs";
 import { writeFiles } from "./node.mjs";
+import { testPolicies } from "./policies.mjs";
 import { checkNear, packageOf, serve } from "./tools.mjs";
 
 const { chromium } = packageOf("playwright-core");
@@ -17,7 +19,7 @@ export const launch = () => launchWith(chromium);
 /** Builds as a user would who has read only Vite's first page. */
 async function buildByVite(project) {
   const { build } = await import(pathToFileURL(packageOf.resolve("vite")));
-  const input = ["index.html", "many.html", "print.html"].map((name) => join(project, name));
+  const input = ["index.html", "many.html", "print.html", "blank.html"].map((name) => join(project, name));
   await build({ root: project, logLevel: "warn", configFile: false, base: "./", build: { rollupOptions: { input } } });
   return join(project, "dist");
 }
@@ -110,8 +112,10 @@ export async function testBuilds(tap, project, folder) {
       const server = await serve(site);
       await testElement(tap, pages, server.address, folder);
       await testManners(tap, pages, server.address);
+      await testLoads(tap, pages, server.address, site);
       server.close();
     }
+    await testPolicies(tap, browser, project);
     await testOneBuild(tap, pages, "webpack", project, buildByWebpack);
     await testOneBuild(tap, pages, "esbuild", project, buildByEsbuild);
   } finally {

@@ -1,9 +1,10 @@
 // Tests the package in Node, as installed in a project.
 import { spawnSync } from "node:child_process";
-import { copyFileSync, cpSync, existsSync, readFileSync, statSync, writeFileSync } from "node:fs";
+import { copyFileSync, cpSync, existsSync, mkdirSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { deflateSync, gzipSync } from "node:zlib";
-import { check, checkEqual, checkNear, importOf, pathOf, run } from "./tools.mjs";
+import { check, checkEqual, checkNear, importOf, packageOf, pathOf, run } from "./tools.mjs";
 
 const halves = () => readFileSync(pathOf("bindings/npm/tests/site/public/halves.svg"), "utf8");
 
@@ -27,7 +28,7 @@ async function thrownLater(promise) {
 }
 
 /** Sizes that a change must not exceed, bytes. docs/npm.md lists the present ones. */
-const limits = { tarball: 1_430_000, element: 8_000, drawing: 27_000, worker: 8_000, solver: 405_000 };
+const limits = { tarball: 1_430_000, element: 8_000, drawing: 28_500, worker: 8_000, solver: 405_000 };
 
 async function testSizes(tap, project, tarball) {
   await tap.test("npm: what a page fetches and what is installed stay small", () => {
@@ -48,7 +49,7 @@ async function testSizes(tap, project, tarball) {
   });
   await tap.test("npm: the package holds what it names and nothing else", () => {
     const names = run(project, "tar", "--list", "--file", tarball).trim().split("\n").map((name) => name.replace("package/", ""));
-    const expected = ["LICENSE", "README.md", "drawing.js", "element.d.ts", "element.js", "index.d.ts", "index.js",
+    const expected = ["LICENSE", "README.md", "drawing.js", "element.d.ts", "element.js", "error.js", "index.d.ts", "index.js",
       "library.js", "licences.txt", "node.js", "package.json", "sfumato-solver.wasm", "sfumato.wasm", "worker.js"];
     checkEqual(names.sort(), expected, "its files");
   });
@@ -173,6 +174,43 @@ async function testDrawing(tap, { read, importSvg, create, load, Side, Attribute
   });
 }
 
+/** Bundles a program that reads a drawing, and runs it: what it says. */
+function bundled(project, format, name) {
+  const file = join(project, name);
+  packageOf("esbuild").buildSync({
+    stdin: { contents: 'import { read } from "sfumato"; read("<svg").catch((error) => console.log(error.name, error.message));', resolveDir: project },
+    bundle: true, format, platform: "node", outfile: file, logLevel: "error",
+  });
+  return (folder) => run(folder, process.execPath, file).trim();
+}
+
+async function testSources(tap, project, { read }) {
+  await tap.test("npm: a drawing is text, bytes, a buffer or a file, and keeps its warnings", async () => {
+    const bytes = new TextEncoder().encode(halves());
+    for (const drawing of [halves(), bytes, bytes.buffer, new DataView(bytes.buffer), new Blob([bytes]), Buffer.from(bytes)]) {
+      const { layerCount, warnings } = await read(drawing);
+      checkEqual([layerCount, warnings], [1, []], String(drawing));
+    }
+    const ordinary = await read('<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><circle r="3"/></svg>', { name: "a.svg" });
+    check(ordinary.warnings.length > 1 && ordinary.copy().warnings.some((words) => words.includes("the picture is empty")), JSON.stringify(ordinary.warnings));
+  });
+  await tap.test("npm: a bundler's own class URL is an address", () => {
+    const text = `import { load } from "sfumato"; import { createRequire } from "node:module"; import { pathToFileURL } from "node:url";
+      const { href } = pathToFileURL(createRequire(import.meta.url).resolve("sfumato/sfumato.wasm"));
+      console.log((await load({ href })).abi > 0);`;
+    writeFileSync(join(project, "address.mjs"), text);
+    checkEqual(run(project, process.execPath, "address.mjs").trim(), "true", "load");
+  });
+  await tap.test("npm: bundles for node find the module in node_modules, or say what to do", () => {
+    for (const [format, name] of [["esm", "bundle.mjs"], ["cjs", "bundle.cjs"]]) {
+      const said = bundled(project, format, join("bundles", name));
+      check(/^SfumatoError .*\d/.test(said(project)), `${name}: ${said(project)}`);
+      const elsewhere = said(tmpdir());
+      check(/sfumato\.wasm is not there: copy it .* load\(path\)/.test(elsewhere), `${name}: ${elsewhere}`);
+    }
+  });
+}
+
 /** Returns the public member names of a class or an interface in a .d.ts file. */
 function declared(text, name) {
   const body = new RegExp(`export class ${name} [^{]*\\{([^]*?)\\n\\}`).exec(text)?.[1] ?? "";
@@ -185,6 +223,28 @@ async function testTypes(tap, project, library) {
     const options = { strict: true, noEmit: true, target: "es2022", module: "nodenext", lib: ["es2022", "dom"], types: [], skipLibCheck: false };
     writeFileSync(join(project, "tsconfig.json"), JSON.stringify({ compilerOptions: options, files: ["typed_use.ts"] }));
     run(project, process.execPath, pathOf("bindings/npm/tests/node_modules/typescript/bin/tsc"), "-p", "tsconfig.json");
+  });
+  await tap.test("npm: React's TSX and `using` know the types, and `read` needs no DOM", () => {
+    const react = join(project, "node_modules/react");
+    mkdirSync(react, { recursive: true });
+    writeFileSync(join(react, "package.json"), JSON.stringify({ name: "react", types: "index.d.ts", exports: { ".": "./index.d.ts", "./jsx-runtime": "./jsx-runtime.d.ts" } }));
+    // The parts of @types/react 19 that matter here.
+    writeFileSync(join(react, "index.d.ts"), `export = React; export as namespace React; declare namespace React {
+      interface HTMLAttributes<T> { id?: string } type DetailedHTMLProps<E, T> = E & { ref?: T };
+      namespace JSX { interface Element {} interface IntrinsicElements { p: {} } } }`);
+    writeFileSync(join(react, "jsx-runtime.d.ts"), `import * as React from "./"; export namespace JSX { interface Element extends React.JSX.Element {}
+      interface IntrinsicElements extends React.JSX.IntrinsicElements {} } export function jsx(): React.JSX.Element;`);
+    writeFileSync(join(project, "page.tsx"), `import "sfumato/element";
+      export const page = <sfumato-picture id="a" src="a.svg" interactive max-error={2} onerror={({ error }) => console.log(error)} />;`);
+    writeFileSync(join(project, "using.ts"), `import { create } from "sfumato";
+      export async function count(): Promise<number> { using drawing = await create(3, 3); return drawing.layerCount; }`);
+    writeFileSync(join(project, "server.ts"), 'import { read, load } from "sfumato"; export const a = [read(new ArrayBuffer(3)), load("a")];');
+    const compile = (file, ...more) => run(project, process.execPath, pathOf("bindings/npm/tests/node_modules/typescript/bin/tsc"), "--ignoreConfig",
+      "--strict", "--noEmit", "--module", "nodenext", "--target", "es2022", "--types", "", ...more, file);
+    compile("page.tsx", "--lib", "es2022,dom", "--jsx", "react-jsx");
+    compile("using.ts", "--lib", "esnext,dom");
+    compile("server.ts", "--lib", "es2022");
+    rmSync(react, { recursive: true });
   });
   await tap.test("npm: the element's own types are right", () => {
     const compiler = pathOf("bindings/npm/tests/node_modules/typescript/bin/tsc");
@@ -213,6 +273,7 @@ export async function testNode(tap, project, tarball) {
   await testSizes(tap, project, tarball);
   const library = await importOf(project, "sfumato");
   await testDrawing(tap, library);
+  await testSources(tap, project, library);
   await testTypes(tap, project, library);
   await tap.test("npm: the element can be imported where there is no page", () => {
     const text = 'import { SfumatoPicture } from "sfumato/element"; console.log(typeof SfumatoPicture, typeof window);';
@@ -241,5 +302,7 @@ export async function writeFiles(project, folder) {
   // A background, and a layer through which it shows.
   const clear = halves().replace("<svg ", '<svg sf:background="#00ff00" ').replace("sf:left", 'sf:opacity="0" sf:left');
   writeFileSync(join(folder, "clear.svg"), clear);
+  const textured = readFileSync(join(folder, "textured.svg"), "utf8");
+  writeFileSync(join(folder, "untextured.svg"), textured.replace(/href="[^"]*"/, 'href="gone.png"'));
 }
 

@@ -60,7 +60,7 @@ const policy = [
 ].join("; ");
 
 /** Serves a folder on this machine only. A missing file is 404; in /spa/ it is a page, as on some sites. */
-export async function serve(folder) {
+export async function serve(folder, headers = {}) {
   const server = createServer((request, response) => {
     const name = normalize(decodeURIComponent(new URL(request.url, "http://x").pathname));
     let path = join(folder, name);
@@ -74,6 +74,7 @@ export async function serve(folder) {
     response.writeHead(200, {
       "Content-Type": types[extname(path)] ?? "application/octet-stream",
       "Content-Security-Policy": policy,
+      ...headers,
     });
     createReadStream(path).pipe(response);
   });

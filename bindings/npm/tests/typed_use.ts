@@ -7,7 +7,7 @@ export async function use(text: string): Promise<Pixels> {
   const drawing = await read(text, { name: "a.svg", load: () => null, base: "https://example.org/" });
   drawing.setStops(0, 0, Side.left, Attribute.color, { kind: Kind.stops, rows: [[0, 1, 0, 0]] });
   const picture: SfumatoPicture = drawing.solve({ maxError: 1 });
-  const imported: { warnings: string[] } = await importSvg(text, { name: "a.svg" });
+  const imported: { warnings: readonly string[] } = await importSvg(text, { name: "a.svg" });
   const format: Format = "pdf";
   const file: Uint8Array = picture.export(format, "title=a");
   const vertices = picture.table(0, Table.vertices).data;

@@ -2,13 +2,19 @@
 // docs/npm.md describes the behaviour. Outside a browser the module can be imported and does nothing.
 import { View } from "../../../../web/viewer/view.js";
 import { Motion } from "../../../../web/viewer/motion.js";
+import { SfumatoError, Status } from "../../../../web/wasm/error.mjs";
+import { Access } from "./access.js";
 import { Gestures } from "./gestures.js";
+import { Load, refused } from "./load.js";
+import { hasLayout, hasSight, observe, unobserve } from "./screen.js";
 import { dress } from "./styles.js";
 
 /** @import { Picture } from "../../../../web/viewer/payload.js" */
-/** @import { SharedPicture } from "./pictures.js" */
+/** @import { ViewState } from "../../../../web/viewer/view.js" */
 
-/** @type {import("./solver.js").Addresses} */
+export { SfumatoError, Status };
+
+/** @type {import("./start-worker.js").Addresses} */
 const addresses = { worker: null, wasm: null };
 
 /** The drawing code; null until it is needed. @type {typeof import("./drawing.js") | null} */
@@ -34,18 +40,13 @@ const MOST_HIDDEN = 8;
 /** Elements out of sight that have pixels, the one seen last at the end. @type {Set<SfumatoPicture>} */
 const hidden = new Set();
 
-const sight = isBrowser && typeof IntersectionObserver !== "undefined"
-  ? new IntersectionObserver((entries) => {
-      for (const { target, isIntersecting } of entries) {
-        /** @type {SfumatoPicture} */ (target).see(isIntersecting);
-      }
-    }, { rootMargin: "50%" })
-  : null;
+/** The attributes that decide what is loaded. */
+const sources = ["src", "max-error", "max-time", "import"];
 
 const isApple = () => /Mac|iP(hone|ad|od)/.test(navigator.platform);
 
-export class SfumatoPicture extends Base {
-  static observedAttributes = ["src", "max-error", "alt", "interactive", "mesh", "background"];
+class SfumatoPicture extends Base {
+  static observedAttributes = [...sources, "alt", "aria-label", "interactive", "mesh", "background"];
 
   /** The texts of hints; a page in another language sets its own. */
   static words = {
@@ -71,17 +72,26 @@ export class SfumatoPicture extends Base {
 
   /** Number of frames shown so far. */
   frames = 0;
+  /** The content that the reader ignored, one message each. @type {readonly string[]} */
+  warnings = [];
 
-  #root = this.attachShadow({ mode: "open" });
+  #root = this.attachShadow({ mode: "open", delegatesFocus: true });
   #canvas = document.createElement("canvas");
   #slot = document.createElement("slot");
   #hint = document.createElement("p");
-  /** @type {SharedPicture | null} */
-  #shared = null;
+  /** As large as the canvas, also while the canvas is hidden. */
+  #box = document.createElement("div");
+  /** CSS pixels, and device pixels where the browser tells them. @type {{css: number[], device: number[] | null} | null} */
+  #size = null;
+  #access = new Access(this);
+  /** @type {Load | null} */
+  #load = null;
   /** @type {Picture | null} */
   #picture = null;
   #view = new View([0, 0, 1, 1], () => false);
   #motion = new Motion(this.#view);
+  /** A view that was set before there was a picture. @type {Partial<ViewState> | null} */
+  #wanted = null;
   /** @type {Gestures | null} */
   #gestures = null;
   #isFitted = true;
@@ -89,20 +99,7 @@ export class SfumatoPicture extends Base {
   #isDirty = true;
   #isFine = false;
   #hasPixels = false;
-  #failure = false;
-  #isLoading = false;
-  /** Number of the current attempt to load; older attempts are ignored. */
-  #attempt = 0;
-  #named = { role: "", label: "", tab: false };
   #hintTimer = 0;
-  #sizes = new ResizeObserver(() => this.#resize());
-  #print = () => this.#layOnPaper();
-  #printed = () => this.#root.getElementById("paper")?.remove();
-  /** @type {() => void} */
-  #resolve = () => {};
-  /** @type {(error: unknown) => void} */
-  #reject = () => {};
-  #ready = this.#promise();
   #client = this.#asClient();
 
   constructor() {
@@ -110,19 +107,29 @@ export class SfumatoPicture extends Base {
     dress(this.#root);
     this.#canvas.setAttribute("part", "canvas");
     this.#canvas.hidden = true;
+    this.#box.id = "box";
     this.#hint.id = "hint";
     this.#hint.setAttribute("part", "hint");
     this.#hint.setAttribute("aria-hidden", "true");
-    this.#root.append(this.#canvas, this.#slot, this.#hint);
+    this.#root.append(this.#box, this.#canvas, this.#slot, this.#hint);
     this.#slot.addEventListener("slotchange", () => this.#name());
     this.addEventListener("keydown", (event) => {
       if (event.target === this) this.#gestures?.key(event);
     });
   }
 
-  /** Resolves when the first frame is shown; rejects if none can be shown. @returns {Promise<void>} */
+  /**
+   * Resolves when the first frame is shown, or when the picture is loaded if the element is out of sight. Rejects
+   * if there will be no picture.
+   * @returns {Promise<void>}
+   */
   get ready() {
-    return this.#ready;
+    if (!this.hasAttribute("src")) return refused(new DOMException("The element has no src.", "EncodingError"));
+    this.#load ??= new Load();
+    const { ready } = this.#load;
+    // As decode() of an image, this loads an element that is in no document.
+    if (!this.isConnected) void this.#start();
+    return ready;
   }
 
   get src() {
@@ -140,25 +147,39 @@ export class SfumatoPicture extends Base {
   }
 
   get interactive() {
-    return this.hasAttribute("interactive");
+    return this.#is("interactive");
   }
   set interactive(is) {
     this.toggleAttribute("interactive", Boolean(is));
   }
 
   get mesh() {
-    return this.hasAttribute("mesh");
+    return this.#is("mesh");
   }
   set mesh(is) {
     this.toggleAttribute("mesh", Boolean(is));
   }
 
-  /** The artboard point in the middle, and CSS pixels per user unit; null before the first frame. */
+  get import() {
+    return this.#is("import");
+  }
+  set import(is) {
+    this.toggleAttribute("import", Boolean(is));
+  }
+
+  /**
+   * The artboard point in the middle, and CSS pixels per user unit; null before the picture is loaded.
+   * @returns {Partial<ViewState> | null}
+   */
   get view() {
     return this.#picture && { ...this.#view.state };
   }
   set view(state) {
-    if (!this.#picture || !state) return;
+    if (!state) return;
+    if (!this.#picture) {
+      this.#wanted = { ...this.#wanted, ...state };
+      return;
+    }
     this.#isFitted = false;
     this.#motion.go({ ...this.#view.state, ...state }, false);
     this.#change();
@@ -166,27 +187,31 @@ export class SfumatoPicture extends Base {
 
   /** Shows the whole page. */
   fit() {
+    this.#wanted = null;
     this.#fit(false);
   }
 
   connectedCallback() {
     this.#name();
-    this.#sizes.observe(this);
-    window.addEventListener("beforeprint", this.#print);
-    window.addEventListener("afterprint", this.#printed);
-    sight?.observe(this);
-    if (!sight || this.getAttribute("loading") === "eager") this.see(true);
+    observe(this, this.#box);
+    if (!this.#load?.isLive) this.#load = this.hasAttribute("src") ? new Load() : null;
+    if (this.#isSeen) void this.#start(); // moved: the observer has nothing new to report
+    if (this.#picture) {
+      drawing?.clients.add(this.#client);
+      this.#change();
+    }
+    if (!hasSight || this.getAttribute("loading") === "eager") this.see(true);
   }
 
+  /** A move in the document removes the element and adds it again, in one step. */
   disconnectedCallback() {
-    sight?.unobserve(this);
-    this.#sizes.disconnect();
-    window.removeEventListener("beforeprint", this.#print);
-    window.removeEventListener("afterprint", this.#printed);
-    clearTimeout(this.#hintTimer);
-    this.#isSeen = false;
-    this.#forget();
+    queueMicrotask(() => {
+      if (!this.isConnected) this.#depart();
+    });
   }
+
+  /** Browsers with moveBefore() then call neither of the two above. */
+  connectedMoveCallback() {}
 
   /**
    * @param {string} name
@@ -194,23 +219,26 @@ export class SfumatoPicture extends Base {
    * @param {string | null} now
    */
   attributeChangedCallback(name, before, now) {
-    if (before === now) return;
-    if (name === "src" || name === "max-error") this.#reload();
+    const isAgain = name === "src" && this.#load?.state === "failed";
+    if (before === now && !isAgain) return;
+    if (name === "src") this.#reload();
+    else if (sources.includes(name)) this.#load?.state === "waiting" || this.#reload();
     else if (name === "mesh" || name === "background") this.#change();
+    else if (name === "interactive") this.#listen();
     else this.#name();
-    if (name === "interactive") this.#listen();
   }
 
-  /** For this module: records whether the element is on the screen or near it. @param {boolean} is */
+  /** For screen.js: records whether the element is on the screen or near it. @param {boolean} is */
   see(is) {
     this.#isSeen = is;
     if (is) {
       hidden.delete(this);
-      this.#load();
+      void this.#start();
       if (this.#picture && (this.#isDirty || !this.#isFine)) drawing?.ask(this.#client);
       return;
     }
     drawing?.unask(this.#client);
+    if (this.#picture) this.#load?.shown();
     if (!this.#hasPixels) return;
     hidden.add(this);
     for (const oldest of hidden) {
@@ -220,15 +248,46 @@ export class SfumatoPicture extends Base {
     }
   }
 
-  /** @returns {Promise<void>} */
-  #promise() {
-    const ready = new Promise((/** @type {(value: void) => void} */ resolve, reject) => {
-      this.#resolve = resolve;
-      this.#reject = reject;
-    });
-    // Callers may ignore the promise, because errors are also reported by the event.
-    ready.catch(() => {});
-    return ready;
+  /** For screen.js: takes the size that the browser reports, or the pixel ratio. @param {ResizeObserverEntry} [entry] */
+  measure(entry) {
+    if (entry) {
+      const { width, height } = entry.contentRect;
+      if (width === 0 || height === 0) return; // it has no box now
+      const [device] = entry.devicePixelContentBoxSize ?? [];
+      this.#size = { css: [width, height], device: device ? [device.inlineSize, device.blockSize] : null };
+    }
+    this.#resize();
+  }
+
+  /** For paper.js: loads a picture that was never near the screen, because paper shows all. */
+  loadForPrint() {
+    if (this.#picture) return null;
+    const loading = this.#start();
+    return this.#load?.state === "loading" ? loading : null;
+  }
+
+  /** For paper.js: draws no frames until a promise settles. @param {Promise<unknown>} end */
+  pause(end) {
+    drawing?.pauseUntil(end);
+  }
+
+  /** For paper.js: after printing. */
+  printed() {
+    this.#root.getElementById("paper")?.remove();
+  }
+
+  /** For pictures.js: whether the drawing is wanted soon. */
+  get isNear() {
+    return this.#isSeen;
+  }
+
+  /** Whether a boolean attribute is set. Some frameworks write "false". @param {string} name */
+  #is(name) {
+    return (this.getAttribute(name) ?? "false") !== "false";
+  }
+
+  #name() {
+    if (this.isConnected) this.#access.update(this.#gestures?.area ?? null);
   }
 
   /** Returns the element as the stage sees it. */
@@ -261,68 +320,109 @@ export class SfumatoPicture extends Base {
     };
   }
 
+  /** Begins anew, since another picture is wanted. */
   #reload() {
+    this.#load?.end("The element loads another picture.");
     this.#forget();
-    this.#failure = false;
     this.#isFitted = true;
-    this.#ready = this.#promise();
-    if (this.#isSeen) this.#load();
+    this.#load = this.hasAttribute("src") ? new Load() : null;
+    if (this.#isSeen) void this.#start();
+  }
+
+  /** The element has left the document. As an image does, it keeps a picture that it has loaded. */
+  #depart() {
+    unobserve(this, this.#box);
+    clearTimeout(this.#hintTimer);
+    this.#isSeen = false;
+    hidden.delete(this);
+    drawing?.leave(this.#client);
+    this.#dropPixels();
+    if (this.#picture) {
+      this.#load?.shown();
+      this.#load?.release();
+    } else if (this.#load?.isLive) {
+      this.#load.end("The element was removed from the document.");
+    }
   }
 
   #forget() {
-    this.#attempt += 1;
-    this.#isLoading = false;
     drawing?.leave(this.#client);
     hidden.delete(this);
-    this.#shared?.release();
-    this.#shared = null;
     this.#picture = null;
+    this.warnings = [];
     this.#dropPixels();
     this.#listen();
   }
 
-  async #load() {
-    if (this.#isLoading || this.#failure || !this.src || !this.isConnected) return;
-    this.#isLoading = true;
-    const attempt = ++this.#attempt;
+  /** Loads the picture, unless that has begun. Resolves at the end, also after a failure. */
+  async #start() {
+    const load = this.#load;
+    if (load?.state === "waiting") {
+      load.state = "loading";
+      load.work = this.#bring(load);
+    }
+    await load?.work;
+  }
+
+  /** @param {Load} load */
+  async #bring(load) {
     try {
-      const address = new URL(this.src, document.baseURI).href;
-      const { prepare, SharedPicture } = await loadDrawing();
-      if (attempt !== this.#attempt) return;
-      this.#shared = new SharedPicture(address, this.getAttribute("max-error"), addresses);
-      const picture = await this.#shared.picture;
-      if (attempt !== this.#attempt) return;
-      await prepare(picture);
-      if (attempt === this.#attempt) this.#open(picture);
+      if (!hasLayout) throw new SfumatoError(Status.unavailable, "pictures are drawn in browsers only");
+      if (this.src === "") throw new SfumatoError(Status.badUsage, "src is empty");
+      const wish = {
+        address: new URL(this.src, document.baseURI).href,
+        maxError: this.getAttribute("max-error"),
+        maxTime: this.getAttribute("max-time"),
+        imports: this.import,
+      };
+      const { prepare, shared } = await loadDrawing();
+      if (!load.isLive) return;
+      const entry = shared(wish, addresses, this);
+      load.release = () => entry.release(this);
+      const { picture, warnings } = await entry.shown;
+      if (load.isLive) await prepare(picture);
+      if (load.isLive) this.#open(load, picture, warnings);
     } catch (error) {
-      if (attempt === this.#attempt) this.#fail(error);
+      if (load.isLive) this.#fail(error);
     }
   }
 
-  /** @param {Picture} picture */
-  #open(picture) {
+  /**
+   * @param {Load} load
+   * @param {Picture} picture
+   * @param {readonly string[]} warnings
+   */
+  #open(load, picture, warnings) {
+    load.state = "open";
     this.#picture = picture;
+    this.warnings = warnings;
     this.#view = new View(picture.viewport, () => false);
     this.#motion = new Motion(this.#view);
-    drawing?.clients.add(this.#client);
+    if (this.isConnected) drawing?.clients.add(this.#client);
+    else load.release();
     this.#resize();
+    if (this.#wanted) this.view = this.#wanted;
+    this.#wanted = null;
     this.#listen();
+    if (!this.#isSeen) load.shown();
   }
 
   #listen() {
     this.#gestures?.free();
     this.#gestures = null;
-    if (!this.interactive || !this.#picture) return;
-    this.#gestures = new Gestures(this, this.#motion, {
-      changed: () => {
-        this.#isFitted = false;
-        this.#change();
-      },
-      fit: () => this.#fit(true),
-      takesWheel: () => this.getAttribute("wheel") === "zoom",
-      hint: (what) => this.#say(SfumatoPicture.words[what]()),
-    });
-    this.#hint.before(this.#gestures.area);
+    if (this.interactive && this.#picture) {
+      this.#gestures = new Gestures(this.#motion, {
+        changed: () => {
+          this.#isFitted = false;
+          this.#change();
+        },
+        fit: () => this.#fit(true),
+        takesWheel: () => this.getAttribute("wheel") === "zoom",
+        hint: (what) => this.#say(SfumatoPicture.words[what]()),
+      });
+      this.#hint.before(this.#gestures.area);
+    }
+    this.#name();
   }
 
   /** @param {boolean} smooth */
@@ -334,11 +434,21 @@ export class SfumatoPicture extends Base {
 
   #resize() {
     const view = this.#view;
-    view.width = Math.max(1, this.clientWidth);
-    view.height = Math.max(1, this.clientHeight);
-    view.ratio = window.devicePixelRatio || 1;
+    const { css: [width, height] } = this.#size ?? { css: [this.clientWidth, this.clientHeight] };
+    [view.width, view.height] = [Math.max(1, width), Math.max(1, height)];
+    view.ratio = this.#pixels()[0] / view.width;
     if (this.#isFitted) this.#motion.go(view.fitted(), false);
     this.#change();
+  }
+
+  /** Returns the width and height in device pixels. */
+  #pixels() {
+    const { width, height } = this.#view;
+    const ratio = this.ownerDocument.defaultView?.devicePixelRatio || 1;
+    const computed = [width, height].map((length) => Math.max(1, Math.round(length * ratio)));
+    const device = this.#size?.device;
+    // The browser's own number is right where a side has a fraction. An emulated ratio does not affect it.
+    return device && Math.abs(device[0] - computed[0]) <= 1 && Math.abs(device[1] - computed[1]) <= 1 ? device : computed;
   }
 
   #change() {
@@ -350,10 +460,10 @@ export class SfumatoPicture extends Base {
   /** @returns {import("../../../../web/viewer/renderer.js").Frame} */
   #frame() {
     const view = this.#view;
-    const most = drawing?.largestSide() ?? 1;
-    const shrink = Math.min(1, most / (view.ratio * Math.max(view.width, view.height)));
-    view.ratio *= shrink;
-    const size = [view.width, view.height].map((length) => Math.max(1, Math.round(length * view.ratio)));
+    const pixels = this.#pixels();
+    const shrink = Math.min(1, (drawing?.largestSide() ?? 1) / Math.max(...pixels));
+    const size = pixels.map((length) => Math.max(1, Math.floor(length * shrink)));
+    view.ratio = size[0] / view.width;
     const isClear = this.getAttribute("background") === "none";
     // The area around the page is transparent and shows the background of the element.
     return { size, pixelFromArtboard: view.pixelFromArtboard(size), desk: [0, 0, 0, 0], mesh: this.mesh, lineScale: view.ratio, isClear };
@@ -371,7 +481,7 @@ export class SfumatoPicture extends Base {
     this.#slot.hidden = true;
     this.#hasPixels = true;
     this.frames += 1;
-    this.#resolve();
+    this.#load?.shown();
     if (isFine && !this.#motion.isMoving) this.dispatchEvent(new Event("settled"));
   }
 
@@ -396,33 +506,13 @@ export class SfumatoPicture extends Base {
     this.#slot.hidden = false;
   }
 
-  /** @param {unknown} error */
-  #fail(error) {
-    this.#failure = true;
+  /** @param {unknown} cause */
+  #fail(cause) {
+    const message = cause instanceof Error ? cause.message : String(cause);
+    const error = cause instanceof SfumatoError ? cause : new SfumatoError(Status.unavailable, message, {}, { cause });
+    this.#load?.fail(error);
     this.#forget();
-    this.#reject(error);
-    const message = error instanceof Error ? error.message : String(error);
-    this.dispatchEvent(new ErrorEvent("error", { message, error }));
-  }
-
-  /** Sets a name and a role where the page gives none. An author's value replaces one that was set here. */
-  #name() {
-    if (!this.isConnected) return;
-    const image = this.querySelector("img");
-    const label = this.getAttribute("alt") ?? image?.alt ?? "";
-    const role = this.interactive ? "application" : label || !this.hasAttribute("alt") ? "img" : "presentation";
-    const set = (/** @type {string} */ name, /** @type {string} */ before, /** @type {string} */ now) => {
-      const given = this.getAttribute(name);
-      if (given !== null && given !== before) return;
-      if (now) this.setAttribute(name, now);
-      else this.removeAttribute(name);
-    };
-    set("role", this.#named.role, role);
-    set("aria-label", this.#named.label, label);
-    const hasTab = this.hasAttribute("tabindex");
-    if (this.interactive && !hasTab) this.tabIndex = 0;
-    if (!this.interactive && hasTab && this.#named.tab) this.removeAttribute("tabindex");
-    this.#named = { role, label, tab: this.interactive && (!hasTab || this.#named.tab) };
+    this.dispatchEvent(new ErrorEvent("error", { message: error.message, error }));
   }
 
   /** @param {string} words */
@@ -433,9 +523,9 @@ export class SfumatoPicture extends Base {
     this.#hintTimer = setTimeout(() => this.#hint.classList.remove("shown"), HINT_TIME);
   }
 
-  /** Prints the whole page, whatever part the element shows. */
-  #layOnPaper() {
-    if (!this.#hasPixels || !this.#picture) return;
+  /** For paper.js: prints the whole page, whatever part the element shows. */
+  print() {
+    if (!this.#picture) return;
     const side = Math.min(PAPER_SIDE, PAPER_RATIO * Math.max(this.#view.width, this.#view.height));
     const drawn = drawing?.pageOf(this.#client, side);
     if (!drawn) return;
@@ -447,10 +537,26 @@ export class SfumatoPicture extends Base {
     paper.id = "paper";
     paper.alt = "";
     paper.src = copy.toDataURL();
-    this.#printed();
+    this.printed();
     this.#canvas.before(paper);
     this.#change();
   }
 }
 
-if (isBrowser && !customElements.get("sfumato-picture")) customElements.define("sfumato-picture", SfumatoPicture);
+const name = "sfumato-picture";
+
+/** Returns the class of the element that this page has, which is another one if another script defined it before. */
+function defined() {
+  if (!isBrowser) return SfumatoPicture;
+  const other = /** @type {typeof SfumatoPicture | undefined} */ (customElements.get(name));
+  if (!other) {
+    customElements.define(name, SfumatoPicture);
+    return SfumatoPicture;
+  }
+  if ("workerUrl" in other && "words" in other) return other; // another copy of this package
+  console.warn(`<${name}> was defined by another script; the element of the package sfumato is not used.`);
+  return SfumatoPicture;
+}
+
+const Defined = defined();
+export { Defined as SfumatoPicture };

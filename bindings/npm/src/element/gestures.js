@@ -39,16 +39,14 @@ function commandsOf(motion, changed, fit) {
 /** Handles pointers on a picture, until free(). */
 export class Gestures {
   /**
-   * @param {HTMLElement} host
    * @param {Motion} motion
    * @param {{changed: () => void, fit: () => void, takesWheel: () => boolean, hint: (words: "wheel" | "touch") => void}} ask
    */
-  constructor(host, motion, { changed, fit, takesWheel, hint }) {
+  constructor(motion, { changed, fit, takesWheel, hint }) {
     this.commands = commandsOf(motion, changed, fit);
     // Removing this area also removes the listeners.
     this.area = document.createElement("div");
     this.area.id = "input";
-    this.area.addEventListener("pointerdown", () => host.focus({ preventScroll: true }));
     new PointerInput(/** @type {HTMLCanvasElement} */ (/** @type {unknown} */ (this.area)), this.commands, {
       wheel: () => {
         const takes = takesWheel();

@@ -151,6 +151,8 @@ const asked = new Set();
 /** All clients that show a picture, to draw again when the context is restored. @type {Set<Client>} */
 export const clients = new Set();
 let isScheduled = false;
+/** Number of reasons not to draw frames. */
+let pauses = 0;
 
 function redrawAll() {
   for (const client of clients) {
@@ -207,12 +209,21 @@ export function unask(client) {
   asked.delete(client);
 }
 
+/** Draws no frames for the screen until a promise settles. @param {Promise<unknown>} end */
+export function pauseUntil(end) {
+  pauses += 1;
+  void end.finally(() => {
+    pauses -= 1;
+    if (asked.size > 0) schedule();
+  });
+}
+
 function schedule() {
-  if (isScheduled) return;
+  if (isScheduled || pauses > 0) return;
   isScheduled = true;
   requestAnimationFrame((now) => {
     isScheduled = false;
-    tick(now);
+    if (pauses === 0) tick(now);
   });
 }
 

@@ -77,7 +77,8 @@ function decoded(value: string): string {
   });
 }
 
-const attribute = /\s*(?:([^\s=<>"'/]+)\s*=\s*(["'])|\/)/y;
+// The slash is escaped because Vite 5 reads this line in the npm package, and would otherwise end the expression there.
+const attribute = /\s*(?:([^\s=<>"'\/]+)\s*=\s*(["'])|\/)/y;
 
 /** The href of a start tag whose attributes begin at `at`, whatever its prefix. Strings are skipped at once: they may be long. */
 function hrefAt(text: string, at: number): string | null {
