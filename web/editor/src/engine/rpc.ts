@@ -41,7 +41,7 @@ interface Answer {
 /** A worker's error, on the page's side. Line and column from 1, 0 where unknown. */
 export class EngineError extends Error {
   readonly reason: string;
-  /** Status code of web/wasm/library.mjs; 0: not the library's. */
+  /** Status code of web/wasm/error.mjs; 0: not the library's. */
   readonly code: number;
   readonly line: number;
   readonly column: number;
