@@ -1,4 +1,4 @@
-// What a user does in the benchmarks of the page.
+// User actions that several benchmarks of the page share.
 
 /** Returns points of the artboard where paths of a text begin, if no transform moves them. */
 async function startsOf(editor) {

@@ -1,6 +1,6 @@
 // Compares what one action costs in two builds of the editor, in turns:
 //
-//   node tests/editor/bench/latency.mjs [--rounds N] [--scenes FOLDER] EDITOR.html [EDITOR.html] [--] [SCENE...]
+//   node tests/editor/bench/latency.mjs [--rounds N] [--scenes FOLDER] EDITOR.html [EDITOR.html] [SCENE...]
 //
 // Opens each one-file editor from disk in Chromium with software graphics, and prints Markdown: CPU milliseconds of
 // the page's script, of its main thread, of its process (main thread and workers), and of the graphics process,

@@ -38,7 +38,7 @@ export const count = (text, pattern) => text.match(pattern)?.length ?? 0;
 export function checkAlike(actual, expected, what) {
   const number = /-?\d*\.?\d+(?:e-?\d+)?/g;
   const frame = (text) => text.replace(number, "0");
-  checkEqual(frame(actual), frame(expected), `${what}, but for numbers`);
+  checkEqual(frame(actual), frame(expected), `${what}, with all numbers removed`);
   const [a, b] = [actual, expected].map((text) => (text.match(number) ?? []).map(Number));
   const far = a.findIndex((value, k) => Math.abs(value - b[k]) > 0.5);
   check(far < 0, `${what}: ${a[far]}, expected ${b[far]}`);

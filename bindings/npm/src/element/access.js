@@ -1,6 +1,6 @@
 // Names and roles for people who cannot see the picture. Attributes of the page always count before them.
 
-/** The image inside, for browsers that have no ElementInternals with roles. */
+/** The attributes to set in browsers whose ElementInternals has no roles. */
 const attributeOf = /** @type {const} */ ({ role: "role", ariaLabel: "aria-label" });
 
 export class Access {

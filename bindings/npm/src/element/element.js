@@ -320,7 +320,7 @@ class SfumatoPicture extends Base {
     };
   }
 
-  /** Begins anew, since another picture is wanted. */
+  /** Ends the present load and starts another one. Called when an attribute that decides what is loaded changes. */
   #reload() {
     this.#load?.end("The element loads another picture.");
     this.#forget();

@@ -21,7 +21,7 @@ import { solve } from "./pool.js";
 /** Number of warnings that a message lists. */
 const MOST_LINES = 10;
 
-/** The words of the reader about a drawing in which nothing is visible. */
+/** Matches the warning that the reader gives if nothing in a drawing is visible. */
 const empty = /the picture is empty/;
 
 /**

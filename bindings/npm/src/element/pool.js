@@ -48,7 +48,11 @@ class Task {
     this.reject = reject;
   }
 
-  /** Whether it comes before another. Of two equal ones, the earlier comes first. @param {Task} other */
+  /**
+   * Returns whether this task must be solved before another one: drawings near the screen first, then tasks that lost
+   * their worker less often, then smaller drawings.
+   * @param {Task} other
+   */
   precedes(other) {
     const [near, otherNear] = [this.isNear(), other.isNear()];
     if (near !== otherNear) return near;

@@ -155,7 +155,10 @@ export interface Editor {
   /** The engine's number of the text that it began with: pictures of earlier ones are of another drawing. */
   readonly opened: ReadonlySignal<number>;
   readonly selection: Signal<Selection>;
-  /** The layer or group outside of which the tools edit nothing, and which alone is not faded; null: none. */
+  /**
+   * The isolated layer or group. The stage fades everything else, and tools edit only what is within it. null: nothing
+   * is isolated.
+   */
   readonly isolated: ReadonlySignal<Handle | null>;
   readonly tool: Signal<ToolName>;
   /** Which stops stand on the curve: keys 1 2 3. */

@@ -5,7 +5,7 @@ import { shiftOf } from "../model/commands/structure/items.js";
 import { isHidden, isLocked, isWithin } from "../model/standing.js";
 import type { CurveItem, Drawing, Handle, Item } from "../model/types.js";
 
-/** A drawing, and the item outside of which nothing is edited. */
+/** A drawing, and the isolated item, if there is one. Tools edit only what is within that item. */
 export type Reach = Pick<Editor, "drawing" | "isolated">;
 
 export interface Place {

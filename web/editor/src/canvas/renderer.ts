@@ -128,7 +128,10 @@ export class PictureCanvas {
     return isolated.value !== null && tool.value !== "sample" ? isolated.value : null;
   });
 
-  /** Shows the picture as the isolation wants it. The engine numbers its layers anew before it reports a status. */
+  /**
+   * Fades the rest of the picture while an item is isolated. It also runs when the status changes, because the engine
+   * may renumber the layers of the picture before it reports one.
+   */
   #watchIsolation() {
     if (this.#isolated.value !== null) void this.#editor.status.value;
     untracked(() => this.#fitIsolation());

@@ -147,7 +147,7 @@ export function hsvFromRgb(color: Rgb): Hsv {
 
 export const rgbFromHsv = (color: Hsv): Rgb => clampedRgb(convertHsvToRgb(color));
 
-/** The spaces in which documents mix colours. */
+/** A colour space in which a document can interpolate between colours. */
 export type MixSpace = "srgb" | "linear" | "oklab";
 
 /** Returns a colour's three coordinates in a space. */

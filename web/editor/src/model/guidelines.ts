@@ -1,7 +1,7 @@
 // The guides of a document, in the form that Inkscape gives them: <sodipodi:guide> in <sodipodi:namedview>.
 //
-// The rules are those of SPGuide::set() in Inkscape's src/object/sp-guide.cpp, and of SPNamedView for the attributes
-// of the <namedview>. position="x,y" is a point of the guide in units of the viewBox, counted from the lower left
+// Source: Inkscape reads a guide in SPGuide::set(), src/object/sp-guide.cpp, and the attributes of <namedview> in the
+// class SPNamedView. position="x,y" is a point of the guide in units of the viewBox, counted from the lower left
 // corner of the page, and y points up. Inkscape multiplies each coordinate by the page's size over the viewBox's, so
 // that x and y of the viewBox do not count. orientation="a,b" is the normal, where y points up too; without a
 // readable one the guide is vertical.

@@ -2,8 +2,9 @@
 import type { Drawing, Item } from "./types.js";
 
 /**
- * Before the first curve a layer is empty because nothing has been drawn yet, and so is the layer at work, in which the
- * next curve will be drawn.
+ * Returns whether the editor shows a hint. It hides hints at empty layers in two cases: the drawing has no curve yet, or
+ * the only empty layer is the active one, which gets the next curve.
+ * @param atWork the active layer
  */
 export function isWorthTelling(d: Drawing, { rule }: { readonly rule: string }, atWork: Item | null): boolean {
   const isDrawn = ({ kind }: Item) => kind === "curve" || kind === "stroke";
